@@ -40,7 +40,7 @@ constexpr std::array program_examples{
     "afterglow render phosphor --preset amber-p3 -o amber.png",
 };
 
-// A misspelt command reads like the name of a look, and would open a window.
+// A misspelt command looks like the name of a look and would open the window.
 void check_is_no_command(const std::string& look, const DataFolders& data) {
     std::vector<std::string> names;
     for (const Verb& verb : verbs)
@@ -53,7 +53,7 @@ void check_is_no_command(const std::string& look, const DataFolders& data) {
         throw UsageError(fmt::format("unknown command or look '{}'{}", look, guess));
 }
 
-// What was printed must have been written: a full disk is reported here.
+// Reports output that cannot be written, for example to a full disk.
 int with_output_written(int code) {
     errno = 0;
     std::cout.flush();
@@ -81,7 +81,7 @@ void set_limits(DataFolders& data) {
             throw UsageError(fmt::format("--limit: {}", set.error().front().message));
 }
 
-/// Runs the command that was parsed, or opens the window when there was none.
+/// Runs the parsed command, or opens the window if there is no command.
 int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
                const std::string& look, const DataFolders& data, const OpenWindow& open_window) {
     if (!verb.empty() && !look.empty())

@@ -9,12 +9,12 @@
 #include <algorithm>
 
 namespace {
-// A script's variable that was never set must not read as an option that was not given.
+// An unset variable of a script must not count as an option that is not given.
 std::string complaint_of_empty(const std::string& text) {
     return text.empty() ? "the value is empty" : "";
 }
 
-/// An option whose help calls its value by the second word of `names`.
+/// An option. The second word of `names` is the name of its value in the help.
 template <typename Value>
 CLI::Option& added(CLI::App& app, const std::string& names, Value& value, const std::string& help) {
     const std::size_t space = std::min(names.find(' '), names.size());
@@ -23,7 +23,7 @@ CLI::Option& added(CLI::App& app, const std::string& names, Value& value, const 
     return option;
 }
 
-/// Of the program and of the verb that was parsed.
+/// Option names of the program and of the parsed verb.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
@@ -45,7 +45,7 @@ std::string complaint_of_extra(const CLI::App& app) {
     return fmt::format("unknown option '{}'{}", option, did_you_mean(option, option_names(app)));
 }
 
-/// CLI11's own complaints in the words of ours, which pass as they are.
+/// CLI11's messages, reworded. Messages of our checks stay unchanged.
 std::string complaint_of(const CLI::App& app, const CLI::Error& error) {
     std::string text = error.what();
     switch (static_cast<CLI::ExitCodes>(error.get_exit_code())) {

@@ -11,23 +11,23 @@
 #include <string>
 #include <vector>
 
-/// Prints the reasons on stderr, one a line; gives exit code 1.
+/// Prints the reasons to stderr, one per line. Returns exit_not_good.
 int report(const Diagnostics& reasons);
 
-/// As report, for what does not stop the work.
+/// Prints the warnings to stderr, one per line.
 void warn(const Diagnostics& warnings);
 
-/// "1280x720"; throws UsageError.
+/// Parses "1280x720". Throws UsageError for other text and sizes outside 1 to 16384.
 Extent parse_size(const std::string& text);
 
-/// Throws UsageError where a file's name has none of these endings.
+/// Throws UsageError if the file's name has none of these endings.
 void check_ending(const std::string& option, const std::string& file,
                   const std::vector<std::string>& endings);
 
-/// The options that name a look and how to drive it, shared by render, describe, preset and bench.
+/// The options for a look and its input, shared by the commands that open one look.
 class LookOptions {
 public:
-    /// Which of the options a command takes.
+    /// The options that a command takes; `drawing` adds --fps.
     enum class Take { values, drawing };
 
     explicit LookOptions(std::string size = "1280x720") : m_size(std::move(size)) {}
@@ -41,21 +41,21 @@ private:
     std::string m_size;
 };
 
-/// What every command gets: where looks are.
+/// The library of looks and presets in the folders of `data`.
 Result<Library> open_library(const DataFolders& data);
 
-/// What a command does with a look that is drawn without a display.
+/// The steps of a command that draws a look without a display.
 struct Drawing {
-    /// Looks for mistakes before anything is drawn; may be empty.
+    /// Reports errors before anything is drawn; may be empty.
     std::function<Result<void>(const Prepared& prepared)> check;
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
     /// As Prepared::seen; may be empty.
     std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> seen = {};
 };
-/// Prepares the look, checks, draws, and reports what went wrong; the command's exit code.
+/// Prepares the look, checks, draws and reports errors. Returns the exit code of the command.
 int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& drawing);
 
-/// Each adds its verb to the program; the returned function runs it after parsing.
+/// Each function adds its verb to the program. The returned function runs it after parsing.
 using Command = std::function<int(const DataFolders& data)>;
 Command add_list(CommandLine& program);
 Command add_render(CommandLine& program);

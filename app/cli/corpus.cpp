@@ -61,7 +61,7 @@ Json json_of_lost(const fs::path& file, const std::string& why) {
     return json_of_trial(lost);
 }
 
-// A process a file: what a driver does with some shaders ends in no time, or ends the process.
+// One process per file, because some shaders make a driver hang or crash.
 Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const DataFolders& data) {
     constexpr std::size_t most_bytes = 1 << 22;
     std::vector<std::string> command{

@@ -7,10 +7,10 @@
 
 namespace {
 constexpr std::size_t most_columns = 80;
-constexpr std::size_t option_column = 25;   // where the text of an option begins
-constexpr std::size_t command_column = 12;  // and that of a command
+constexpr std::size_t option_column = 25;   // start of the text of an option
+constexpr std::size_t command_column = 12;  // start of the text of a command
 
-// Broken at spaces; lines after the first begin at `column`.
+// Wraps the text at spaces. Lines after the first start at `column`.
 std::string wrapped(std::string_view text, std::size_t column) {
     std::string result;
     std::size_t end = column;
@@ -35,7 +35,7 @@ std::string wrapped(std::string_view text, std::size_t column) {
     return result;
 }
 
-// A name that reaches into the text's column has a line of its own.
+// A name that reaches the column of the text gets its own line.
 std::string help_row(const std::string& name, std::string_view text, std::size_t column) {
     std::string left = "  " + name;
     if (left.size() + 2 > column)
@@ -49,7 +49,7 @@ bool is_list(const CLI::Option& option) {
     return option.get_expected_max() >= CLI::detail::expected_max_vector_size;
 }
 
-/// " (required, repeatable)", or nothing.
+/// Notes such as " (required, repeatable)", or "".
 std::string notes_of(const CLI::Option& option) {
     std::vector<std::string> notes;
     if (option.get_required())

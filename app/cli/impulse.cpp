@@ -25,7 +25,7 @@ struct ImpulseArguments {
     bool as_json = false;
 };
 
-// Two shares of the picture's width and height.
+// Fractions of the picture's width and height.
 Pin parse_place(const std::string& text) {
     std::istringstream words(text);
     Pin place;

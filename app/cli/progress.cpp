@@ -8,7 +8,7 @@
 #include <utility>
 
 namespace {
-// With what is done, all, the rate, its digits after the point, and the seconds left.
+// Arguments: finished, total, rate, decimals of the rate, seconds left.
 const char* pattern_of(Progress::Work work) {
     switch (work) {
         case Progress::Work::rendering_pictures:

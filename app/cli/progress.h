@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-/// How far long work has come, on one line of a terminal's stderr; silent elsewhere.
+/// Progress of long work, on one line of stderr. Prints nothing if stderr is not a terminal.
 class Progress {
 public:
     enum class Work { rendering_frames, rendering_pictures, checking_files };
@@ -27,7 +27,7 @@ private:
     Clock::time_point m_last = m_start;
 };
 
-/// How far the opening of a look has come, in the same place.
+/// Progress of opening a look, on one line of stderr. Prints nothing if stderr is not a terminal.
 class OpeningLine {
 public:
     OpeningLine();
@@ -36,7 +36,7 @@ public:
     OpeningLine& operator=(const OpeningLine&) = delete;
 
     PassProgress& progress() { return m_progress; }
-    /// The look is open.
+    /// Erases the line.
     void clear();
 
 private:

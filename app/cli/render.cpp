@@ -25,13 +25,13 @@ constexpr std::array render_examples{
 struct RenderArguments {
     LookOptions look;
     std::string output;
-    int frames = 0;        // 0: not said
-    double start = 0.0;    // s, of what is written
-    double seconds = 0.0;  // 0: not said
+    int frames = 0;        // 0: not given
+    double start = 0.0;    // s, start of the output
+    double seconds = 0.0;  // duration of the output; 0: not given
     std::string pass;
     std::string all_passes;
     std::string moves;
-    double timeout = 0.0;  // s; 0: not said
+    double timeout = 0.0;  // s; 0: not given
 };
 
 Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
@@ -71,7 +71,7 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
     return {};
 }
 
-// An output that cannot be written is refused before anything is drawn.
+// Checks the output before anything is drawn.
 FrameNames output_names(const RenderArguments& arguments) {
     const std::string& output = arguments.output;
     auto names = parse_frame_names(output);
@@ -115,7 +115,7 @@ Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline
     return part;
 }
 
-/// Draws up to the picture, and writes it.
+/// Draws all frames up to the last one and saves it.
 Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& part, int pass,
                           Offline& offline, const RecentMedia& recent) {
     Progress progress(Progress::Work::rendering_frames, static_cast<int>(part.end));
@@ -128,7 +128,7 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
     return save_picture_with_preset(offline.picture(pass), offline.document(), file, recent);
 }
 
-/// Draws and writes all frames of the part.
+/// Draws all frames of the part and saves them.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
     Progress progress(Progress::Work::rendering_frames, static_cast<int>(job.part.end));
     job.go_on = [&](std::int64_t drawn) {
@@ -142,14 +142,14 @@ Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offlin
     return {};
 }
 
-// Besides the picture.
+// Names of the passes whose targets are saved.
 std::vector<std::string> seen_passes(const RenderArguments& arguments, const Look& look, int pass) {
     if (!arguments.all_passes.empty())
         return pass_names(look);
     return {look.passes[static_cast<std::size_t>(pass)].name};
 }
 
-// Compiling for these values alone takes as long as a few frames.
+// Whether specialised programs are worth their compilation, which takes as long as a few frames.
 bool draws_many(const RenderArguments& arguments, const Look& look) {
     constexpr double many = 60;
     const double fps = arguments.look.request().fps;

@@ -22,7 +22,7 @@ struct SheetArguments {
     double fps = 60.0;
 };
 
-// As the folder of its presets is named.
+// The name of the folder of its presets.
 std::string id_of(const OpenRequest& request) {
     if (request.stack.size() > 1)
         return stack_id(request.stack);
@@ -30,7 +30,7 @@ std::string id_of(const OpenRequest& request) {
     return (look.has_extension() ? look.parent_path() : look).filename().string();
 }
 
-/// What is to be drawn: a preset itself, or all of a look's; a look without presets as it is.
+/// One request per cell: a given preset, all presets of a look, or a look without presets.
 Result<std::vector<RenderRequest>> requests_of(const SheetArguments& arguments,
                                                const Library& library) {
     std::vector<RenderRequest> requests;
