@@ -1,5 +1,5 @@
-# Finds what Afterglow is built on. Every library is a package of the system; see README.md.
-# Each find is turned into one target of ours, so that a layer names it in LINKS and nothing else.
+# Finds the libraries of Afterglow. All are packages of the system; see README.md.
+# Each one becomes a target external_NAME. Layers list NAME in LINKS.
 
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
@@ -7,7 +7,7 @@ find_package(fmt REQUIRED)
 find_package(glm REQUIRED)
 find_package(glfw3 3.3 REQUIRED)
 find_package(glslang REQUIRED)
-# Its CMake file insists on tools and a Python module that nobody needs here.
+# Its CMake file requires tools and a Python module that are not needed here.
 pkg_check_modules(openimageio REQUIRED IMPORTED_TARGET OpenImageIO)
 pkg_check_modules(librsvg REQUIRED IMPORTED_TARGET librsvg-2.0 cairo-svg)
 find_package(nlohmann_json REQUIRED)
@@ -24,7 +24,7 @@ pkg_check_modules(rtmidi REQUIRED IMPORTED_TARGET rtmidi)
 pkg_check_modules(kissfft REQUIRED kissfft-float)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
 
-# An external_NAME stands for the libraries behind it; imported targets' headers count as SYSTEM.
+# Defines external_NAME for some libraries. Headers of imported targets count as SYSTEM.
 function(add_external name)
     add_library(external_${name} INTERFACE)
     target_link_libraries(external_${name} INTERFACE ${ARGN})
@@ -39,7 +39,7 @@ add_external(epoxy PkgConfig::epoxy)
 add_external(x11 PkgConfig::x11)
 add_external(imgui PkgConfig::imgui glfw)
 add_external(glslang glslang::glslang glslang::glslang-default-resource-limits glslang::SPIRV)
-# The C++ interface, which has no file for CMake; the package is named after the C one.
+# The C++ interface, which has no CMake file. The package is named after the C interface.
 find_path(spirv_cross_headers spirv_cross/spirv_glsl.hpp REQUIRED)
 find_library(spirv_cross_glsl spirv-cross-glsl REQUIRED)
 find_library(spirv_cross_core spirv-cross-core REQUIRED)
@@ -52,7 +52,7 @@ add_external(cli11 CLI11::CLI11)
 add_external(sndfile PkgConfig::sndfile)
 add_external(rtaudio PkgConfig::rtaudio)
 add_external(rtmidi PkgConfig::rtmidi)
-add_external(kissfft ${kissfft_LINK_LIBRARIES})  # its headers take `float` without being told
+add_external(kissfft ${kissfft_LINK_LIBRARIES})  # its headers use `float` by default
 add_external(stb PkgConfig::stb)
 add_external(zlib ZLIB::ZLIB)
 add_external(png PNG::PNG)
