@@ -1,4 +1,4 @@
-"""The tables that ./run bench writes (tests/bench/write_table.py), with example figures."""
+"""Tests the tables that ./run bench writes (tests/bench/write_table.py), with example figures."""
 
 import json
 import subprocess

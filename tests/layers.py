@@ -1,9 +1,9 @@
-"""The rules of the tree that a program can read off the text.
+"""Rules of the source tree that can be checked in its text.
 
-layers.py ROOT prints one "file:line: error: message" for every breach and exits 1 if there is one:
-a layer includes only what its USES line in app/CMakeLists.txt names, a room of a layer only the
-rooms before it in the layer's ROOMS line; GL, EGL and GLFW stay in gpu/, Dear ImGui in ui/; no file is over 500 lines and no function over 60; nothing depends on one place
-from which packages come.
+layers.py ROOT prints one "file:line: error: message" for every breach, and exits with 1 if there is
+one. A layer includes only the layers in its USES line of app/CMakeLists.txt. A room includes only
+itself and the rooms before it in the ROOMS line. GL, EGL and GLFW are used only in gpu/, Dear ImGui
+only in ui/. A file has at most 500 lines, a function at most 60. No file names a package host.
 """
 
 import ast
@@ -18,7 +18,7 @@ CODE = {".cpp", ".h"}
 SHADERS = {".frag", ".vert", ".glsl"}
 TEXT = CODE | SHADERS | {".py", ".cmake", ".txt", ".md", ".json", ".yml", ""}
 
-# What belongs to one layer: the layer, how it reads in a line, and what to call it.
+# Code that belongs to one layer: the layer, its pattern, and its name in messages.
 OWNED = [
     ("gpu", re.compile(r"\bgl[A-Z]\w*\s*\("), "a GL call"),
     ("gpu", re.compile(r"\begl[A-Z]\w*"), "an EGL call"),
@@ -37,7 +37,7 @@ NOT_A_FUNCTION = re.compile(r"^(if|else|for|while|switch|do|try|catch|namespace|
 
 
 def read_keyword(cmake_text, keyword):
-    """The words after a keyword of each add_layer line: {"model": ["base"], ...}."""
+    """The words after a keyword in each add_layer line: {"model": ["base"], ...}."""
     cmake_text = re.sub(r"#[^\n]*", "", cmake_text)
     found = {}
     for name, rest in re.findall(r"^add_layer\(\s*(\w+)([^)]*)\)", cmake_text, re.MULTILINE):
@@ -47,7 +47,7 @@ def read_keyword(cmake_text, keyword):
 
 
 def read_layers(cmake_text):
-    """The layers that may be included by each layer: {"model": {"base"}, ...}."""
+    """The layers that each layer may include: {"model": {"base"}, ...}."""
     return {name: set(uses) for name, uses in read_keyword(cmake_text, "USES").items()}
 
 
@@ -61,7 +61,7 @@ def line_of(text, position):
 
 
 def without_comments_and_strings(text):
-    """The same text, line for line; the names in #include lines stay."""
+    """The text with comments and strings blanked. Lines and names in #include lines are kept."""
 
     def blank(match):
         start = text.rfind("\n", 0, match.start()) + 1
@@ -84,7 +84,7 @@ def check_includes(layer, code, layers):
 
 
 def check_rooms(layer, room, code, order):
-    """A room includes itself and what comes before it in the order of its layer."""
+    """A room may include itself and the rooms before it in the order of its layer."""
     if not order and room == ".":
         return
     if room not in order:
@@ -115,11 +115,11 @@ def is_function(header):
 
 
 def check_functions(code):
-    """Counts the lines from a function's name to its closing brace, lambdas and test cases too."""
+    """Checks the lines of functions, lambdas and test cases, from the name to the closing brace."""
     code = re.sub(r"^[ \t]*#[^\n]*", "", code, flags=re.MULTILINE)
     stack = []
-    begin = 0  # of the statement that is being read
-    depth = 0  # of parentheses: the ';' in for (;;) end no statement
+    begin = 0  # of the current statement
+    depth = 0  # of parentheses: the ';' in for (;;) do not end a statement
     for match in re.finditer(r"[{};()]", code):
         position = match.start()
         depth += {"(": 1, ")": -1}.get(match.group(), 0)
@@ -145,7 +145,7 @@ def check_python_functions(text):
 
 
 def check_file(path, text, layers, rooms):
-    """The breaches in one file, path relative to the root: pairs of a line and a message."""
+    """The breaches in one file: pairs of a line and a message. `path` is relative to the root."""
     lines = text.count("\n")
     if path.suffix != ".md" and lines > MOST_FILE_LINES:
         yield 0, f"{lines} lines; {MOST_FILE_LINES} are the most"

@@ -1,4 +1,4 @@
-"""Runs the rules of layers.py on this tree, and on small trees that break one rule each."""
+"""Checks the rules of layers.py on this tree, and on small trees that break one rule each."""
 
 import tempfile
 import unittest
@@ -19,7 +19,7 @@ add_layer(lab USES base ROOMS media .
 
 
 def breaches_in(files):
-    """What check_tree says of a tree with these files: {path: text}."""
+    """What check_tree reports for a tree with these files: {path: text}."""
     with tempfile.TemporaryDirectory() as root:
         for path, text in {"app/CMakeLists.txt": CMAKE, **files}.items():
             file = Path(root, path)

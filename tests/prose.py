@@ -1,8 +1,8 @@
-"""Checks the plain words of all texts that users read: window, command line, looks and docs.
+"""Checks the wording of all texts that users read: window, command line, looks and docs.
 
-The rules: phrases that read like a translation are refused, with exceptions listed here; sentences
-of the docs have at most 35 words (a warning from 26); lines of the docs at most 160 characters
-outside tables; a table cell at most two sentences; the README at most 80 lines; links lead somewhere.
+Phrases that read like a translation are errors, with exceptions listed here. In the docs, a sentence
+has at most 35 words (a warning from 26), a line at most 160 characters outside tables, and a table
+cell at most two sentences. The README has at most 80 lines. The targets of links must exist.
 """
 
 import re
@@ -20,7 +20,7 @@ PHRASES = [
 ]
 PHRASE = re.compile("|".join(f"({phrase})" for phrase in PHRASES), re.IGNORECASE)
 
-# Text that has to stay although it holds a phrase: (file, text in it, reason).
+# Texts that stay although they contain a phrase: (file, part of the text, reason).
 EXCEPTIONS = [
     ("presets/phosphor/article-mono.json", "in the place of four", "descriptions of presets stay"),
 ]
@@ -37,7 +37,7 @@ ABBREVIATIONS = re.compile(r"\b(e\.g|i\.e|etc|vs|approx|Fig|No|cf)\.")
 
 
 def code_texts(text):
-    """(line, text) of each string literal of C++ code; adjacent literals are one text."""
+    """(line, text) of each string literal of C++ code. Adjacent literals are one text."""
     texts = []
     open_text, open_line = "", 0
     for number, line in enumerate(text.split("\n"), 1):
@@ -90,7 +90,7 @@ def script_texts(text):
 
 
 def bare(text):
-    """Markdown without its marks: a span of code counts as one word, a link as its text."""
+    """Markdown without its markup. A span of code counts as one word, a link as its text."""
     text = re.sub(r"``[^`].*?``|`[^`]*`", "CODE", text)
     text = re.sub(r"<[^>]*>", "", text)
     text = re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", text)
@@ -98,7 +98,7 @@ def bare(text):
 
 
 def without_code(text):
-    """Markdown with its fenced code emptied; the lines keep their numbers."""
+    """Markdown with empty fenced code. Lines keep their numbers."""
     fenced = re.compile(r"^\s*```.*?^\s*```\s*$", re.DOTALL | re.MULTILINE)
     return fenced.sub(lambda code: "\n" * code.group().count("\n"), text)
 
@@ -179,7 +179,7 @@ def page_problems(file, text):
 
 
 def anchors(text):
-    """The anchors of the headings of a page, as web views of Markdown make them."""
+    """The anchors of the headings of a page, as Markdown viewers generate them."""
     headings = re.findall(r"^#+\s+(.*)$", without_code(text), re.MULTILINE)
     return {
         re.sub(r"[^\w\- ]", "", bare_heading(heading)).strip().lower().replace(" ", "-")

@@ -1,4 +1,4 @@
-"""Runs the rules of prose.py on this tree, and on small trees that break one rule each."""
+"""Checks the rules of prose.py on this tree, and on small trees that break one rule each."""
 
 import tempfile
 import unittest

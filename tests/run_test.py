@@ -1,4 +1,4 @@
-"""Drives ./run in a copy of its files, with stand-ins for apt, sudo, CMake, Ninja and CTest."""
+"""Runs ./run in a copy of its files, with stand-ins for apt, sudo, CMake, Ninja and CTest."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent
 TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id basename".split()
 
-# The packages of the stand-in system are files in $BOX/installed; what was called is in $BOX/log.
+# The packages of the stand-in system are files in $BOX/installed. Calls are logged in $BOX/log.
 STAND_INS = {
     "dpkg-query": '[ -e "$BOX/installed/${!#}" ] && echo installed',
     "apt-cache": """
@@ -87,7 +87,7 @@ class RunTest(unittest.TestCase):
         )
 
     def run_at_terminal(self, answer, *arguments):
-        """Exit code of ./run with a terminal as stdin, on which this answer is typed."""
+        """Exit code of ./run with a terminal as stdin, where this answer is typed."""
         try:
             terminal, stdin = pty.openpty()
         except OSError as reason:
@@ -214,7 +214,7 @@ class RunTest(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
 
     def write_bench(self, name, key, verdict, ending=0):
-        """A program that reports one figure."""
+        """Writes a benchmark that reports one figure."""
         (self.box / f"tree/tests/bench/{name}_bench.cpp").touch()
         figure = {"topic": "t", "title": "T", "key": key, "what": key, "value": 1.0, "unit": "", "at_most": 2.0,
                   "verdict": verdict}
@@ -225,7 +225,7 @@ class RunTest(unittest.TestCase):
         program.chmod(0o755)
 
     def run_benches(self, *benches):
-        """The outcome of ./run bench, and the page that it wrote."""
+        """The result of ./run bench, and the page that it wrote."""
         for folder in ("tests/bench", "build/release/tests/bench", "docs"):
             (self.box / "tree" / folder).mkdir(parents=True, exist_ok=True)
         for name in ("figure.py", "write_table.py"):

@@ -1,4 +1,4 @@
-"""The figures of benches that are scripts, in the form of figure.h."""
+"""Prints and writes the figures of benchmark scripts, in the format of figure.h."""
 
 import json
 import os
@@ -10,7 +10,7 @@ def digits(value):
 
 
 def goal(figure):
-    """The goal of a figure as text; "": reported only."""
+    """The goal of a figure as text; "": no goal."""
     for side, words in (("at_most", "at most"), ("at_least", "at least")):
         if side in figure:
             return "%s %.4g" % (words, figure[side])
@@ -18,7 +18,7 @@ def goal(figure):
 
 
 def tell(topic, title, key, what, value, unit="", at_most=None, detail=""):
-    """Prints a line, and adds a line of JSON to the file that AFTERGLOW_BENCH_FIGURES names."""
+    """Prints a figure, and appends it as a line of JSON to the file in AFTERGLOW_BENCH_FIGURES."""
     figure = {"topic": topic, "title": title, "key": key, "what": what, "value": value, "unit": unit}
     if at_most is not None:
         figure["at_most"] = at_most

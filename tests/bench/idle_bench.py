@@ -1,5 +1,5 @@
-"""Cost of the paused window: idle_bench.py PROGRAM. Phosphor at 1280 x 720 under Xvfb; CPU time of the
-program and its redraws over ten seconds without input."""
+"""Cost of the paused window: idle_bench.py PROGRAM. Phosphor at 1280 x 720 under Xvfb. Measures the
+CPU time of the program and its redraws over ten seconds without input."""
 
 import os
 import sys
@@ -24,7 +24,7 @@ def cpu_seconds(process):
 
 
 def fall_asleep(program):
-    """Waits until the program has not redrawn for three seconds."""
+    """Waits until the program has drawn nothing for three seconds."""
     seen = {"turn": None, "since": 0.0}
 
     def sleeps(state):

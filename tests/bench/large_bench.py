@@ -1,5 +1,5 @@
-"""Cost of a first frame of Phosphor as a large picture: large_bench.py PROGRAM. CPU time and peak memory of
-the whole command."""
+"""Cost of the first frame of Phosphor as a large picture: large_bench.py PROGRAM. Measures the CPU
+time and the peak memory of the whole command."""
 
 import os
 import subprocess

@@ -1,5 +1,5 @@
-"""CPU time of the panels: panels_bench.py PROGRAM. The window at 1280 x 720 under Xvfb with Phosphor, and
-with a look of 50 passes and 1,000 parameters; without the drawing of their triangles by GL."""
+"""CPU time of the panels: panels_bench.py PROGRAM. The window at 1280 x 720 under Xvfb, with
+Phosphor and with a look of 50 passes and 1,000 parameters. GL drawing is not included."""
 
 import json
 import statistics
@@ -18,7 +18,7 @@ TURNS = 80
 
 
 def costs(program):
-    """Milliseconds of the next redraws of the window."""
+    """CPU time of the panels in the next redraws of the window, in ms, sorted."""
     seen = {}
 
     def is_enough(state):
@@ -35,7 +35,7 @@ def report(key, what, program):
 
 
 def write_large_look(folder):
-    """50 passes of 20 parameters each."""
+    """Writes a look of 50 passes with 20 parameters each."""
     folder.mkdir()
     passes = [{"name": "pass%d" % i, "fragment": "%d.frag" % i, "size": [8, 8], "inputs": {"before": "pass%d%s" % (max(i - 1, 0), "" if i else "@1")}}
               for i in range(50)]

@@ -1,6 +1,6 @@
-"""Time from the start of the window to its first picture: start_bench.py PROGRAM. Phosphor at 1280 x 720
-under Xvfb with a saved session and warm caches; in alternation with a plain window that only has a
-context. Wall time from the start of the process, and CPU time of all its threads."""
+"""Time from the start of the window to its first picture: start_bench.py PROGRAM. Phosphor at
+1280 x 720 under Xvfb, with a saved session and warm caches. Starts alternate with those of a plain
+window that only has a context. Wall time from the start of the process, CPU time of its threads."""
 
 import os
 import statistics
@@ -18,13 +18,13 @@ from screen import Screen  # noqa: E402
 SOURCE = Path(__file__).resolve().parents[2]
 WINDOW = (1280, 720)
 STARTS = 15
-FIRST_STARTS = 3  # what they find out is kept for the others
+FIRST_STARTS = 3  # these fill the caches for the others
 PATIENCE_SECONDS = 30
 GOAL_MS = 150
 
 
 def cpu_ms(process):
-    """Of all threads of a process, so far."""
+    """CPU time of all threads of a process so far."""
     spent = 0
     for thread in Path("/proc/%d/task" % process.pid).iterdir():
         spent += int((thread / "schedstat").read_text().split()[0])
@@ -32,7 +32,7 @@ def cpu_ms(process):
 
 
 class Start:
-    """A program's way to what it shows first."""
+    """A program between its start and its first picture."""
 
     def __init__(self, command, environment):
         self.begun = time.monotonic()
@@ -40,7 +40,7 @@ class Start:
                                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
 
     def shown(self):
-        """Milliseconds on the clock and of CPU time."""
+        """Wall time and CPU time so far, in ms."""
         return 1e3 * (time.monotonic() - self.begun), cpu_ms(self.process)
 
     def end(self):
@@ -86,7 +86,7 @@ def warm_up(program):
                        for key in ("XDG_CACHE_HOME", "MESA_SHADER_CACHE_DIR")})
     for _ in range(FIRST_STARTS):
         program.start()
-        time.sleep(2)  # what is drawn after the first picture is kept, too
+        time.sleep(2)  # programs drawn after the first picture are cached, too
         program.quit()
 
 

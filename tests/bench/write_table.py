@@ -1,8 +1,8 @@
-"""Writes the figures of the benches into the tables of the performance page: write_table.py FIGURES DOCUMENT.
+"""Writes the figures of the benchmarks into the performance page: write_table.py FIGURES DOCUMENT.
 
-FIGURES has a line of JSON for each figure (tests/bench/figure.h). DOCUMENT has the two marks below; the
-text between them is replaced. Rows that are missing in FIGURES stay unchanged, with the date of their run.
-Prints "N pass, M miss, K noise", counted in FIGURES. The exit code is 1 if a figure missed its goal.
+FIGURES has one line of JSON per figure (tests/bench/figure.h). The text between the two marks in
+DOCUMENT is replaced. Rows that are missing in FIGURES stay unchanged, with the date of their run.
+Prints "N pass, M miss, K noise", counted in FIGURES. Exits with 1 if a figure missed its goal.
 """
 
 import datetime
@@ -32,7 +32,7 @@ A ratio to a reference is the median over rounds that alternate both, unless its
 
 
 def row_of(figure):
-    """A figure's line of the table."""
+    """The table row of a figure."""
     measured = " ".join(filter(None, [digits(figure["value"]), figure["unit"]]))
     if figure.get("detail"):
         measured += " (%s)" % figure["detail"]

@@ -1,4 +1,4 @@
-"""Broken, missing, huge and hostile files: one clear diagnostic, the right exit code, nothing lost."""
+"""Broken, missing, huge and hostile files: one clear diagnostic, the exit code, no lost data."""
 
 import json
 import os
@@ -25,11 +25,11 @@ def manifest(**changes):
 
 
 class BadLooks(ProgramTest):
-    """Each broken look is a folder of its own, so that one `check` reads all that a test makes."""
+    """Each broken look has its own folder, so that one `check` reads all looks of a test."""
 
     def setUp(self):
         super().setUp()
-        self.bad = []  # folder, words that the message must hold
+        self.bad = []  # folder, words that the message must contain
         self.addCleanup(lambda: self.assertEqual(self.bad, [], "check_refused() was not called"))
 
     def look(self, text=None, **files):
@@ -46,7 +46,7 @@ class BadLooks(ProgramTest):
         return self.bad[-1][0]
 
     def check_refused(self):
-        """check refuses each of the looks with its words, and render the last one too."""
+        """`check` refuses each look with its words, and `render` refuses the last one."""
         done = run("check", *(look for look, _ in self.bad))
         self.assert_refused(done)
         self.assertEqual(done.stdout, "")
@@ -69,12 +69,12 @@ class BadLooks(ProgramTest):
 
     def test_what_glslang_refuses_is_refused_where_the_driver_would_take_it(self):
         self.refuse("only.frag:5: error:", "l-value required",
-                    only__frag=FRAGMENT.replace("color = ", "(gain > 0.0 ? color : color) = "))  # Mesa does
+                    only__frag=FRAGMENT.replace("color = ", "(gain > 0.0 ? color : color) = "))  # Mesa accepts this
         self.check_refused()
 
     def test_what_only_the_driver_refuses_is_told_in_the_authors_file_and_line(self):
         look = self.look(only__frag=FRAGMENT.replace("in vec2", '#include "part.glsl"\nin vec2'),
-                         part__glsl="float one() {\n    return 1;\n}\n")  # no float before GLSL 4.20
+                         part__glsl="float one() {\n    return 1;\n}\n")  # not converted to float before GLSL 4.20
         self.assert_done(run("check", look))
         self.assert_refused(run("render", look, "--size", "32x32", "-o", self.folder / "x.png"),
                             "part.glsl:2: error: graphics driver: ")
@@ -98,7 +98,7 @@ class BadLooks(ProgramTest):
         for name in ("../secret.glsl", str(self.folder / "secret.glsl")):
             self.refuse("only.frag:3: error:", only__frag=FRAGMENT.replace("in vec2", f'#include "{name}"\nin vec2'))
         look = self.refuse("only.frag:3: error:", only__frag=FRAGMENT.replace("in vec2", '#include "link.glsl"\nin vec2'))
-        os.symlink(self.folder / "secret", look / "link.glsl")  # no shader text, by its name
+        os.symlink(self.folder / "secret", look / "link.glsl")  # not named like a shader file
         self.check_refused()
 
     def test_paths_of_a_look_stay_inside_its_folder(self):
@@ -333,7 +333,7 @@ class Saving(ProgramTest):
         for attempt in range(6):
             process = subprocess.Popen([PROGRAM, "preset", "phosphor", "--set", "decay=0.5", "-o", file],
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            # The file beside it appears when the save begins, at its end it takes the other's place.
+            # The temporary file appears when saving starts. At the end it replaces the preset.
             while attempt and process.poll() is None and not list(self.folder.glob(".afterglow-*")):
                 pass
             time.sleep(0.0001 * attempt)

@@ -1,4 +1,4 @@
-"""The command line as a person's script sees it."""
+"""The command line as scripts use it."""
 
 import json
 import math
@@ -155,7 +155,7 @@ class Rendering(ProgramTest):
             for line in lines:
                 self.assertIn("warning: the picture flashes up to 6 times a second (0 in red)", line)
         done = run("render", self.folder / "flash", "--size", "96x72", "--frames", "60", "-o", self.folder / "f.png")
-        self.assertNotIn("flashes", done.stderr)  # one picture does not flash
+        self.assertNotIn("flashes", done.stderr)  # a single picture does not flash
 
     def test_a_flash_falls_as_the_look_says(self):
         self.write("glow/look.json", json.dumps({
@@ -173,7 +173,7 @@ class Rendering(ProgramTest):
             done = run("impulse", self.folder / "glow", "--size", "32x18", "--fps", str(fps), "--json")
             self.assert_done(done)
             glow, shown = json.loads(done.stdout)["passes"]
-            rate = -60 * math.log(0.9)  # a second
+            rate = -60 * math.log(0.9)  # per second
             for told, peak in ((glow, 1.0), (shown, 3.0)):
                 self.assertAlmostEqual(told["peak"], peak, places=4)
                 self.assertAlmostEqual(told["half_life_seconds"], math.log(2) / rate, places=4)
@@ -214,15 +214,15 @@ class Rendering(ProgramTest):
                 one = self.folder / "one.png"
                 run("render", "phosphor", *small, "--set", f"exposure={exposure}", "--set", f"decay={decay}", "-o", one)
                 places.append(self.place_in(sheet, read_png(one)[2]))
-        self.assertEqual(places[0][1], places[1][1])  # the first parameter goes across
+        self.assertEqual(places[0][1], places[1][1])  # the first parameter varies across
         self.assertLess(places[0][0], places[1][0])
-        self.assertEqual(places[0][0], places[2][0])  # the second one down
+        self.assertEqual(places[0][0], places[2][0])  # the second one varies down
         self.assertLess(places[0][1], places[2][1])
         for wrong in ("exposure", "exposure=1:2", "exposur=1:2:3", "decay=0:7:3", "beam_color=0:1:3"):
             self.assert_refused(run("sweep", "phosphor", "--vary", wrong, "-o", out), wrong.split("=")[0])
 
     def place_in(self, sheet, rows):
-        """Where a picture lies in a larger one, to the last digit."""
+        """Position of a picture within a larger one; all bytes must be equal."""
         rows = [bytes(row) for row in rows]
         sheet, wide = [bytes(row) for row in sheet], len(rows[0])
         for top in range(len(sheet) - len(rows) + 1):
@@ -348,17 +348,18 @@ class Measuring(ProgramTest):
         document = json.loads(result.stdout)
         self.assertGreater(document["frame"]["cpu_ms"], 0)
         self.assertEqual(len(document["passes"]), 19)
-        self.assertEqual(document["draw_calls"], 16)  # without what the picture does not need
+        self.assertEqual(document["draw_calls"], 16)  # only passes that the picture needs
         self.assertTrue(document["renderer"])
 
     def test_bench_tells_what_the_targets_take(self):
-        # Light of this frame and the last, the picture; at half the size what the bloom is made of, twice;
-        # of a measured tube the beam, what it holds, and one for its light and then what it holds next.
+        # Custom tube: the light of this and of the previous frame. Measured tube: the beam, the
+        # charge, and one target for the light and then the next charge. Both: the picture, and two
+        # bloom targets at half the size.
         for tube, floats in (("Custom", 2), ("P31", 3)):
             result = run("bench", "phosphor", "--size", "160x90", "--frames", "1", "--json", "--set", f"tube={tube}",
                          "--set", "bloom_kind=Taps")
             self.assert_done(result)
-            texels = 200  # bytes of those that stand for what is not used, at most
+            texels = 200  # at most, in bytes: placeholders of unused targets
             self.assertAlmostEqual(json.loads(result.stdout)["target_bytes"],
                                    160 * 90 * (16 * floats + 4) + 80 * 45 * 2 * 8, delta=texels)
 
@@ -406,7 +407,7 @@ void main() { FragColor = vec4(params.level, 0.0, 0.0, 1.0); }
         self.assert_done(run("render", preset, "-o", self.folder / "out.png", "--size", "4x4", **state))
         self.assertEqual(read_png(self.folder / "out.png")[2][0][0], 153)
         (self.folder / "presets" / "red.slangp").write_text("shaders = 1\nshader0 = ../red.slang\n")
-        self.assertEqual(self.red_of(preset), 153)  # found beside the preset, too
+        self.assertEqual(self.red_of(preset), 153)  # also found in the folder of the preset
 
     ISF = """/*{"INPUTS": [{"NAME": "level", "TYPE": "float", "DEFAULT": 0.2},
  {"NAME": "tint", "TYPE": "color", "DEFAULT": [0.6, 0.0, 0.0, 1.0]},

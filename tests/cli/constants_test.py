@@ -1,4 +1,4 @@
-"""Numbers in the texts of shaders that a person's script turns, and what a preset leaves open."""
+"""Constants in shader sources as parameters on the command line."""
 
 import json
 

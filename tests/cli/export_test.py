@@ -1,4 +1,4 @@
-"""Sequences and films, as a person's player and other programs see them."""
+"""Image sequences and videos, as players and other programs read them."""
 
 import json
 import os
@@ -19,11 +19,11 @@ RATE = 48000
 
 
 def end_by_ctrl_c():
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # as a terminal has it
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the default, as in a terminal
 
 
 def png_bodies(data, wanted):
-    """What the chunks of one kind hold, in their order."""
+    """The contents of all chunks of one kind, in file order."""
     at = 8
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
@@ -34,7 +34,7 @@ def png_bodies(data, wanted):
 
 class ExportTest(ProgramTest):
     def look(self, name, body, **last_pass):
-        """A look of one pass that is drawn without a signal."""
+        """A look with one pass and without a signal."""
         self.write(f"{name}/look.json", json.dumps(
             {"format": "afterglow-look", "version": 1, "name": name, "driven_by": "nothing", "settle_frames": 5,
              "passes": [{"name": "show", "fragment": "show.frag", **last_pass}]}))
@@ -47,7 +47,7 @@ class ExportTest(ProgramTest):
                          **last_pass)
 
     def heavy(self):
-        """Each frame takes some time."""
+        """A look whose frames take some time."""
         return self.look("heavy", "float sum = u_time; for (int i = 0; i < 3000; ++i) sum = sin(sum + uv.x);"
                          " color = vec4(vec3(sum), 1.0);")
 
@@ -88,7 +88,7 @@ class Targets(ExportTest):
         self.assert_refused(run("compare", numbers.with_suffix(".exr"), self.folder / "light.exr", "--fail-above", "max=0"))
         passes = json.loads(run("describe", self.folder, "--json").stdout)["passes"]
         self.assertEqual(passes[0]["format"], "rgba32i")
-        # 4 x 4 bytes a pixel are written and read, 4 are shown.
+        # Per pixel, 4 x 4 bytes are written and read, and 4 are written for the picture.
         measured = json.loads(run("bench", self.folder, "--size", "4x4", "--frames", "2", "--json").stdout)
         self.assertEqual(measured["bytes_per_pixel"], 36)
 
@@ -108,7 +108,7 @@ class Targets(ExportTest):
         gone = self.folder / "none.png"
         refused = run("render", "phosphor", "--size", "16384x16384", "-o", gone)
         self.assert_refused(refused)
-        # By the memory of this machine, or where that has much, by what targets may take.
+        # Limited by the memory of the machine, or with enough memory by the limit for targets.
         self.assertRegex(refused.stderr, "GB of memory|the limit is 8 GiB")
         self.assert_refused(run("render", look, "--size", "16385x16", "-o", gone), "1 to 16384 px per side, got '16385x16'", code=2)
         self.assertFalse(gone.exists())
@@ -160,7 +160,7 @@ class Sequences(ExportTest):
         self.assertEqual(self.leftovers(), [])
 
     def limited(self, most, *arguments):
-        """A run that may write files of so many bytes, as where a disk is full."""
+        """A run that can write at most `most` bytes per file, as on a full disk."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
@@ -201,7 +201,7 @@ class Sequences(ExportTest):
 
 class Pipe(ExportTest):
     def test_y4m_goes_into_a_pipe_and_nothing_else(self):
-        # 200, 30, 60 of 255 by BT.709: Y = 51.23, so 16 + 219 / 255 Y; Cb and Cr likewise.
+        # BT.709 in limited range: Y is 16 + 219 / 255 of the luma; Cb and Cr likewise.
         look = self.look("plain", "color = vec4(200.0 / 255.0, 30.0 / 255.0, (uv.y > 0.5 ? 60.0 : 255.0) / 255.0, 1.0);")
         done = subprocess.run([PROGRAM, "render", look, "--size", "7x4", "--fps", "25", "--seconds", "0.12", "-o", "-"],
                               capture_output=True, timeout=120)
@@ -242,20 +242,20 @@ class Films(ExportTest):
         return {stream["codec_type"]: stream for stream in facts["streams"]}, facts["format"]
 
     def pictures(self, film, size):
-        """Every picture as RGB bytes."""
+        """All frames as RGB bytes."""
         raw = subprocess.run(["ffmpeg", "-v", "error", "-i", film, "-vsync", "passthrough", "-f", "rawvideo",
                               "-pix_fmt", "rgb24", "-sws_flags", "accurate_rnd+full_chroma_int", "-"], check=True, capture_output=True).stdout
         length = 3 * size[0] * size[1]
         return [raw[at:at + length] for at in range(0, len(raw), length)]
 
     def samples(self, film):
-        """The left channel, from time 0 of the film on."""
+        """The left channel, from time 0 of the video."""
         raw = subprocess.run(["ffmpeg", "-v", "error", "-copyts", "-i", film, "-map", "0:a", "-af", "aresample=first_pts=0",
                               "-f", "f32le", "-ac", "2", "-ar", str(RATE), "-"], check=True, capture_output=True).stdout
         return [pair[0] for pair in struct.iter_unpack("<ff", raw)]
 
     def tone_burst(self, first, count, seconds):
-        """Silence with a burst on both channels: the beam rests in the middle, and then up on the right."""
+        """Silence with a burst on both channels: the beam jumps to the upper right and back."""
         with wave.open(str(self.folder / "burst.wav"), "wb") as sound:
             sound.setparams((2, 2, RATE, 0, "NONE", ""))
             level = struct.pack("<hh", 16384, 16384)
@@ -279,7 +279,7 @@ class Films(ExportTest):
             self.assertEqual([picture.get(f"color_{of}") for of in ("space", "primaries", "transfer", "range")],
                              ["bt709", "bt709", "bt709", "tv"])
         start = (self.folder / "film.mp4").read_bytes()[:4096]
-        self.assertIn(b"moov", start)  # what a player needs first
+        self.assertIn(b"moov", start)  # players need it first
 
     def test_colours_are_those_of_the_look(self):
         look = self.look("plain", "color = vec4(uv.x < 0.5 ? vec3(200, 30, 60) / 255.0 : vec3(20, 160, 240) / 255.0, 1.0);")
@@ -308,7 +308,7 @@ class Films(ExportTest):
         first, count, seconds, fps = 24000, 800, 0.9, 60  # frame 31: from 30/60 s to 31/60 s
         spec = self.tone_burst(first, count, seconds)
         side = 64
-        # -1 to 1 takes 0.9 of it; half way up on the right.
+        # -1 to 1 covers 0.9 of the picture. The beam is half way right and half way up.
         at = 3 * (side * round(side / 2 - 0.225 * side) + round(side / 2 + 0.225 * side))
         for ending, start in (("mp4", 0.0), ("webm", 0.0), ("mp4", 0.25)):
             film = self.film(f"film.{ending}", "vector-beam", "--size", f"{side}x{side}", "--signal", spec,

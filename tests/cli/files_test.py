@@ -1,4 +1,4 @@
-"""Files as people have them: what tests/inputs holds opens, with its values, or says what it is."""
+"""Real-world files: those in tests/inputs open with their values, or are refused with a reason."""
 
 import json
 import os
@@ -14,14 +14,14 @@ TINT = "float tint() { return 0.5; }\n"
 
 class Files(ProgramTest):
     def picture(self, look, *arguments, size="8x8", frames="1"):
-        """The rows of its picture, and what was printed on stderr."""
+        """The rows of its picture, and the output on stderr."""
         out = self.folder / "out.png"
         done = run("render", look, "--size", size, "--frames", frames, "-o", out, *arguments)
         self.assert_done(done)
         return read_png(out)[2], done.stderr
 
     def color(self, look, *arguments):
-        """Red, green and blue in the middle."""
+        """Red, green and blue at the centre."""
         rows, _ = self.picture(look, *arguments)
         return list(rows[4][12:15])
 
@@ -98,7 +98,7 @@ class BrokenOff(Files):
 
 
 def plain_picture(*color, side=4):
-    """A picture of one colour, as PNM; what it is called does not matter."""
+    """A picture of one colour, as PNM. Its file can have any ending."""
     return b"P6 %d %d 255\n" % (side, side) + bytes(color) * side * side
 
 
@@ -110,7 +110,7 @@ class Libretro(Files):
     def test_a_missing_file_of_values_is_a_warning(self):
         rows, errors = self.render_white("nested/top.slangp")
         self.assertIn("inner_second.params:2: warning: can't read 'gone.params'", errors)
-        self.assertEqual(rows[4][12], 191)  # GAIN is 0.75, of a.params
+        self.assertEqual(rows[4][12], 191)  # GAIN is 0.75, from a.params
 
     def test_a_decimal_comma_is_a_warning_with_its_line(self):
         _, errors = self.render_white("commanum.slangp")
@@ -137,7 +137,7 @@ class Isf(Files):
     def test_code_may_stand_before_the_header(self):
         look = INPUTS / "isf/codefirst.fs"
         self.assertIn("a", self.parameters(look))
-        # isf_FragNormCoord of the texel right of and below the middle of 8 x 8.
+        # isf_FragNormCoord of the texel to the right of and below the centre of 8 x 8 texels.
         for got, expected in zip(self.color(look), (255 * 4.5 / 8, 255 * 3.5 / 8, 127.5)):
             self.assertAlmostEqual(got, expected, delta=1)
 
@@ -155,7 +155,7 @@ class Isf(Files):
         self.assertIn("'sky' shows black", errors)
         for face in range(6):
             self.write(f"{face}.png", plain_picture(40 * face, 200, 10))
-        self.assertEqual(self.color(look), [160, 200, 10])  # +z is the fifth
+        self.assertEqual(self.color(look), [160, 200, 10])  # +z is the fifth face
         self.write("down.fs", text.replace("isf_FragNormCoord*2.-1., 1.", "isf_FragNormCoord*0.1, -1."))
         self.assertEqual(self.color(self.folder / "down.fs"), [200, 200, 10])
         self.write("3.png", plain_picture(0, 0, 0, side=8))
@@ -204,7 +204,7 @@ class Shadertoy(Files):
         self.assertIn("vscode.glsl:1: warning: can't find the picture '../pic/rgb.png'", errors)
         self.write("pic/rgb.png", plain_picture(100, 60, 20))
         self.assertEqual(self.color(look), [50, 30, 10])
-        rows, errors = self.picture(look, frames="2")  # with itself, of the frame before
+        rows, errors = self.picture(look, frames="2")  # adds its own previous frame
         self.assertEqual((list(rows[4][12:15]), errors), ([100, 60, 20], ""))
         self.assertEqual(self.color(look, "--set", "gain=1"), [100, 60, 20])
 

@@ -1,4 +1,4 @@
-"""What --help prints, and that its examples work."""
+"""The output of --help. Its examples are run."""
 
 import shlex
 import shutil
@@ -25,7 +25,7 @@ class Help(ProgramTest):
         return [line.split()[0] for line in listed.splitlines() if line[2:3].strip()]
 
     def examples(self, *command):
-        """What stands under the last heading of a help."""
+        """The examples at the end of a help."""
         return [line.strip() for line in run(*command, "--help").stdout.partition("\nExamples:\n")[2].splitlines()]
 
     def test_each_help_fits_80_columns_and_ends_with_its_own_examples(self):
@@ -42,7 +42,7 @@ class Help(ProgramTest):
                     self.assertEqual(example.split()[:1 + len(command)], ["afterglow", *command])
 
     def make_inputs(self):
-        """The files that the examples name."""
+        """Makes the files that the examples use."""
         self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "picture.png"))
         for name in ("before.png", "after.png", "screenshot.png"):
             shutil.copy(self.folder / "picture.png", self.folder / name)
@@ -66,7 +66,7 @@ class Help(ProgramTest):
                 if words[-1].endswith(".mp4") and not shutil.which("ffmpeg"):
                     continue
                 if command in self.DRAWS and "--size" not in words:
-                    words += ["--size", "64x36"]  # as an example, but sooner
+                    words += ["--size", "64x36"]  # the same, but faster
                 with self.subTest(example):
                     self.assert_done(run(*words, cwd=self.folder))
 

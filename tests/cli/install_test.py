@@ -1,4 +1,4 @@
-"""What `cmake --install` puts in place runs from there: install_test.py PROGRAM."""
+"""The files that `cmake --install` installs work at their new location: install_test.py PROGRAM."""
 
 import os
 import subprocess
@@ -31,7 +31,7 @@ class InstallTest(unittest.TestCase):
             run("render", "phosphor", "--preset", "amber-p3", "--size", "64x48", "--frames", "1",
                 "-o", picture)
             self.assertEqual(picture.read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
-            # reading takes the module of the picture formats, which was installed too
+            # reading needs the module of the picture formats, which is installed too
             self.assertIn("max    0", run("compare", picture, picture).stdout)
             next(prefix.glob("lib*/**/afterglow-pictures.so")).unlink()
             with self.assertRaises(subprocess.CalledProcessError) as refused:

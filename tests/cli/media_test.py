@@ -1,4 +1,4 @@
-"""Sources and signals from files on the command line: what they show, and what is said of broken ones."""
+"""Sources and signals from files on the command line: their pictures and their errors."""
 
 import json
 import math
@@ -20,7 +20,7 @@ void main() { color = texture(image, uv); }
 
 
 def without_pixels(width, height, color_type):
-    """A 16-bit PNG that ends behind its header."""
+    """A 16-bit PNG with a header and no pixels."""
     body = struct.pack(">IIBBBBB", width, height, 16, color_type, 0, 0, 0)
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
@@ -38,7 +38,7 @@ def png(width, height, rgb):
 
 
 def exr(row):
-    """One row of greys as 32-bit floats, uncompressed: OpenEXR file layout, single part, scan lines."""
+    """One row of greys as 32-bit floats, uncompressed: OpenEXR, single part, scan lines."""
     def attribute(name, kind, value):
         return name + b"\0" + kind + b"\0" + struct.pack("<I", len(value)) + value
     box = struct.pack("<4i", 0, 0, len(row) - 1, 0)
@@ -54,7 +54,7 @@ def exr(row):
 
 
 def manifest(driven_by, **more):
-    """Of a look of a single pass."""
+    """The look.json of a look with a single pass."""
     only = {"name": "only", "fragment": "only.frag", "format": "rgba32f"}
     if driven_by == "picture":
         only["inputs"] = {"image": "source"}
@@ -63,7 +63,7 @@ def manifest(driven_by, **more):
 
 
 def pixel_art(width, height, times):
-    """An 8-bit RGB PNG: each pixel differs from its neighbours and is shown `times` x `times` times."""
+    """An 8-bit RGB PNG: pixels differ from their neighbours, and cover `times` x `times` px each."""
     def chunk(kind, body):
         return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
     head = struct.pack(">IIBBBBB", width * times, height * times, 8, 2, 0, 0, 0)
@@ -83,7 +83,7 @@ class MediaTest(ProgramTest):
         return run("render", self.folder / "copy", "--source", source, "--size", size, *more, "-o", self.folder / out)
 
     def color(self, *arguments, **settings):
-        """Of the pixel in the middle."""
+        """The colour of the pixel at the centre."""
         self.assert_done(self.plain(*arguments, **settings))
         width, height, rows = read_png(self.folder / "x.png")
         middle = width // 2 * 3
@@ -100,7 +100,7 @@ class Pictures(MediaTest):
             self.write(f"f_{number + 7:03d}.png", png(8, 8, rgb))
         sequence = self.folder / "f_%03d.png"
         self.assertEqual(self.color(sequence, "--frames", "3"), COLORS[2])
-        self.assertEqual(self.color(sequence, "--frames", "5"), COLORS[0])  # and round again
+        self.assertEqual(self.color(sequence, "--frames", "5"), COLORS[0])  # it loops
         self.assertEqual(self.color(f"{sequence},loop=off,rate=30", "--frames", "9"), COLORS[3])
         self.assert_done(self.plain(sequence, "--frames", "4", out="all_%d.png"))
         for number, rgb in enumerate(COLORS):
@@ -117,7 +117,7 @@ class Pictures(MediaTest):
         for number, rgb in enumerate(COLORS):
             self.write(f"f_{number}.png", png(32, 32, rgb))
         video = self.folder / "clip.mkv"
-        try:  # a codec that loses nothing, so that a pixel is the one that went in
+        try:  # a lossless codec, so that pixels keep their values
             subprocess.run(["ffmpeg", "-v", "error", "-framerate", "30", "-i", self.folder / "f_%d.png",
                             "-c:v", "ffv1", "-pix_fmt", "bgr0", video], check=True)
         except FileNotFoundError:
@@ -165,7 +165,7 @@ class Pictures(MediaTest):
         self.assert_done(run("render", "shadow-mask", "--source", one, "--size", "1x1", "-o", self.folder / "x.png"))
 
     def test_a_picture_takes_at_most_a_gigabyte_and_is_refused_before_it_is_read(self):
-        # 4 bytes a channel, and 16 bytes on the GPU, are at most 920 MiB.
+        # 4 bytes per channel, plus 16 bytes per pixel on the GPU, are at most 920 MiB.
         for color_type, channels, side in ((0, 1, 6946), (2, 3, 5870), (6, 4, 5491)):
             self.assertLess((side - 1) ** 2 * 4 * (channels + 4), 920 << 20)
             self.assertGreater(side ** 2 * 4 * (channels + 4), 920 << 20)
@@ -195,7 +195,7 @@ class Pictures(MediaTest):
                            ("list.webm", "ffconcat version 1.0\nfile private.mkv\n")):
             self.assert_refused(self.plain(self.write(name, text)), name + ": error: ")
         self.assert_done(self.plain(other))
-        self.assert_done(self.plain(shutil.copy(stream, self.folder / "stream.mpg")))  # whatever is in it
+        self.assert_done(self.plain(shutil.copy(stream, self.folder / "stream.mpg")))  # with any content
 
     def test_videos_that_cannot_be_read_are_named(self):
         self.assert_refused(self.plain(self.write("noise.mp4", os.urandom(3000))), "noise.mp4: error: ")
@@ -205,7 +205,7 @@ class Pictures(MediaTest):
 
 class Signals(MediaTest):
     def beam(self, spec):
-        """What it says, drawn as sound: that needs no look."""
+        """Saves the signal as sound, which needs no look."""
         return run("signal", spec, "--seconds", "0.01", "-o", self.folder / "x.wav")
 
     def test_a_drawing_without_paths_is_refused(self):
@@ -237,9 +237,9 @@ class Signals(MediaTest):
         at = data.index(b"data") + 8
         samples = list(struct.iter_unpack("<ff", data[at:at + 4800 * 8]))
         self.assertEqual(len(samples), 4800)
-        for x, y in samples[200:-200]:  # a circle, but where it is faded in or out
+        for x, y in samples[200:-200]:  # a circle, except where it is faded in or out
             self.assertAlmostEqual((x * x + y * y) ** 0.5, 0.5, delta=0.01)
-        # 60 turns a second: 6 in a tenth, so x goes up through 0 six times.
+        # 60 turns per second: 6 in 0.1 s, so x rises through 0 six times.
         upwards = sum(a[0] < 0 <= b[0] for a, b in zip(samples, samples[1:]))
         self.assertAlmostEqual(upwards, 6, delta=1)
 

@@ -1,4 +1,4 @@
-"""Presets that an older program wrote are drawn as that program drew them."""
+"""Presets of an older version are drawn as that version drew them."""
 
 import json
 
@@ -9,7 +9,7 @@ LABELS = SOURCE / "tests/inputs/labels"
 
 
 class OlderPresets(ProgramTest):
-    """Each picture was drawn by the program that wrote the preset, before content kept its shape."""
+    """The version that wrote the presets drew the pictures. Content did not keep its shape then."""
 
     def test_presets_without_a_fit_keep_their_meaning(self):
         names = sorted(file.stem for file in PRESETS.glob("*.json"))
@@ -20,7 +20,7 @@ class OlderPresets(ProgramTest):
                 self.assert_done(run("render", PRESETS / (name + ".json"), "--size", "160x90", "--frames", "20",
                                      "-o", drawn))
                 compared = run("compare", drawn, PRESETS / (name + ".expected.png"), "--json")
-                # Drivers round differently: two of 255 anywhere.
+                # Drivers round differently: at most 2 of 255 for any pixel.
                 self.assertLessEqual(json.loads(compared.stdout)["max"], 2 / 255, name)
 
     def test_content_of_the_command_line_keeps_its_shape(self):
@@ -37,7 +37,7 @@ class OlderPresets(ProgramTest):
             self.assertNotEqual(shapes[""], shapes[",fit=stretch"], look)
 
     def test_presets_lines_and_automation_with_older_item_labels_open(self):
-        """Each list has its last item, or the one before where that is the default."""
+        """Each list is set to its last item, or to the one before it if the last is the default."""
         looks = sorted(file.stem for file in LABELS.glob("*.line"))
         self.assertEqual(len(looks), 5)
         for look in looks:
@@ -54,7 +54,7 @@ class OlderPresets(ProgramTest):
 
 
 def items_of(described, names):
-    """The number of the item that each of these lists has in what `describe` prints."""
+    """The selected item of each of these lists, as a number, in the output of `describe`."""
     lists = {entry["name"]: entry for entry in described["parameters"] if entry["name"] in names}
     return {name: next(item["value"] for item in entry["items"] if entry["value"] in (item["label"], item["value"]))
             for name, entry in lists.items()}

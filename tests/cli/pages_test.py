@@ -1,4 +1,4 @@
-"""Runs every command of the README and the tutorials as it is written there."""
+"""Runs every command of the README and the tutorials as written."""
 
 import re
 import shlex
@@ -22,7 +22,7 @@ def commands_of(page):
 
 class Pages(ProgramTest):
     def run_page(self, page):
-        """In a folder of its own, which has the looks and presets as the repository has them."""
+        """Runs the commands in a separate folder with the looks and presets of the repository."""
         folder = self.folder / page.stem
         folder.mkdir()
         for name in ("shaders", "presets"):

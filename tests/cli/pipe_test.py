@@ -22,7 +22,7 @@ class Pipe(ProgramTest):
         return file, done.stderr.decode()
 
     def start(self, place, *options):
-        """A render that listens at the place."""
+        """Starts `render` with a socket at `place`, and waits for the socket."""
         started = subprocess.Popen([*RENDER, "--signal", f"socket:{place}", *options, "-o", self.folder / "out.png"],
                                    stderr=subprocess.PIPE)
         self.addCleanup(started.kill)
@@ -47,7 +47,7 @@ class Pipe(ProgramTest):
         light = [(sum(rows[y][3 * x:3 * x + 3]), x, y) for y in range(height) for x in range(width)]
         brightest, x, y = max(light)
         self.assertGreater(brightest, 100)
-        # -1 to 1 takes 0.9 of 96 px: x and y of 0.5 lie 21.6 px from the middle.
+        # -1 to 1 covers 0.9 of 96 px: x and y of 0.5 are 21.6 px from the centre.
         self.assertLessEqual(abs(x - 69.6), 1)
         self.assertLessEqual(abs(y - 26.4), 1)
 
@@ -79,13 +79,13 @@ class Pipe(ProgramTest):
                                   input=sent + b"\n0.5 -0.5 1 0.001\n", capture_output=True, timeout=60)
             self.assertEqual(done.returncode, 1, done.stderr)
             self.assertIn(words, done.stderr.decode("ascii"))
-            # Floats to the file's end, where the beam rests.
+            # The beam stays at its last point to the end of the file, as two floats.
             self.assertEqual(struct.unpack("<2f", file.read_bytes()[-8:]), (0.5, -0.5))
 
     def test_a_socket_draws_what_one_program_sends_and_is_gone_afterwards(self):
         place = self.folder / "beam.sock"
         started = self.start(place)
-        self.connect(place).sendall(DOT + b"0 0 0 10\n")  # enough: it need not be closed
+        self.connect(place).sendall(DOT + b"0 0 0 10\n")  # enough without closing it
         self.assertRegex(self.finish(started), "^(Waiting for a program at|Receiving from) %s. Press Ctrl.C to stop.\n$" % place)
         self.assert_dot(self.folder / "out.png")
         self.assertFalse(place.exists())
@@ -99,7 +99,7 @@ class Pipe(ProgramTest):
             for _ in range(300):
                 sender.sendall(b"0 0 1 0.000001\n" * 10000)
         except (BrokenPipeError, ConnectionResetError):
-            pass  # the picture was ready before all was sent
+            pass  # the picture was finished before everything was sent
         sender.close()
         self.finish(started)
         self.assertFalse(place.exists())
@@ -118,7 +118,7 @@ class Pipe(ProgramTest):
         silent = self.start(place, "--timeout", "0.5")
         self.connect(place).sendall(b"0.5 0.5 1 0.001\n")
         self.assertIn("beam.sock: error: sent no point before the timeout", self.finish(silent, 1))
-        slow = self.start(place, "--timeout", "2")  # each point begins it again
+        slow = self.start(place, "--timeout", "2")  # each point restarts the timeout
         sender = self.connect(place)
         for _ in range(4):
             time.sleep(0.8)
@@ -139,7 +139,7 @@ class Pipe(ProgramTest):
             try:
                 self.connect(place).sendall(DOT + b"0 0 0 10\n")
                 break
-            except (ConnectionRefusedError, FileNotFoundError):  # the one that was left
+            except (ConnectionRefusedError, FileNotFoundError):  # the old socket
                 time.sleep(0.02)
         self.finish(again)
 
@@ -151,7 +151,7 @@ class Pipe(ProgramTest):
             done = run("signal", f"socket:{place}", "-o", self.folder / "x.wav")
             self.assert_refused(done, str(place), words)
         self.assertEqual(file.read_text(), "kept")
-        if os.geteuid() != 0:  # root may write anywhere
+        if os.geteuid() != 0:  # root can write anywhere
             closed = self.folder / "closed"
             closed.mkdir(mode=0o500)
             self.assert_refused(run("signal", f"socket:{closed}/s", "-o", self.folder / "x.wav"), "Permission denied")
@@ -170,7 +170,7 @@ class Pipe(ProgramTest):
         done = subprocess.run([*RENDER, *options, "--signal", "stdin", "-o", file],
                               input=b"0.5 0.5 1 0.03 1 0 0\n", capture_output=True, timeout=120)
         self.assert_red(done, file)
-        # Of five channels the third is the intensity and the fourth red.
+        # The third of five channels is the intensity, the fourth is red.
         with wave.open(str(self.folder / "five.wav"), "wb") as sound:
             sound.setparams((5, 2, 4800, 0, "NONE", ""))
             sound.writeframes(struct.pack("<5h", 16000, -16000, 32767, 32767, 20000) * 480)

@@ -1,4 +1,4 @@
-"""Runs the real program for the tests, and makes and reads the files that they need."""
+"""Runs the program for the tests, and makes and reads the files that they need."""
 
 import os
 import struct
@@ -14,9 +14,9 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, timeout=120, **environment):
-    """The finished program; stdout and stderr as text. No run, whatever its input, may end in a GL error."""
+    """The finished program, with stdout and stderr as text. A GL error always fails the test."""
     settings = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
-    settings.update(MESA_DEBUG="1", **environment)  # Mesa tells each GL error on stderr
+    settings.update(MESA_DEBUG="1", **environment)  # Mesa prints each GL error to stderr
     done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, env=settings, timeout=timeout,
                           stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
     assert "Mesa: User error" not in done.stderr, done.stderr
@@ -67,7 +67,7 @@ def unfiltered(kind, row, above):
 
 
 class ProgramTest(unittest.TestCase):
-    """A test with a folder of its own, gone afterwards."""
+    """A test with its own temporary folder."""
 
     def setUp(self):
         self._folder = tempfile.TemporaryDirectory(prefix="afterglow-")
@@ -75,7 +75,7 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(self._folder.cleanup)
 
     def write(self, name, text):
-        file = self.folder / name  # an absolute name stays as it is
+        file = self.folder / name  # an absolute name is unchanged
         file.parent.mkdir(parents=True, exist_ok=True)
         if isinstance(text, bytes):
             file.write_bytes(text)

@@ -29,7 +29,7 @@ class Stacks(ProgramTest):
         return run("--data", self.folder / "data", *arguments)
 
     def level(self, *arguments):
-        """The value of a pixel in the middle, 0..1 in steps of 1/255."""
+        """The value of the pixel at the centre, 0..1 in steps of 1/255."""
         self.assert_done(self.lab("render", *arguments, "--size", "8x8", "-o", self.folder / "x.png"))
         return read_png(self.folder / "x.png")[2][4][12] / 255
 
@@ -60,7 +60,7 @@ class Stacks(ProgramTest):
         self.assertEqual([(one["look"], one["id"]) for one in listed], [("half+half", "quiet")])
         self.assert_done(self.lab("sheet", "half+half", "--size", "48x27", "-o", self.folder / "sheet.png"))
         greys = [max(row) for row in read_png(self.folder / "sheet.png")[2]]
-        self.assertEqual(greys.count(32), 27)  # a half of a quarter
+        self.assertEqual(greys.count(32), 27)  # half of a quarter
         self.assertAlmostEqual(self.level("half+half", "--preset", "quiet"), 0.125, delta=0.002)
         line = self.lab("preset", file, "--line").stdout.strip()
         self.assertAlmostEqual(self.level(line), 0.125, delta=0.002)

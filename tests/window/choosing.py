@@ -1,11 +1,11 @@
-"""A person chooses from lists by typing, with the keyboard alone."""
+"""Choosing from lists by typing, with the keyboard only."""
 
 from person import Person
 
 
 class Choosing(Person):
     def ask(self, words, entry):
-        """Types two words into the palette, and takes what stands there first."""
+        """Types words into the palette, and chooses the first entry."""
         program = self.program
         program.key("ctrl+p")
         program.place("palette_query")

@@ -1,4 +1,4 @@
-"""Comparing the picture with another one."""
+"""Comparing the picture with a reference."""
 
 from person import Person
 
@@ -66,7 +66,7 @@ class Comparing(Person):
 
     def test_a_dropped_picture_is_compared_with(self):
         program = self.program
-        folder = program.folder / "pictures"  # is watched from here on; the state is written beside
+        folder = program.folder / "pictures"  # watched from now on: not the state's folder
         folder.mkdir(exist_ok=True)
         file = folder / "screen.png"
         self.screen.save(file)

@@ -1,4 +1,4 @@
-"""Files dragged onto a window and dropped there: the source's side of XDND, version 5."""
+"""Drags files onto a window and drops them there: the source side of XDND, version 5."""
 
 import ctypes
 import ctypes.util
@@ -42,7 +42,7 @@ def load_xlib():
 
 
 class Drag:
-    """A program that holds files under the pointer."""
+    """The source of a drag with files."""
 
     def __init__(self, display, files):
         self.x = load_xlib()
@@ -67,7 +67,7 @@ class Drag:
         self.x.XFlush(self.display)
 
     def answer(self, request):
-        """Hands the list of files to who asks for the selection."""
+        """Sends the list of files to the window that requests the selection."""
         self.x.XChangeProperty(self.display, c_ulong(request.requestor), c_ulong(request.property),
                                c_ulong(request.target), 8, 0, c_char_p(self.list), len(self.list))
         event = Event()
@@ -78,7 +78,7 @@ class Drag:
         self.x.XFlush(self.display)
 
     def wait(self, message):
-        """The data of the next such message; gives the selection meanwhile."""
+        """The data of the next message of this type. Answers selection requests meanwhile."""
         end = time.monotonic() + 30
         event = Event()
         while time.monotonic() < end:
@@ -93,7 +93,7 @@ class Drag:
         raise AssertionError("no %s came" % message)
 
     def drop(self, target, x, y):
-        """Over a place of the screen that belongs to the window `target`; true where it is taken."""
+        """Drops at a screen position in the window `target`. True if it accepts the files."""
         selection, copy = self.atom("XdndSelection"), self.atom("XdndActionCopy")
         self.x.XSetSelectionOwner(self.display, c_ulong(selection), self.window,
                                   c_ulong(CURRENT_TIME))

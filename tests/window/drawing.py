@@ -1,11 +1,11 @@
-"""A person draws with the beam."""
+"""Drawing with the beam."""
 
 from person import Person
 
 
 class Drawing(Person):
     def strokes(self):
-        """What is drawn by hand, as the signal has it."""
+        """The strokes in the text of the signal."""
         return self.program.state()["signal"].partition("strokes=")[2]
 
     def ask_file(self, button, file):
@@ -16,7 +16,7 @@ class Drawing(Person):
         self.program.key("Return")
 
     def edit_point(self, x, y):
-        """Moves the point there and deletes it, and takes both back."""
+        """Moves the point there, deletes it, and undoes both."""
         program = self.program
         program.click("pen_tool:Edit")
         before = self.strokes()
@@ -48,7 +48,7 @@ class Drawing(Person):
                      s["undo"] == "Stroke" and "[L" in s["signal"] and s["signal"].count(" ") == 3)
         program.wait_for("the beam draws it", lambda: self.screen.brightness(box) > 60)
         left, height, right, _ = (float(number) for number in self.strokes()[2:-1].split())
-        self.assertLess(abs(left + right), 0.02)  # as far to either side of the middle
+        self.assertLess(abs(left + right), 0.02)  # symmetric about the centre
         self.assertLess(height, -0.1)
         program.key("ctrl+z")
         program.wait("undo takes it away", lambda s: s["signal"] == "drawing:fit=whole,strokes=[]")

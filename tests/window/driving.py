@@ -1,4 +1,4 @@
-"""A person chooses what drives a look, and runs it."""
+"""Choosing the input of a look, playback and sound."""
 
 import json
 import os
@@ -66,7 +66,7 @@ class Driving(Person):
             program.click("sound:beam")
         program.wait("it is off and the picture runs on", lambda s:
                      "sound:beam_level" not in s["widgets"] and s["frame"] > state["frame"] + 3)
-        self.leave()  # the panel is arranged in another way now
+        self.leave()  # the layout of the panel has changed
 
     def test_a_file_that_is_missing_or_cut_off_keeps_a_mark(self):
         program = self.program

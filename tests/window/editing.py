@@ -1,4 +1,4 @@
-"""A person edits looks and their shaders."""
+"""Editing looks and their shaders."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""A person plays with looks that were written for other programs."""
+"""Using looks of other programs."""
 
 import json
 
@@ -61,7 +61,7 @@ RED, GREEN, WHITE = (255, 0, 0), (0, 255, 0), (255, 255, 255)
 
 class Foreign(Person):
     def open_text(self, name, text):
-        """Opens a look in a file of that name, and returns the middle of its picture."""
+        """Opens a look from a file of this name, and returns the centre of its picture."""
         file = self.looks.parent / name
         file.write_text(text)
         self.open_by_name(file)
@@ -69,7 +69,7 @@ class Foreign(Person):
         return self.program.middle("picture")
 
     def color_at(self, x, y):
-        """Red, green and blue of the screen, 0..255, left of where the pointer may cover it."""
+        """Red, green and blue of the screen, 0..255, at the left of a pointer at x, y."""
         blue, green, red, _ = self.screen.rows(x - 13, y, x - 12, y + 1)[0]
         return red, green, blue
 
@@ -192,7 +192,7 @@ class Foreign(Person):
         self.open_text("seconds.fs", TAKES_SECONDS)
         steps = 4000
         while not program.state()["notice"].startswith('Pass "picture" takes'):
-            steps *= 4  # until this machine needs a second
+            steps *= 4  # until it takes a second on this machine
             program.set("steps", str(steps))
             for frame in range(6):
                 before = program.state()["frame"]
@@ -214,7 +214,7 @@ class Foreign(Person):
     def test_a_look_that_the_driver_is_stuck_with_is_left_and_the_program_ends(self):
         program = self.program
         lines = "".join("    x = sin(x * %d.5 + y); y = cos(y + x * 0.%d1);\n" % (i % 7 + 1, i % 9)
-                        for i in range(6000))  # minutes for Mesa to make code of
+                        for i in range(6000))  # Mesa compiles it for minutes
         file = self.looks.parent / "stuck.frag"
         file.write_text("#version 330\nuniform float u_time;\nout vec4 color;\nvoid main() {\n"
                         "    float x = gl_FragCoord.x + u_time, y = gl_FragCoord.y;\n" + lines +

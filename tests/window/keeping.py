@@ -1,4 +1,4 @@
-"""A person keeps and shares what they found."""
+"""Saving and sharing presets, export and sessions."""
 
 import struct
 
@@ -58,7 +58,7 @@ class Keeping(Person):
         program.set("decay", "0.62")
         program.key("ctrl+d")
         state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
-        self.assertTrue(state["is_modified"])  # what was not saved goes on in the copy
+        self.assertTrue(state["is_modified"])  # the copy has the unsaved changes
         program.key("ctrl+s")
         program.wait("it is saved", lambda s: not s["is_modified"])
         self.assertIn('"decay": 0.61', (folder / "Second.json").read_text())
@@ -171,7 +171,7 @@ class Keeping(Person):
         program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
         program.key("ctrl+shift+z")
         program.wait("it is there again", lambda s: s["values"]["decay"] == [0.61])
-        program.kill()  # at once: a change is kept when it is done
+        program.kill()  # immediately: each change is saved when it is made
         self.assertEqual(program.start()["values"]["decay"], [0.61])
 
     def test_keys_go_through_the_presets_of_the_open_look(self):
@@ -189,7 +189,7 @@ class Keeping(Person):
         program.key("ctrl+z")
         program.wait("what was not saved is there again",
                      lambda s: s["preset"] == first and s["values"]["decay"] == [0.61])
-        program.key("ctrl+Next", "ctrl+Next")  # faster than they are read
+        program.key("ctrl+Next", "ctrl+Next")  # faster than presets are read
         program.wait("no press is lost", lambda s: s["preset"] and "preset 3 of" in s["notice"])
 
     def test_a_preset_is_compared_with_what_is_open(self):

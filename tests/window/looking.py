@@ -1,4 +1,4 @@
-"""A person looks closely."""
+"""Inspecting the picture and its passes."""
 
 from person import WINDOW, Person
 
@@ -72,7 +72,7 @@ class Looking(Person):
         program.key("space")
 
     def fit_right_after_a_change_of_channels(self):
-        """Nothing pressed is lost: the fit waits for the numbers of the new channel."""
+        """No click is lost: the fit waits for the statistics of the new channel."""
         program = self.program
         before = program.state()
         program.click("reset_levels")

@@ -1,5 +1,5 @@
-"""Makes the pictures of docs/manual.md anew: manual_pictures.py PROGRAM. Stories of the window's tests,
-with a larger picture than software GL likes; it takes some minutes."""
+"""Updates the pictures of docs/manual.md: manual_pictures.py PROGRAM. It runs tests of the window
+with a larger picture, which takes some minutes with software GL."""
 
 import shutil
 import sys
@@ -11,7 +11,7 @@ import person
 import program
 
 SIZE = [640, 480]
-# The story that makes each picture.
+# The test that makes each picture.
 STORIES = {
     "presets": "test_all_presets_have_a_picture",
     "waveform": "test_a_frame_ago_is_looked_into_texel_by_texel_and_along_a_line",
@@ -25,12 +25,12 @@ STORIES = {
 
 
 def main():
-    person.PICTURE[:] = SIZE  # before the stories are read
+    person.PICTURE[:] = SIZE  # before the tests are imported
     program.PATIENCE_SECONDS = 120
     from window_test import WindowTest
 
     class Manual(WindowTest):
-        """With what would take too long in a test."""
+        """With a step that would take too long in the tests."""
 
         def test_all_presets_have_a_picture(self):
             self.program.key("space", "ctrl+l")

@@ -1,4 +1,4 @@
-"""A person lets things move by themselves, and has others move them."""
+"""Modulation and automation of parameters, MIDI and OSC."""
 
 import socket
 import struct
@@ -7,7 +7,7 @@ from person import Person
 
 
 def osc(address, number):
-    """A message of one float, after the OSC specification 1.0."""
+    """A message with one float (OSC specification 1.0)."""
     name = address.encode() + b"\0"
     return name + b"\0" * (-len(name) % 4) + b",f\0\0" + struct.pack(">f", number)
 

@@ -1,4 +1,4 @@
-"""Turns a molecule and walks around it with the mouse: orbit_test.py PROGRAM [OrbitTest.NAME...]."""
+"""Rotates a molecule and the camera with the mouse: orbit_test.py PROGRAM [OrbitTest.NAME...]."""
 
 import sys
 import unittest
@@ -10,7 +10,7 @@ Person.executable = Path(sys.argv[1]).resolve()
 
 
 class OrbitTest(Person):
-    """Each test finds Caffeine at rest, with more samples than it takes from now on."""
+    """Each test starts with a converged Caffeine, with more samples than its new limit."""
 
     size = [160, 120]
 
@@ -22,7 +22,7 @@ class OrbitTest(Person):
         self.program.wait("they are enough", lambda s: s["has_converged"] and s["samples"] > 12)
 
     def drag(self, button, right, up):
-        """From the picture's middle."""
+        """Drags from the centre of the picture."""
         x, y = self.program.middle("picture")
         self.program.drag((x, y), (x + right, y - up), button)
 
@@ -34,12 +34,12 @@ class OrbitTest(Person):
         rest = program.state()["values"]
         self.drag(1, 60, 0)
         turned = self.values_after("the molecule turns", lambda v: v["orbit_turn"] != rest["orbit_turn"])
-        self.assertGreater(turned["orbit_turn"][1], rest["orbit_turn"][1])  # about what points up
+        self.assertGreater(turned["orbit_turn"][1], rest["orbit_turn"][1])  # about the y axis
         self.assertEqual(turned["orbit_azimuth"], rest["orbit_azimuth"])
         self.drag(3, 40, -24)
         moved = self.values_after("the camera moves", lambda v: v["orbit_azimuth"] != [0] and
                                   v["orbit_elevation"] != [0])
-        self.assertLess(moved["orbit_azimuth"][0], 0)  # against the hand
+        self.assertLess(moved["orbit_azimuth"][0], 0)  # against the direction of the mouse
         self.assertGreater(moved["orbit_elevation"][0], 0)
         self.assertEqual(moved["orbit_turn"], turned["orbit_turn"])
         self.snapshot("orbit")

@@ -1,4 +1,4 @@
-"""What is the user's own stays: signal, source, presets and unsaved changes."""
+"""The user's own content is kept: signal, source, presets and unsaved changes."""
 
 import json
 import struct
@@ -8,7 +8,7 @@ from person import PICTURE, SOURCE, Person, write_tones
 
 
 def write_png(file):
-    """4 x 3 red pixels of 8 bits."""
+    """Writes 4 x 3 red pixels with 8 bits per channel."""
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
     rows = (b"\0" + b"\xff\0\0" * 4) * 3
@@ -176,7 +176,7 @@ class Owning(Person):
 
     def test_panes_and_comparing_leave_the_picture_its_size(self):
         program = self.program
-        self.restart_with_size(0, 0)  # as at a first start: it is to be chosen
+        self.restart_with_size(0, 0)  # as at the first start: the program chooses the size
         whole = self.pane()
         self.assertEqual(program.state()["picture"], whole)
         program.wait("the size is chosen", lambda s: s["fixed_size"] == whole)

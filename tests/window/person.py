@@ -1,5 +1,5 @@
-"""What the tests of the window have in common: one program that they share, put in order between
-them, and what a person sees of it."""
+"""The base of the window tests: a program that tests share, its reset between tests, and what the
+user sees of it."""
 
 import array
 import math
@@ -19,7 +19,7 @@ PICTURE = [240, 180]
 
 
 def write_tones(file, seconds):
-    """A sound that draws an ellipse: 220 Hz on both sides, a quarter turn apart."""
+    """Writes a sound that draws an ellipse: 220 Hz on both channels, a quarter period apart."""
     rate = 8000
     samples = array.array("h")
     for i in range(rate * seconds):
@@ -33,10 +33,10 @@ def write_tones(file, seconds):
 
 
 class Person(unittest.TestCase):
-    """Somebody with a home of their own, a small window and a small picture, as software GL likes
-    them. A test that fails leaves its program behind; the next one gets a new."""
+    """A user with an own home folder, a small window and a small picture, as software GL is slow.
+    After a failed test, the next one starts a new program."""
 
-    executable = None  # set by who runs the tests
+    executable = None  # set by the scripts that run the tests
     size = PICTURE
     cleanups = None
 
@@ -66,7 +66,7 @@ class Person(unittest.TestCase):
 
     @classmethod
     def sit_down(cls):
-        """Starts the program in an empty home, arranged as it would be at the second use."""
+        """Starts the program in an empty home folder, with the settings of a second start."""
         cls.screen = cls.enter(Screen(*WINDOW))
         folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
         cls.program = Program(cls.executable, SOURCE, folder, cls.screen)
@@ -88,9 +88,9 @@ class Person(unittest.TestCase):
             self.leave()
 
     def tidy_up(self):
-        """The look as it was first: its own values and signal, running."""
+        """Resets the look to its own values and signal, and waits until it plays."""
         program = self.program
-        program.key("Escape")  # what pops up would take the first click
+        program.key("Escape")  # a popup would take the first click
         if program.state()["look"] != "phosphor":
             program.click("look:phosphor")
             program.wait("the look is open", lambda s: s["look"] == "phosphor")
@@ -98,7 +98,7 @@ class Person(unittest.TestCase):
             program.click("keep_content")
             program.wait("the signal is unlocked", lambda s: not s["is_content_locked"])
         program.click("preset:")
-        program.place("picture")  # the click has been seen
+        program.place("picture")  # waits until the click is processed
         return program.wait("all is as the look has it", self.is_tidy)
 
     def is_tidy(self, state):
@@ -110,7 +110,7 @@ class Person(unittest.TestCase):
         self.screen.save(PICTURES / (name + ".png"))
 
     def brightness(self):
-        """Of the small picture, in the middle of its pane."""
+        """Mean brightness of the small picture, at the centre of its pane."""
         left, top, right, bottom = self.program.place("picture")
         x, y = (left + right) // 2, (top + bottom) // 2
         return self.screen.brightness((x - 150, y - 110, x + 150, y + 110))
@@ -119,7 +119,7 @@ class Person(unittest.TestCase):
         self.screen.do("mousemove", *self.program.middle(widget))
 
     def column_at(self, x, y):
-        """The column of the picture's pixel that is told when the pointer goes there."""
+        """The column of the picture's pixel that the probe reports with the pointer there."""
         self.screen.do("mousemove", x + 1, y)
         turn = self.program.state()["turn"]
         self.program.wait("it is drawn there", lambda s: s["turn"] > turn + 1)
@@ -129,7 +129,7 @@ class Person(unittest.TestCase):
         return probe["x"]
 
     def open_by_name(self, file):
-        """Types a path into the dialog that opens files."""
+        """Types a path into the dialog for opening files."""
         self.program.key("ctrl+o")
         self.program.place("dialog_file")
         self.program.type(str(file))

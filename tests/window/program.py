@@ -1,4 +1,4 @@
-"""The real program on a virtual screen, driven as a person would."""
+"""The program on a virtual screen, driven as by a user."""
 
 import json
 import os
@@ -12,7 +12,7 @@ PATIENCE_SECONDS = 30
 
 
 class Program:
-    """Afterglow with its own copy of the looks and presets, and its own home."""
+    """Afterglow with its own copy of the looks and presets, and its own home folder."""
 
     def __init__(self, executable, source, folder, screen):
         self.executable = executable
@@ -27,8 +27,8 @@ class Program:
         editor.chmod(0o755)
 
     def arrange(self, width, height, picture):
-        """As if a person had used the program before: a window of that size, a small picture, and a
-        look whose figure has few points, as software GL likes it."""
+        """Writes a session as after a first use: a window of this size and a small picture. The look's
+        figure gets few points, because software GL is slow."""
         manifest = self.folder / "data/shaders/phosphor/look.json"
         look = json.loads(manifest.read_text())
         look["default_signal"]["points"] = 512
@@ -42,16 +42,16 @@ class Program:
             "window": {"width": width, "height": height}}))
 
     def forget_look(self):
-        """As if no look had ever been open."""
+        """Removes the look from the session, as if none had been opened."""
         session = json.loads(self.session().read_text())
         self.session().write_text(json.dumps({**session, "look": ""}))
 
     def session(self):
-        """The file that keeps what was open."""
+        """The session file."""
         return self.folder / "state/afterglow/session.json"
 
     def environment(self):
-        """The variables that the program is started with."""
+        """The environment variables of the program."""
         return {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
                 "XDG_DATA_HOME": str(self.folder / "own"),
                 "XDG_STATE_HOME": str(self.folder / "state"),
@@ -71,7 +71,7 @@ class Program:
             return {}
 
     def wait(self, what, is_true):
-        """Waits for a state of which `is_true`; fails with `what` when it does not come."""
+        """Waits until `is_true` for the state, and returns it. Reports `what` after a timeout."""
         end = time.monotonic() + PATIENCE_SECONDS
         state = {}
         while time.monotonic() < end:
@@ -85,11 +85,11 @@ class Program:
         raise AssertionError("never happened: %s\nlast state: %s" % (what, shown))
 
     def wait_for(self, what, is_true):
-        """As wait, for what is not in the state."""
+        """Like wait, for conditions outside the state."""
         self.wait(what, lambda _: is_true())
 
     def place(self, widget):
-        """The rectangle of a widget that stays where it is in frames that have seen all input."""
+        """The rectangle of a widget, once it is constant after all input is processed."""
         seen = {"place": None, "since": 0, "turn": 0, "time": 0.0}
 
         def is_still(state):
@@ -111,8 +111,8 @@ class Program:
         self.screen.do("mousemove", *self.middle(widget), "click", 1)
 
     def drag(self, start, end, button=1):
-        """Presses at one place, moves to another in steps, as a hand does, lets go, and waits until the
-        program has seen all of it."""
+        """Presses at `start`, moves to `end` in steps, releases, and waits until the program has
+        processed all input."""
         words = ["mousemove", *start, "mousedown", button]
         for step in range(1, 9):
             words += ["mousemove", *(round(a + (b - a) * step / 8) for a, b in zip(start, end)), "sleep", 0.03]
@@ -120,7 +120,7 @@ class Program:
         self.place("picture")
 
     def slider(self, name):
-        """Left end, right end and middle height of a parameter's slider."""
+        """Left end, right end and vertical centre of a parameter's slider."""
         left, top, _, bottom = self.place("parameter:" + name)
         number = self.place("number:" + name)
         return left + 2, number[0] - 8, (top + bottom) // 2
@@ -134,12 +134,12 @@ class Program:
         self.key("Return")
 
     def choose(self, menu, action):
-        """Picks an action from a menu."""
+        """Chooses an action from a menu."""
         self.click("menu:" + menu)
         self.click("menu:" + action)
 
     def answer(self, text):
-        """Types into the dialog that asks for a name."""
+        """Types into the dialog for a name, and confirms."""
         self.place("dialog_name")
         self.key("ctrl+a")
         self.type(text)
@@ -147,11 +147,11 @@ class Program:
         self.wait("the dialog is closed", lambda s: s["dialog"] == 0)
 
     def edited_files(self):
-        """What the person's editor was started with, a line each time."""
+        """The arguments of all starts of the user's editor, one line each."""
         return self.editor_log.read_text() if self.editor_log.exists() else ""
 
     def set(self, name, text):
-        """Types a parameter's value and waits until it is taken."""
+        """Types a parameter's value and waits until it is set."""
         if "number:" + name not in self.state()["widgets"]:
             self.reveal(name)
         self.click("number:" + name)
@@ -160,7 +160,7 @@ class Program:
         self.wait("'%s' is %s" % (name, text), lambda s: s["values"][name][0] == float(text))
 
     def retype(self, name, text):
-        """Types into the number of a parameter that is in view."""
+        """Types a value into the number field of a visible parameter."""
         self.click("number:" + name)
         self.type(text)
         self.key("Return")

@@ -1,4 +1,4 @@
-"""What happens after a driver has ended the program: safe_start_test.py PROGRAM."""
+"""The start after a crash, hang or reset of the driver: safe_start_test.py PROGRAM."""
 
 import signal
 import subprocess
@@ -15,7 +15,7 @@ EXECUTABLE = Path(sys.argv[1]).resolve()
 
 
 class FaultyProgram(Program):
-    """A program whose driver fails as a test asks for."""
+    """A program whose driver fails in the way that a test sets."""
 
     fault = ""
 
@@ -23,14 +23,14 @@ class FaultyProgram(Program):
         return {**super().environment(), "AFTERGLOW_INJECT_FAULT": self.fault}
 
     def begin(self, *arguments, fault=""):
-        """Starts it, and waits for nothing."""
+        """Starts the program without waiting."""
         self.fault = fault
         self.state_file.unlink(missing_ok=True)
         self.process = subprocess.Popen([self.executable, *arguments], env=self.environment(),
                                         stderr=subprocess.DEVNULL)
 
     def wait_for_offer(self):
-        """The notice of a start that does not open the look."""
+        """Waits for the notice that the look was not opened."""
         return self.wait("the look is offered", lambda s: "offer:Try again" in s["widgets"])
 
 
@@ -66,7 +66,7 @@ class SafeStartTest(unittest.TestCase):
 
     def test_a_look_that_crashed_the_program_is_offered_and_the_session_survives(self):
         self.crash()
-        for _ in range(2):  # it stays so until something is chosen
+        for _ in range(2):  # the same at each start until the user decides
             self.program.begin()
             state = self.program.wait_for_offer()
             self.assertEqual(state["notice"], "Afterglow quit while compiling \"phosphor\". "
@@ -81,7 +81,7 @@ class SafeStartTest(unittest.TestCase):
 
     def test_a_look_whose_compiling_never_ended_is_offered(self):
         for end in (self.program.kill, self.program.quit):
-            self.program.begin("phosphor", fault="hang")  # named, as the second time it is only offered
+            self.program.begin("phosphor", fault="hang")  # named: the second start without a name only offers it
             self.program.wait("it is being opened", lambda s: s["is_loading"])
             end()
             self.program.begin()

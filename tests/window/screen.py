@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 class Screen:
-    """Xvfb on a free display, ended with the `with` block."""
+    """Xvfb on a free display, terminated at the end of the `with` block."""
 
     def __init__(self, width, height):
         self.size = (width, height)
@@ -48,11 +48,11 @@ class Screen:
         return int(found.stdout.split()[0])
 
     def resize(self, width, height):
-        """Makes the program's window another size, as a person does at its corner."""
+        """Resizes the program's window, as by dragging its corner."""
         self.do("windowsize", self.window(), width, height)
 
     def rows(self, left, top, right, bottom):
-        """The pixels of a part, each row as bytes of blue, green, red, unused."""
+        """The pixels of a rectangle, each row as bytes of blue, green, red, unused."""
         data = (self.folder / "Xvfb_screen0").read_bytes()
         header = struct.unpack(">25I", data[:100])  # X11/XWDFile.h
         start = header[0] + header[19] * 12
@@ -61,13 +61,13 @@ class Screen:
                 for y in range(top, bottom)]
 
     def brightness(self, place):
-        """Mean of red, green and blue over a part, 0..255."""
+        """Mean of red, green and blue over a rectangle, 0..255."""
         rows = self.rows(*place)
         total = sum(sum(row[channel::4]) for row in rows for channel in range(3))
         return total / (3 * sum(len(row) // 4 for row in rows))
 
     def save(self, file):
-        """Writes what the screen shows as a PNG."""
+        """Saves the screen as a PNG."""
         width, height = self.size
         lines = bytearray()
         for row in self.rows(0, 0, width, height):

@@ -1,4 +1,4 @@
-"""Seeing what a change would do before it is made, and going to a preset bit by bit."""
+"""Previewing changes, and morphing to a preset."""
 
 from person import Person
 
@@ -19,14 +19,14 @@ class Trying(Person):
         self.assertIn("Exposure 1.5 → ", state["step"]["words"])
         changes = [float(share) for share in state["step"]["changes"]]
         self.assertGreater(changes[-1], 0)
-        self.assertEqual(changes[0], 0)  # the beam is before it
+        self.assertEqual(changes[0], 0)  # the beam is drawn before it
         program.wait_for("grey is where nothing changes", lambda: 90 < self.brightness() < 160)
         self.snapshot("step")
         self.screen.do("keyup", "u")
         state = program.wait("it is let go", lambda s: s["step"]["words"] == "")
         program.wait_for("the picture is back", lambda: self.brightness() < 80)
         self.assertEqual((state["values"], state["undo"]), (before["values"], before["undo"]))
-        self.assertGreater(state["frame"], before["frame"])  # time went on
+        self.assertGreater(state["frame"], before["frame"])  # time kept running
 
         program.set("bloom_intensity", "0")
         self.hold_over("bloom_radius", "u")
@@ -54,7 +54,7 @@ class Trying(Person):
         program.click("sheet_count:3")
         program.click("sheet_down")
         self.screen.do("mousemove", *program.middle("sheet_choice:bloom_radius"))
-        self.screen.do("click", 5)  # the list is longer than its room
+        self.screen.do("click", 5)  # the list must be scrolled
         program.wait("the list has moved", lambda s: s["widgets"]["sheet_choice:bloom_intensity"][3] < 700)
         program.click("sheet_choice:bloom_intensity")
         program.wait("a sheet of all combinations is being drawn", lambda s: s["sheet"]["columns"] == 3 and
@@ -96,7 +96,7 @@ class Trying(Person):
         program.wait("one step takes it back", lambda s: s["preset"] == "")
         program.click("picture:amber-p3")
         state = program.wait("a click opens it", lambda s: s["preset"] == "Amber P3")
-        self.assertEqual(state["presets"]["drawn"], 2)  # none again
+        self.assertEqual(state["presets"]["drawn"], 2)  # none is drawn again
         program.click("only_starred")
         program.key("ctrl+l")
         program.wait("the pane is closed", lambda s: "preset_search" not in s["widgets"])

@@ -1,4 +1,4 @@
-"""A person turns knobs."""
+"""Changing parameters."""
 
 from person import Person
 
@@ -33,7 +33,7 @@ class Tuning(Person):
 
     def test_a_number_is_typed(self):
         program = self.program
-        program.set("exposure", "20.5")  # beyond the slider
+        program.set("exposure", "20.5")  # outside the range of the slider
         program.retype("exposure", "0,75")
         program.wait("a comma is a point", lambda s: s["values"]["exposure"] == [0.75])
         program.retype("exposure", "much")
@@ -53,7 +53,7 @@ class Tuning(Person):
     def test_a_parameter_is_turned_by_keys_alone(self):
         program = self.program
         program.reveal("exposure", "tone mapping")
-        program.place("picture")  # the search box has let go of the keyboard
+        program.place("picture")  # waits until the search box has lost the keyboard focus
         program.key("Down")
         program.place("revealed:exposure")
         program.key("Right")
@@ -64,7 +64,7 @@ class Tuning(Person):
         program.wait("and back, beyond where it was", lambda s:
                      abs(s["values"]["exposure"][0] - 1.5 / 160 ** 0.01) < 1e-5)
         program.key("Return")
-        program.place("picture")  # the number has the keyboard
+        program.place("picture")  # waits until the number has the keyboard focus
         program.type("4")
         program.key("Return")
         program.wait("it is typed", lambda s: s["values"]["exposure"] == [4])
@@ -113,10 +113,10 @@ class Tuning(Person):
         program = self.program
         program.click("look:crt")
         program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
-        program.set("scanline_period", "4.1")  # of 180 px, so the bands fit in: 164 px
+        program.set("scanline_period", "4.1")  # bands of 164 px, which fit into 180 px
         program.wait("px are told", lambda s: "moire:scanline_period" in s["widgets"])
         program.reveal("scanline_unit")
-        program.place("picture")  # the search box has let go of the keyboard
+        program.place("picture")  # waits until the search box has lost the keyboard focus
         program.key("Down")
         program.place("revealed:scanline_unit")
         program.key("Right")

@@ -1,5 +1,6 @@
-"""Drives the window with mouse and keyboard: window_test.py PROGRAM [Tuner|Looker|WindowTest.NAME...].
-Two people at once, each at a window of their own, are through in half the time."""
+"""Drives the window with mouse and keyboard:
+window_test.py PROGRAM [Tuner|Looker|Owner|WindowTest.NAME...].
+Tuner, Looker and Owner have separate windows and can run in parallel."""
 
 import sys
 import unittest
@@ -23,19 +24,19 @@ Person.executable = Path(sys.argv[1]).resolve()
 
 
 class Tuner(Tuning, Keeping, Trying):
-    """One person at one window: each test finds the look as it was first."""
+    """The first group of tests. They share a window, and each one starts with the initial look."""
 
 
 class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
-    """Another one."""
+    """The second group."""
 
 
 class Owner(Owning, Foreign):
-    """A third one, whose own things stay."""
+    """The third group: content of the user, and looks of other programs."""
 
 
 class WindowTest(Tuner, Looker, Owner):
-    """Somebody who does it all."""
+    """All groups, for running single tests."""
 
 
 if __name__ == "__main__":
