@@ -88,7 +88,7 @@ vec2 beam_segment_moments(float start, float end, float fade) {
     return beam_moments_with_fade(start, end, fade);
 }
 
-// Light per px^2 at a position `at.x` px along the segment from its start and `at.y` px across it.
+// Light per px^2 at a position, `at.x` px along the segment from its start and `at.y` px across it.
 // x: for a constant charge of 1. y: for a charge from 0 to 1.
 vec2 beam_segment_shares(vec2 at, float segment_length, float sigma, float fade) {
     float scale = inversesqrt(2.0) / sigma;

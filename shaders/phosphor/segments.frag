@@ -1,7 +1,6 @@
 #version 410 core
-// The beam as segments: the light along the path from one point to the next, in the same form and
-// with the same energy as points. Current and age change linearly along it. Light fades inside the
-// segment.
+// The beam as segments: the light along the path from one point to the next. It has the same form
+// and energy as points. Current and age change linearly along it. Light fades inside the segment.
 #include "beam_segment.glsl"
 #include "decay.glsl"
 #include "one_color.glsl"
