@@ -20,8 +20,8 @@ float erf(float x) {
 }
 
 // exp(x x) (1 - erf(x)) for x >= 0. It is 1 at 0 and falls slowly, where its factors are too large
-// and too small for a float. A minimax fit of its logarithm minus that of t, over t = 1 / (1 +
-// x/2). The relative error is at most 5e-7.
+// and too small for a float. A minimax fit of its logarithm minus that of t, over
+// t = 1 / (1 + x/2). The relative error is at most 5e-7.
 vec2 erfcx(vec2 x) {
     vec2 t = 1.0 / (1.0 + 0.5 * x);
     vec2 power = -1.265512311 + t * (1.000037772 + t * (0.3737148406 + t * (0.1006541982 +

@@ -30,9 +30,9 @@ float sinc(float x) {
     return abs(angle) < 1e-4 ? 1.0 : sin(angle) / angle;
 }
 
-// Brightness of horizontal scanlines: 1 at the crests, 1 - strength in the troughs, 1 - strength /
-// 2 on average. The sine is averaged over each pixel. Samples at the pixels' centres would alias
-// for periods of a few px.
+// Brightness of horizontal scanlines: 1 at the crests, 1 - strength in the troughs, and on average
+// 1 - strength / 2. The sine is averaged over each pixel. Samples at the pixels' centres would
+// alias for periods of a few px.
 float scanline_factor(float y_px, float period_px, float strength) {
     float wave = sin(6.28318530718 * y_px / period_px) * sinc(1.0 / period_px);
     return 1.0 - strength * (0.5 + 0.5 * wave);
