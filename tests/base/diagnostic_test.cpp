@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("what is told twice is told once, and of very much the beginning") {
+TEST_CASE("repeated diagnostics are listed once, and at most 256 warnings are kept") {
     Diagnostics all{{"a.frag", 1, "first"}};
     add_new(all, {{"a.frag", 1, "first"}, {"b.frag", 1, "first"}});
     CHECK(all.size() == 2);

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-TEST_CASE("a number is told as exactly as its letters allow") {
+TEST_CASE("a number is rounded to the most digits that fit the given width") {
     CHECK(fitted_number(1.0 / 3.0, 5) == "0.333");
     CHECK(fitted_number(-1.0 / 3.0, 5) == "-0.33");
     CHECK(fitted_number(1.0 / 3.0, 9) == "0.3333333");
@@ -17,7 +17,7 @@ TEST_CASE("a number is told as exactly as its letters allow") {
     CHECK(fitted_number(-0.0, 5) == "0");
 }
 
-TEST_CASE("what is too large or too small for its letters is told by its power of ten") {
+TEST_CASE("a number too large or too small for the width is written with an exponent") {
     CHECK(fitted_number(65504.0, 5) == "65504");  // the largest half float
     CHECK(fitted_number(4294967295.0, 5) == "4.3e9");
     CHECK(fitted_number(70000.0, 5) == "70000");
@@ -27,7 +27,7 @@ TEST_CASE("what is too large or too small for its letters is told by its power o
     CHECK(fitted_number(1.4e-45, 5) == "1e-45");
 }
 
-TEST_CASE("what is not finite has its word") {
+TEST_CASE("non-finite numbers are written as Inf, -Inf and NaN") {
     const double infinity = std::numeric_limits<double>::infinity();
     CHECK(fitted_number(infinity, 5) == "Inf");
     CHECK(fitted_number(-infinity, 5) == "-Inf");

@@ -14,32 +14,32 @@ std::vector<std::size_t> places(const char* query, const char* text) {
 }
 }  // namespace
 
-TEST_CASE("a word fits as a piece of a text, or by letters in order from a word's beginning") {
+TEST_CASE("a word matches as a substring, or as letters in order from the start of a word") {
     CHECK(places("spa", "Save preset as") == std::vector<std::size_t>{0, 5, 12});
     CHECK(places("RESET", "Save preset as") == std::vector<std::size_t>{6, 7, 8, 9, 10});
     CHECK(places("prst", "Preset") == std::vector<std::size_t>{0, 1, 3, 5});
     CHECK(places("bloom_int", "Bloom intensity") ==
           std::vector<std::size_t>{0, 1, 2, 3, 4, 6, 7, 8});
-    CHECK_FALSE(fuzzy_match("rst", "Preset"));       // begins no word, is no piece
+    CHECK_FALSE(fuzzy_match("rst", "Preset"));       // neither a substring nor the start of a word
     CHECK_FALSE(fuzzy_match("aps", "Save preset"));  // the wrong order
     CHECK_FALSE(fuzzy_match("save it", "Save preset"));
     CHECK_FALSE(fuzzy_match("long", "no"));
     CHECK_FALSE(fuzzy_match("a", ""));
-    CHECK_FALSE(fuzzy_match("a", "Brass"));  // one letter fits everywhere
+    CHECK_FALSE(fuzzy_match("a", "Brass"));  // one letter matches any text that contains it
 }
 
-TEST_CASE("words fit in any order, and no words fit all") {
+TEST_CASE("words match in any order, and an empty query matches everything") {
     CHECK(places("pre sav", "Save preset") == std::vector<std::size_t>{0, 1, 2, 5, 6, 7});
     CHECK(fuzzy_match("", "Undo")->score == 0);
     CHECK(fuzzy_match("  ", "")->places.empty());
 }
 
-TEST_CASE("letters that follow one another count most, then letters that begin words") {
+TEST_CASE("consecutive letters score highest, then first letters of words") {
     CHECK(score("pre", "Preset") > score("pre", "Pass: reduced"));
     CHECK(score("sp", "Spot size") > score("sp", "Save preset"));
     CHECK(score("sp", "Save preset") > score("sp", "Show a depth"));
     CHECK(score("gain", "Gain") > score("gain", "Again"));
     CHECK(score("gain", "Again") > score("gain", "Grating"));
-    // The best of several ways is taken: the whole word, not its first letter further left.
+    // The best of several matches is used: the whole word, not its first letter further left.
     CHECK(places("pa", "Play: pass") == std::vector<std::size_t>{6, 7});
 }

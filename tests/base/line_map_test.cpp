@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("lines of one file that follow each other are kept as one stretch") {
+TEST_CASE("consecutive lines of one file are stored as one stretch") {
     LineMap lines;
     lines.push_back({"a.frag", 1});
     lines.push_back({"a.frag", 2});
@@ -12,7 +12,7 @@ TEST_CASE("lines of one file that follow each other are kept as one stretch") {
     CHECK(lines[8] == Location{"a.frag", 9});
 }
 
-TEST_CASE("an include, a gap and a line that stands twice begin a stretch of their own") {
+TEST_CASE("an include, a gap and a repeated line each start a new stretch") {
     LineMap lines;
     lines.append({"a.frag", 1}, 2);
     lines.append({"b.inc", 1}, 3);
@@ -36,7 +36,7 @@ TEST_CASE("an include, a gap and a line that stands twice begin a stretch of the
     CHECK(lines[7] == Location{"a.frag", 9});
 }
 
-TEST_CASE("no lines are no stretches") {
+TEST_CASE("an empty line map has no stretches") {
     CHECK(LineMap{}.empty());
     CHECK(LineMap{}.size() == 0);
     CHECK(LineMap{} == LineMap{});

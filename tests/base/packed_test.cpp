@@ -4,7 +4,7 @@
 
 #include <limits>
 
-TEST_CASE("what is packed is read again, and then all has been read") {
+TEST_CASE("packed values are read back in order, up to the end") {
     Packer packer;
     packer.add(std::uint64_t{7});
     packer.add(std::string_view("one\0two", 7));
@@ -17,13 +17,13 @@ TEST_CASE("what is packed is read again, and then all has been read") {
     CHECK(read.is_at_end());
 }
 
-TEST_CASE("a number is its bytes, the least first, on every machine") {
+TEST_CASE("a number is packed in little-endian byte order") {
     Packer packer;
     packer.add(std::uint64_t{0x0102});
     CHECK(packer.bytes() == std::string_view("\x02\x01\0\0\0\0\0\0", 8));
 }
 
-TEST_CASE("what is cut short anywhere is a fault, and nothing after it is read") {
+TEST_CASE("data truncated at any byte is an error, and later reads return nothing") {
     Packer packer;
     packer.add(std::string_view("light"));
     packer.add(std::uint64_t{1});
@@ -36,7 +36,7 @@ TEST_CASE("what is cut short anywhere is a fault, and nothing after it is read")
     }
 }
 
-TEST_CASE("a size or count that goes beyond the bytes is a fault") {
+TEST_CASE("a size or count larger than the remaining data is an error") {
     for (const std::uint64_t size : {std::uint64_t{9}, std::numeric_limits<std::uint64_t>::max()}) {
         Packer packer;
         packer.add(size);

@@ -6,7 +6,7 @@
 
 using Step = PassProgress::Step;
 
-TEST_CASE("a pass is done when the next one begins") {
+TEST_CASE("a pass counts as done when the next one begins") {
     PassProgress progress;
     CHECK(progress.state().total == 0);
     progress.begin(Step::linking, 3);
@@ -20,7 +20,7 @@ TEST_CASE("a pass is done when the next one begins") {
     CHECK(words_of(progress.state()) == "First frame: 0 of 2 passes");
 }
 
-TEST_CASE("who listens is told of every pass, and cancelling ends the work at the next one") {
+TEST_CASE("the listener is called for each pass, and cancelling stops at the next pass") {
     std::vector<std::string> told;
     PassProgress progress([&told](const PassProgress::State& state) {
         told.push_back(state.pass + " " + std::to_string(state.done));
@@ -33,7 +33,7 @@ TEST_CASE("who listens is told of every pass, and cancelling ends the work at th
     CHECK(told == std::vector<std::string>{"a 0", "b 1"});
 }
 
-TEST_CASE("a pass that takes seconds is named, others are not") {
+TEST_CASE("only a pass that takes over 3 seconds is named") {
     PassProgress::State state{Step::linking, 2, 7, "blur", 2.9};
     CHECK(words_of(state) == "Linking: 2 of 7 passes");
     state.seconds = 3.1;

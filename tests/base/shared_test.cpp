@@ -5,7 +5,7 @@
 
 #include <vector>
 
-TEST_CASE("a copy of a shared value is the same memory until one of the two is changed") {
+TEST_CASE("a copy of a shared value uses the same memory until one of them changes") {
     Shared<std::vector<int>> one(std::vector<int>{1, 2});
     Shared<std::vector<int>> copy = one;
     CHECK(&*copy == &*one);
@@ -14,10 +14,10 @@ TEST_CASE("a copy of a shared value is the same memory until one of the two is c
     CHECK(*copy == std::vector<int>{1, 2, 3});
     const std::vector<int>* const mine = &*copy;
     copy.own().push_back(4);
-    CHECK(&*copy == mine);  // nobody else has it
+    CHECK(&*copy == mine);  // the only owner does not copy
 }
 
-TEST_CASE("shared values are equal by what they hold, and nothing is an empty one") {
+TEST_CASE("shared values compare by content, and a default one is empty") {
     CHECK(SharedText("light") == SharedText(std::string("light")));
     CHECK_FALSE(SharedText("light") == SharedText("dark"));
     CHECK(SharedText() == SharedText(""));
@@ -28,7 +28,7 @@ TEST_CASE("shared values are equal by what they hold, and nothing is an empty on
     CHECK(SharedText().empty());
 }
 
-TEST_CASE("lines that are added to a copy of a line map are not in the map") {
+TEST_CASE("lines added to a copy of a line map do not change the original") {
     LineMap map{{"a.frag", 1}};
     LineMap copy = map;
     copy.push_back({"b.frag", 7});

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a number is read the same in every locale, and only when it is all of the text") {
+TEST_CASE("a number is parsed the same in every locale, and the whole text must be a number") {
     CHECK(parse_number("0.92") == 0.92);
     CHECK(parse_number("+1e3") == 1000.0);
     CHECK_FALSE(parse_number("0,92").has_value());
@@ -14,12 +14,12 @@ TEST_CASE("a number is read the same in every locale, and only when it is all of
     CHECK_FALSE(parse_number("1e999").has_value());
 }
 
-TEST_CASE("a float is written as the shortest text that reads back the same") {
+TEST_CASE("a float is written as the shortest text that parses to the same value") {
     CHECK(format_float(0.92f) == "0.92");
     CHECK(format_number(0.1) == "0.1");
 }
 
-TEST_CASE("lines end with LF or CRLF, and the last end opens no line") {
+TEST_CASE("lines end with LF or CRLF, and the last line end adds no empty line") {
     const auto lines = split_lines("a\r\nb\n\nc\n");
     REQUIRE(lines.size() == 4);
     CHECK(lines[0] == "a");
@@ -30,7 +30,7 @@ TEST_CASE("lines end with LF or CRLF, and the last end opens no line") {
     CHECK(split_lines("a\n\r").size() == 2);
 }
 
-TEST_CASE("a name is suggested only when it is near") {
+TEST_CASE("a name is suggested only when it is similar") {
     const std::vector<std::string> names{"decay", "exposure"};
     CHECK(did_you_mean("dacay", names) == " (did you mean 'decay'?)");
     CHECK(did_you_mean("vignette", names).empty());
@@ -38,13 +38,13 @@ TEST_CASE("a name is suggested only when it is near") {
     CHECK(did_you_mean("decay", names).empty());
 }
 
-TEST_CASE("a sentence that is added leaves each with one full stop") {
+TEST_CASE("sentences are joined with exactly one full stop each") {
     CHECK(with_sentence("file not found", "'noise' shows black.") ==
           "file not found. 'noise' shows black.");
     CHECK(with_sentence("Is too large.", "Use another.") == "Is too large. Use another.");
 }
 
-TEST_CASE("a diagnostic reads like a compiler's") {
+TEST_CASE("a diagnostic has the format of a compiler message") {
     CHECK(to_string(Diagnostic{"mask.frag", 2, "unknown hint"}) ==
           "mask.frag:2: error: unknown hint");
     CHECK(to_string(Diagnostic{"mask.frag", 0, "is empty", Severity::warning}) ==
@@ -52,7 +52,7 @@ TEST_CASE("a diagnostic reads like a compiler's") {
     CHECK(to_string(Diagnostic{{}, 0, "no GL"}) == "error: no GL");
 }
 
-TEST_CASE("each place of a text is replaced, however many there are") {
+TEST_CASE("each occurrence in a text is replaced, in linear time") {
     CHECK(with_each("a+b++", "+", "%2B") == "a%2Bb%2B%2B");
     CHECK(with_each("aaa", "aa", "a") == "aa");
     std::string changed;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <string>
 
-TEST_CASE("sockets are made in the user's runtime folder, else in the folder of states") {
+TEST_CASE("sockets are created in the runtime folder, otherwise in the state folder") {
     const auto kept = [](const char* name) {
         const char* const value = std::getenv(name);
         return std::string(value ? value : "");
@@ -17,7 +17,8 @@ TEST_CASE("sockets are made in the user's runtime folder, else in the folder of 
     setenv("XDG_RUNTIME_DIR", "/run/user/7", 1);
     setenv("XDG_STATE_HOME", "/state", 1);
     CHECK(runtime_folder() == "/run/user/7/afterglow");
-    setenv("XDG_RUNTIME_DIR", "relative", 1);  // the standard: such a path is ignored
+    setenv("XDG_RUNTIME_DIR", "relative",
+           1);  // XDG Base Directory Specification: a relative path is ignored
     CHECK(runtime_folder() == "/state/afterglow/run");
     unsetenv("XDG_RUNTIME_DIR");
     unsetenv("XDG_STATE_HOME");

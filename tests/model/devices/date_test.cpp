@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a date moves on by seconds over midnights, leap days and years") {
+TEST_CASE("adding seconds to a date crosses midnights, leap days and years") {
     CHECK(date_after({2000, 1, 1, 0.0}, 59.5) == Date{2000, 1, 1, 59.5});
     CHECK(date_after({2000, 2, 28, 86399.0}, 2.0) == Date{2000, 2, 29, 1.0});
     CHECK(date_after({2001, 2, 28, 0.0}, 86400.0) == Date{2001, 3, 1, 0.0});

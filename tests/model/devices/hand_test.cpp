@@ -4,10 +4,11 @@
 
 using Numbers = std::array<double, 4>;
 
-TEST_CASE("a press is told with its place: positive while it is held, new for one frame") {
+TEST_CASE("a mouse press has its position; it is positive while held and new for one frame") {
     Hand hand;
     hand.move({3.0, 4.0});
-    CHECK(hand.press().numbers() == Numbers{0, 0, 0, 0});  // a pointer alone is not told
+    CHECK(hand.press().numbers() ==
+          Numbers{0, 0, 0, 0});  // moving without a press gives no position
     hand.set_button(true);
     CHECK(hand.press().numbers() == Numbers{3, 4, 3, 4});
     hand.note_drawn();
@@ -21,7 +22,7 @@ TEST_CASE("a press is told with its place: positive while it is held, new for on
     CHECK(hand.press().numbers() == Numbers{1, 1, 1, 1});
 }
 
-TEST_CASE("a click within a frame is still told as a new press") {
+TEST_CASE("a click within one frame still counts as a new press") {
     Hand hand;
     hand.move({3.0, 4.0});
     hand.set_button(true);
@@ -31,7 +32,7 @@ TEST_CASE("a click within a frame is still told as a new press") {
     CHECK(hand.press().numbers() == Numbers{3, 4, -3, -4});
 }
 
-TEST_CASE("a key is down while it is held, pressed for one frame, toggled until it is hit again") {
+TEST_CASE("a key is down while held, pressed for one frame, and toggled until the next press") {
     Hand hand;
     constexpr std::size_t space = 32;
     const auto flags = [&] {
@@ -41,12 +42,12 @@ TEST_CASE("a key is down while it is held, pressed for one frame, toggled until 
     hand.set_key(space, true);
     CHECK(flags() == std::array{true, true, true});
     hand.note_drawn();
-    hand.set_key(space, true);  // it repeats
+    hand.set_key(space, true);  // key repeat
     CHECK(flags() == std::array{true, false, true});
     hand.set_key(space, false);
     CHECK(flags() == std::array{false, false, true});
     hand.set_key(space, true);
     CHECK(flags() == std::array{true, true, false});
-    hand.set_key(1000, true);  // there is none such
+    hand.set_key(1000, true);  // not a valid key
     CHECK(hand.keys().down.count() == 1);
 }

@@ -10,21 +10,21 @@ std::vector<float> read(const LiveSound& sound, std::int64_t first, std::size_t 
 }
 }  // namespace
 
-TEST_CASE("what came in is read back by its number; before and after it there is silence") {
+TEST_CASE("written samples are read back by frame number, with silence before and after") {
     LiveSound sound(1000);
     sound.write(std::vector<float>{0.1f, 0.2f, 0.3f, 0.4f}, 2);
     CHECK(sound.frame_count() == 2);
     CHECK(read(sound, -1, 4) == std::vector<float>{0.0f, 0.0f, 0.1f, 0.2f, 0.3f, 0.4f, 0.0f, 0.0f});
 }
 
-TEST_CASE("one channel is on both sides; of six the first two are kept") {
+TEST_CASE("mono is copied to both channels, and of six channels the first two are kept") {
     LiveSound sound(1000);
     sound.write(std::vector<float>{0.5f}, 1);
     sound.write(std::vector<float>{1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}, 6);
     CHECK(read(sound, 0, 2) == std::vector<float>{0.5f, 0.5f, 1.0f, 2.0f});
 }
 
-TEST_CASE("what is long ago is forgotten, the last seconds are there") {
+TEST_CASE("only the most recent seconds of live sound are kept") {
     LiveSound sound(100);
     std::vector<float> frame(2);
     for (int i = 0; i < 10000; ++i) {
@@ -37,7 +37,7 @@ TEST_CASE("what is long ago is forgotten, the last seconds are there") {
     CHECK(read(sound, 9999, 1).front() == 9999.0f);
 }
 
-TEST_CASE("more channels than two are kept where they are wanted") {
+TEST_CASE("more than two channels are kept on request") {
     LiveSound sound(1000, 5);
     CHECK(sound.channels() == 5);
     sound.write(std::vector<float>{1.0f, 2.0f, 3.0f, 4.0f, 5.0f, 6.0f}, 6);

@@ -18,7 +18,7 @@ bool is_share(const std::optional<double>& share, double expected) {
 }
 }  // namespace
 
-TEST_CASE("a Control Change is read from its three bytes; all else is none") {
+TEST_CASE("only a complete Control Change message is parsed") {
     // MIDI 1.0 Detailed Specification, table 2: 1011nnnn 0ccccccc 0vvvvvvv
     CHECK(parsed({0xb0, 21, 64}) == MidiTurn{1, 21, 64});
     CHECK(parsed({0xbf, 127, 127}) == MidiTurn{16, 127, 127});
@@ -31,7 +31,7 @@ TEST_CASE("a Control Change is read from its three bytes; all else is none") {
         CHECK_FALSE(parsed({static_cast<std::uint8_t>(kind), 21, 64}));
 }
 
-TEST_CASE("a controller goes from 0 to 1 in 127 steps, a pair in 16383") {
+TEST_CASE("a controller maps 0..1 to 127 steps, and a 14-bit pair to 16383") {
     MidiPairs pairs;
     const MidiBinding plain{{"decay"}, 1, 21};
     CHECK(is_share(pairs.share(plain, {1, 21, 0}), 0.0));
@@ -51,18 +51,18 @@ TEST_CASE("a controller goes from 0 to 1 in 127 steps, a pair in 16383") {
     CHECK(words_of(fine) == "CC 1 and 33, channel 3");
     CHECK(is_lower_half({3, 33, 0}, fine));
     CHECK_FALSE(is_lower_half({3, 34, 0}, fine));
-    CHECK_FALSE(is_lower_half({1, 96, 0}, {{"decay"}, 1, 64}));  // 64 has none
+    CHECK_FALSE(is_lower_half({1, 96, 0}, {{"decay"}, 1, 64}));  // controller 64 has no lower half
 }
 
-TEST_CASE("a knob takes hold where it comes by the value, and lets go when another hand turned") {
+TEST_CASE("soft takeover: a controller takes effect once it passes the value") {
     PickUp pick_up;
     CHECK_FALSE(pick_up.takes(0.2, 0.5));
     CHECK_FALSE(pick_up.takes(0.4, 0.5));
-    CHECK(pick_up.takes(0.6, 0.5));  // it came by
+    CHECK(pick_up.takes(0.6, 0.5));  // it passes the value
     pick_up.gave(0.6);
-    CHECK(pick_up.takes(0.9, 0.6));  // in the hand now: however fast
+    CHECK(pick_up.takes(0.9, 0.6));  // takes effect at any speed
     pick_up.gave(0.9);
-    CHECK_FALSE(pick_up.takes(0.8, 0.3));  // a mouse has taken it elsewhere
+    CHECK_FALSE(pick_up.takes(0.8, 0.3));  // the value was changed elsewhere
     CHECK_FALSE(pick_up.takes(0.4, 0.3));
     CHECK(pick_up.takes(0.2, 0.3));
     PickUp close;
@@ -71,7 +71,7 @@ TEST_CASE("a knob takes hold where it comes by the value, and lets go when anoth
     CHECK_FALSE(far.takes(0.5 + 1.5 / 127.0, 0.5));
 }
 
-TEST_CASE("a goal has one controller, a controller may have several goals") {
+TEST_CASE("a target has one controller, and a controller may have several targets") {
     RemoteSettings settings;
     settings.bind({{"decay"}, 1, 21});
     settings.bind({{"exposure"}, 1, 21});

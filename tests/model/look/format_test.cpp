@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("every format is found by its own name and knows itself") {
+TEST_CASE("every format is found by its name") {
     for (const FormatFacts& facts : all_formats()) {
         CHECK(parse_format(facts.name) == facts.format);
         CHECK(facts_of(facts.format).name == facts.name);

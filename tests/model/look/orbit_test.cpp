@@ -29,37 +29,37 @@ Look look_with_orbit() {
 }
 }  // namespace
 
-TEST_CASE("an orbit at rest changes nothing") {
+TEST_CASE("a default orbit is the identity") {
     CHECK(view_matrix({}) == nothing);
     CHECK(camera_matrix({}) == nothing);
 }
 
-TEST_CASE("the object turns about x, then y, then z, right-handed") {
+TEST_CASE("the object rotates about x, then y, then z, right-handed") {
     CHECK(is_near(moved(view_matrix({.turn_degrees = {90, 0, 0}}), {0, 1, 0}), {0, 0, 1}));
     CHECK(is_near(moved(view_matrix({.turn_degrees = {0, 90, 0}}), {0, 0, 1}), {1, 0, 0}));
     CHECK(is_near(moved(view_matrix({.turn_degrees = {0, 0, 90}}), {1, 0, 0}), {0, 1, 0}));
-    // y to z by x, z to x by y, x to y by z
+    // x rotates y to z, y rotates z to x, z rotates x to y
     CHECK(is_near(moved(view_matrix({.turn_degrees = {90, 90, 90}}), {0, 1, 0}), {0, 1, 0}));
 }
 
-TEST_CASE("the camera goes round, up and away") {
+TEST_CASE("the camera moves by azimuth, elevation and distance") {
     const Point resting{0, 0, 1};
     CHECK(is_near(moved(camera_matrix({.azimuth_degrees = 90}), resting), {1, 0, 0}));
     CHECK(is_near(moved(camera_matrix({.elevation_degrees = 90}), resting), {0, 1, 0}));
     CHECK(is_near(moved(camera_matrix({.distance = 2.5}), resting), {0, 0, 2.5}));
-    // Up first, then round: sin and cos of 30 degrees.
+    // Elevation first, then azimuth: sin and cos of 30 degrees.
     CHECK(is_near(moved(camera_matrix({.azimuth_degrees = 90, .elevation_degrees = 30}), resting),
                   {std::sqrt(3.0) / 2.0, 0.5, 0}));
 }
 
-TEST_CASE("the object's near side follows the hand, wherever the camera stands") {
+TEST_CASE("the near side of the object follows the mouse, at any camera position") {
     for (const Orbit& start : {Orbit{}, Orbit{.turn_degrees = {20, -70, 130}},
                                Orbit{.azimuth_degrees = 120, .elevation_degrees = 40}}) {
         const Matrix camera = camera_matrix(start);
-        // The object's point that now is nearest to the camera.
+        // The object's point that is nearest to the camera.
         const Point near_side = moved(camera, {0, 0, 1});
         const Matrix now = view_matrix(start);
-        Point own{};  // the inverse of a turn is its transpose
+        Point own{};  // the inverse of a rotation is its transpose
         for (std::size_t row = 0; row < 3; ++row)
             for (std::size_t column = 0; column < 3; ++column)
                 own[row] += now[row * 4 + column] * near_side[column];
@@ -73,7 +73,7 @@ TEST_CASE("the object's near side follows the hand, wherever the camera stands")
     }
 }
 
-TEST_CASE("the camera goes against the hand, stops overhead and keeps within its distances") {
+TEST_CASE("the camera moves against the mouse; its elevation and distance are clamped") {
     CHECK(with_camera_moved({}, 10, 0).azimuth_degrees == -10);
     CHECK(with_camera_moved({.azimuth_degrees = -175}, 10, 0).azimuth_degrees == 175);
     CHECK(with_camera_moved({}, 0, -20).elevation_degrees == 20);
@@ -90,18 +90,19 @@ TEST_CASE("an orbit is read from the parameters of a pass and written back to th
     const Values values =
         with_orbits_changed(look, {{"other", 7.0}}, [&](const Orbit&) { return orbit; });
     CHECK(orbit_of(look, values, 1) == orbit);
-    CHECK(orbit_of(look, values, 0) == Orbit{.turn_degrees = {10, 20, 30}});  // no u_camera there
+    CHECK(orbit_of(look, values, 0) ==
+          Orbit{.turn_degrees = {10, 20, 30}});  // that pass has no u_camera
     CHECK(values.at("other") == Value(7.0));
     CHECK(orbit_of(look, {{"orbit_elevation", 300.0}}, 1).elevation_degrees == 90);
 }
 
-TEST_CASE("a look without u_camera has no camera to move") {
+TEST_CASE("a look without u_camera has no camera parameters") {
     CHECK(orbit_parameters({0}, {}).size() == 1);
     CHECK(orbit_parameters({}, {0}).size() == 3);
     CHECK(orbit_parameters({}, {}).empty());
 }
 
-TEST_CASE("each orbit of a stack turns from where it is") {
+TEST_CASE("each orbit of a stack changes from its own value") {
     Look look = look_with_orbit();
     for (Parameter& parameter : look.parameters)
         parameter.name = "caffeine/" + parameter.name;

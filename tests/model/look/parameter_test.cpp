@@ -18,7 +18,7 @@ Parameter parameter(NumberType type, Value initial) {
 }
 }  // namespace
 
-TEST_CASE("a type has GLSL's own name") {
+TEST_CASE("a type is named as in GLSL") {
     CHECK(glsl_name({Scalar::floating, 1, 1}) == "float");
     CHECK(glsl_name({Scalar::natural, 1, 1}) == "uint");
     CHECK(glsl_name({Scalar::boolean, 4, 1}) == "bvec4");
@@ -27,7 +27,7 @@ TEST_CASE("a type has GLSL's own name") {
     CHECK(glsl_name({Scalar::floating, 3, 2}) == "mat2x3");  // columns x rows
 }
 
-TEST_CASE("a control with a meaning of its own names the type") {
+TEST_CASE("a colour is named instead of its GLSL type") {
     Parameter knob = parameter({Scalar::floating, 3, 1}, Value({1, 1, 1}));
     CHECK(type_name(knob) == "vec3");
     knob.control = Control::color;
@@ -36,7 +36,7 @@ TEST_CASE("a control with a meaning of its own names the type") {
     CHECK(type_name(knob) == "vec3");
 }
 
-TEST_CASE("a value goes to the nearest that the hard limit allows, whatever the slider's range") {
+TEST_CASE("a value is clamped to the hard limit, not to the soft range") {
     Parameter knob = parameter({}, 1.0);
     knob.range = {0, 1};
     CHECK(clamped(knob, 5.0) == Value(5.0));
@@ -45,13 +45,13 @@ TEST_CASE("a value goes to the nearest that the hard limit allows, whatever the 
     CHECK(clamped(knob, -1.0) == Value(0.0));
 }
 
-TEST_CASE("a value that is not a number becomes the default") {
+TEST_CASE("a non-finite value becomes the default") {
     const Parameter knob = parameter({}, 0.25);
     CHECK(clamped(knob, std::nan("")) == Value(0.25));
     CHECK(clamped(knob, std::numeric_limits<double>::infinity()) == Value(0.25));
 }
 
-TEST_CASE("integers are whole and stay within 32 bits, booleans are 0 or 1") {
+TEST_CASE("integers are rounded and clamped to 32 bits; booleans become 0 or 1") {
     CHECK(clamped(parameter({Scalar::integer}, 0.0), 2.6) == Value(3.0));
     CHECK(clamped(parameter({Scalar::integer}, 0.0), 1e30) == Value(2147483647.0));
     CHECK(clamped(parameter({Scalar::natural}, 0.0), -3.0) == Value(0.0));
@@ -59,13 +59,13 @@ TEST_CASE("integers are whole and stay within 32 bits, booleans are 0 or 1") {
     CHECK(clamped(parameter({Scalar::boolean}, 0.0), 0.3) == Value(1.0));
 }
 
-TEST_CASE("missing components come from the default, surplus ones are dropped") {
+TEST_CASE("missing components are taken from the default; extra ones are dropped") {
     const Parameter knob = parameter({Scalar::floating, 3, 1}, Value({1, 2, 3}));
     CHECK(clamped(knob, Value(std::vector<double>{9})) == Value({9, 2, 3}));
     CHECK(clamped(knob, Value({9, 8, 7, 6})) == Value({9, 8, 7}));
 }
 
-TEST_CASE("a typed value is numbers between commas") {
+TEST_CASE("a typed value is a list of numbers separated by commas") {
     const Parameter knob = parameter({Scalar::floating, 2, 1}, Value({0, 0}));
     CHECK(parse_value(knob, " 0.5 , -1e2 ").value() == Value({0.5, -100}));
     const auto short_one = parse_value(knob, "1");
@@ -78,7 +78,7 @@ TEST_CASE("a typed value is numbers between commas") {
     CHECK_FALSE(parse_value(knob, "nan,1").has_value());
 }
 
-TEST_CASE("a list takes an item's label in any case, a switch takes words") {
+TEST_CASE("a list accepts an item's label in any case; a switch accepts words") {
     Parameter list = parameter({Scalar::integer}, 0.0);
     list.control = Control::list;
     list.items = {{0, "Clamp"}, {2, "ACES"}};
@@ -89,7 +89,7 @@ TEST_CASE("a list takes an item's label in any case, a switch takes words") {
     CHECK(parse_value(toggle, "false").value() == Value(0.0));
 }
 
-TEST_CASE("a colour is read as a display shows it and kept as light") {
+TEST_CASE("a typed colour is sRGB, and is stored as linear light") {
     Parameter color = parameter({Scalar::floating, 4, 1}, Value({0, 0, 0, 1}));
     color.control = Control::color;
     const Value value = parse_value(color, "#ff8000").value();
@@ -102,23 +102,23 @@ TEST_CASE("a colour is read as a display shows it and kept as light") {
     CHECK_FALSE(parse_value(color, "#ff80zz").has_value());
 }
 
-TEST_CASE("an image's value is a path") {
+TEST_CASE("the value of an image is a path") {
     Parameter image = parameter({}, Value::of_path(""));
     image.control = Control::image;
     CHECK(parse_value(image, " photo,1.png ").value() == Value::of_path("photo,1.png"));
     CHECK(clamped(image, Value::of_path("photo.png")) == Value::of_path("photo.png"));
 }
 
-TEST_CASE("the sRGB curve meets the standard's own points and undoes itself") {
+TEST_CASE("the sRGB curve matches the standard, and decoding inverts encoding") {
     CHECK(srgb_encode(0.0) == 0.0);
-    CHECK(srgb_encode(0.002) == about(12.92 * 0.002, 1e-9));  // its straight end
+    CHECK(srgb_encode(0.002) == about(12.92 * 0.002, 1e-9));  // the linear segment
     CHECK(srgb_encode(1.0) == doctest::Approx(1.0));
     CHECK(srgb_decode(0.5) == about(0.214041, 1e-5));
     for (const double light : {0.001, 0.0031308, 0.18, 0.9})
         CHECK(srgb_decode(srgb_encode(light)) == about(light, 1e-6));
 }
 
-TEST_CASE("a decay is also given as a half-life") {
+TEST_CASE("a decay can be typed as a half-life") {
     Parameter parameter;
     parameter.name = "decay";
     parameter.unit = "per 1/60 s";

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a limit is set by its name alone") {
+TEST_CASE("a shader limit is set by name, and must be a whole number in range") {
     ShaderLimits limits;
     CHECK(set_limit(limits, "uniforms=2048").has_value());
     CHECK(limits.uniforms == 2048.0);

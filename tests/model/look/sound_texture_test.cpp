@@ -4,7 +4,7 @@
 
 #include <vector>
 
-TEST_CASE("silence is the middle of a wave and nothing of a spectrum") {
+TEST_CASE("silence is 0.5 in a waveform and 0 in a spectrum") {
     using Holds = SoundTexture::Holds;
     std::vector<float> levels(6);
     read_silence({Holds::wave, 3}, levels);

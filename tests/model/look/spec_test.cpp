@@ -16,12 +16,12 @@ TEST_CASE("the first setting may be a bare word, which stays text") {
     CHECK(std::get<std::string>(parse_spec("text:42").value().settings.at("")) == "42");
 }
 
-TEST_CASE("a spec is written as what reads back the same") {
+TEST_CASE("a spec is written as text that parses to the same spec") {
     for (const char* text : {"lissajous:x=3,y=2", "audio:song.wav,mode=xy", "stdin", "text:HELLO"})
         CHECK(to_string(parse_spec(text).value()) == text);
 }
 
-TEST_CASE("what is no spec is said in words") {
+TEST_CASE("an invalid spec gives a specific error") {
     for (const char* text : {"", ":x=3", "  "})
         CHECK_FALSE(parse_spec(text).has_value());
     const auto bare = parse_spec("lissajous:x=3,fast");
@@ -36,7 +36,7 @@ TEST_CASE("a bare text keeps its commas up to the first setting") {
     CHECK(std::get<std::string>(parse_spec("text:A,,B").value().settings.at("")) == "A,,B");
 }
 
-TEST_CASE("a value in quotes may hold any sign") {
+TEST_CASE("a quoted value may contain any character") {
     const Spec spec = parse_spec(R"(audio:"a, mode=1 \"b\" c\\d=.wav",mode="x,y")").value();
     CHECK(std::get<std::string>(spec.settings.at("")) == R"(a, mode=1 "b" c\d=.wav)");
     CHECK(std::get<std::string>(spec.settings.at("mode")) == "x,y");
@@ -46,7 +46,7 @@ TEST_CASE("a value in quotes may hold any sign") {
           std::string::npos);
 }
 
-TEST_CASE("an equals sign belongs to a file's name where the kind has no such setting") {
+TEST_CASE("an equals sign is part of the file name if the kind has no such setting") {
     const HasSetting has_mode = [](std::string_view, std::string_view key) {
         return key == "mode";
     };
@@ -58,10 +58,10 @@ TEST_CASE("an equals sign belongs to a file's name where the kind has no such se
     CHECK(bare("audio:a=b.wav") == "a=b.wav");
     CHECK(bare("audio:x = y.mp3,mode=xy") == "x = y.mp3");
     CHECK(bare("audio:mode=b.wav") == "");
-    CHECK(bare("audio:mod=xy") == "");  // a slip of the pen in a setting
+    CHECK(bare("audio:mod=xy") == "");  // a misspelt setting
 }
 
-TEST_CASE("a text with signs of the grammar is written in quotes") {
+TEST_CASE("text with reserved characters is written in quotes") {
     for (const char* file :
          {"Song, Pt. 2.wav", "a=b.wav", "\"q\".wav", " blank.wav", "c\\d,e.wav"}) {
         const Spec spec{"audio", {{"", std::string(file)}, {"mode", std::string("a,b")}}};

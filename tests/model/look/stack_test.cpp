@@ -12,7 +12,7 @@ Stack stack(const std::vector<std::string>& looks) {
 using Numbers = std::map<std::string, int>;
 }  // namespace
 
-TEST_CASE("each look of a stack is called by its id, a second copy by its number") {
+TEST_CASE("a look in a stack is keyed by its id, and copies are numbered") {
     CHECK(stack_id(stack({"phosphor", "crt", "crt"})) == "phosphor+crt+crt");
     CHECK(stack_keys(look_ids("crt+phosphor+crt+crt")) ==
           std::vector<std::string>{"crt", "phosphor", "crt#2", "crt#3"});
@@ -20,7 +20,7 @@ TEST_CASE("each look of a stack is called by its id, a second copy by its number
     CHECK(scope_of(stack({"crt"}), 0).empty());
 }
 
-TEST_CASE("values go with their look when looks come, go and change places") {
+TEST_CASE("values follow their look when looks are added, removed or reordered") {
     const Stack alone = stack({"crt"});
     Stack both = alone;
     both.push_back({"crt", "crt", free_tag(both, "crt")});
@@ -31,14 +31,14 @@ TEST_CASE("values go with their look when looks come, go and change places") {
     CHECK(moved(of_both, both, turned) == Numbers{{"crt/exposure", 2}, {"crt#2/exposure", 1}});
     CHECK(moved(moved(of_both, both, turned), turned, both) == of_both);
     CHECK(moved(of_both, both, {both[1]}) == Numbers{{"exposure", 2}});
-    // A third copy does not take the mark of one that is there.
+    // A third copy does not get the tag of an existing one.
     CHECK(free_tag({both[1]}, "crt") == "crt");
     CHECK(free_tag(both, "crt") == "crt#3");
-    // What belongs to no look is kept.
+    // A value that belongs to no look is kept.
     CHECK(moved(Numbers{{"mask/pitch", 3}}, both, turned) == Numbers{{"mask/pitch", 3}});
 }
 
-TEST_CASE("bypassed looks are told by their keys") {
+TEST_CASE("bypassed looks are identified by their keys") {
     const Stack plain = stack({"crt", "crt", "mask"});
     const Stack bypassed = with_bypass(plain, {"crt#2", "mask"});
     CHECK_FALSE(bypassed[0].is_bypassed);
@@ -48,7 +48,7 @@ TEST_CASE("bypassed looks are told by their keys") {
     CHECK(with_bypass(bypassed, {}) == plain);
 }
 
-TEST_CASE("a name alone is meant where only one look has it") {
+TEST_CASE("a name without prefix is accepted if only one look has it") {
     const std::vector<std::string> names{"phosphor/decay", "phosphor/exposure", "crt/exposure"};
     std::vector<std::string> candidates;
     CHECK(meant_name(names, "decay", candidates) == "phosphor/decay");

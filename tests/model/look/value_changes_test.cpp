@@ -21,7 +21,7 @@ Look look_of_three() {
 using Names = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("what was turned is told by name, be it from where it was at first or back there") {
+TEST_CASE("changed parameters are listed by name, also when they return to the default") {
     const Look look = look_of_three();
     CHECK(changed_parameters(look, {}, {}).empty());
     CHECK(changed_parameters(look, {}, {{"c", Value(4.0)}, {"a", Value(2.0)}}) == Names{"a", "c"});
@@ -30,8 +30,7 @@ TEST_CASE("what was turned is told by name, be it from where it was at first or 
     CHECK(changed_parameters(look, {{"b", Value(7.0)}}, {{"b", Value(7.0)}}).empty());
 }
 
-TEST_CASE(
-    "a value that says what a parameter is at first is no change, nor is one of no parameter") {
+TEST_CASE("a value equal to the default and a value without parameter are not changes") {
     const Look look = look_of_three();
     CHECK(changed_parameters(look, {}, {{"a", Value(1.0)}}).empty());
     CHECK(changed_parameters(look, {{"a", Value(1.0)}, {"b", Value(5.0)}}, {{"b", Value(5.0)}})
@@ -39,7 +38,7 @@ TEST_CASE(
     CHECK(changed_parameters(look, {}, {{"gone", Value(1.0)}}).empty());
 }
 
-TEST_CASE("values that are followed are the same, whatever came, went or changed") {
+TEST_CASE("the held values are updated to equal the new ones") {
     std::mt19937 random(3);
     Values held;
     for (int turn = 0; turn < 200; ++turn) {

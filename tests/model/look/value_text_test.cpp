@@ -4,7 +4,7 @@
 
 #include <numbers>
 
-TEST_CASE("a value is told in a person's words") {
+TEST_CASE("a value is formatted as its control displays it") {
     Parameter parameter;
     CHECK(value_text(parameter, Value(0.92)) == "0.92");
     CHECK(value_text(parameter, Value(1.0 / 3.0)) == "0.3333");
@@ -28,7 +28,7 @@ TEST_CASE("a value is told in a person's words") {
     CHECK(unit_text(angle) == "°");
 }
 
-TEST_CASE("a colour is told as sRGB, and by its numbers where that has no place for it") {
+TEST_CASE("a colour is formatted as sRGB hex, or as numbers when it is out of range") {
     Parameter color;
     color.control = Control::color;
     // IEC 61966-2-1: a linear 0.2158605 is 0.5020 = 128 of 255.

@@ -10,24 +10,24 @@
 
 namespace {}  // namespace
 
-TEST_CASE("a period of whole pixels beats with nothing") {
+TEST_CASE("a period of whole pixels has no moiré") {
     for (const double whole : {1.0, 2.0, 4.0, 100.0}) {
         CHECK(beat_of(whole) == std::numeric_limits<double>::infinity());
         CHECK_FALSE(visible_beat(whole, 1e9));
     }
 }
 
-TEST_CASE("the beat is that of the period and the nearest whole one") {
+TEST_CASE("the moiré beats between the period and the nearest whole period") {
     CHECK(beat_of(4.1) == about(164.0, 1e-9));  // 1 / (1/4 - 10/41)
     CHECK(beat_of(3.75) == about(60.0, 1e-9));  // 1 / (4/15 - 1/4)
     CHECK(beat_of(2.5) == about(15.0, 1e-9));   // 1 / (2/5 - 1/3)
     CHECK(beat_of(0.8) == about(4.0, 1e-9));    // 1 / (5/4 - 1)
-    // 15 px hold 6 stripes of 2.5 px and 5 of 3 px: both meet again there.
+    // 15 px hold 6 stripes of 2.5 px and 5 of 3 px: both coincide there.
     CHECK(beat_of(2.5) / 2.5 - beat_of(2.5) / 3.0 == about(1.0, 1e-9));
 }
 
 TEST_CASE(
-    "a beat is seen that fits into the picture, of stripes that are coarse enough in pixels") {
+    "moiré is visible if its beat fits into the picture and the stripes are coarse in pixels") {
     CHECK(visible_beat(4.1, 720.0).value() == about(164.0, 1e-9));
     CHECK_FALSE(visible_beat(4.1, 160.0));
     CHECK_FALSE(visible_beat(4.001, 1080.0));  // 16 004 px
@@ -39,13 +39,13 @@ TEST_CASE(
     CHECK(unevenness_of(1.5) == 1.0);
 }
 
-TEST_CASE("safe are whole periods from two pixels on") {
+TEST_CASE("periods without moiré are whole numbers from two pixels") {
     CHECK(safe_periods(0.5, 5.5) == std::vector<double>{2.0, 3.0, 4.0, 5.0});
     CHECK(safe_periods(2.5, 2.9).empty());
     CHECK(safe_periods(1.0, 1e9).size() == 999);
 }
 
-TEST_CASE("a period is a number of px a period, and px behind a number") {
+TEST_CASE("a period has the unit px per period, which is shown as px") {
     Parameter parameter;
     parameter.unit = "px";
     CHECK_FALSE(is_period(parameter));
@@ -69,7 +69,7 @@ Parameter number_of(const char* name, double initial, const char* period = "") {
     return parameter;
 }
 
-// A mask that is measured in px or in triads, and scanlines of source lines.
+// A mask measured in px or in triads, and scanlines measured in source lines.
 Look measured_look() {
     Look look;
     look.passes.resize(1);
@@ -82,7 +82,7 @@ Look measured_look() {
 }
 }  // namespace
 
-TEST_CASE("a period is what its expression makes of the picture, and only where it is in force") {
+TEST_CASE("a period is evaluated from its expression, and only where it is in use") {
     const Look look = measured_look();
     const Values in_px;
     const Values in_triads{{"crt/unit", Value(1.0)}};
@@ -97,7 +97,7 @@ TEST_CASE("a period is what its expression makes of the picture, and only where 
     CHECK_FALSE(period_of(number_of("plain", 1.0), 4.0, px));
 }
 
-TEST_CASE("the even value has a whole period, whichever way the period goes with it") {
+TEST_CASE("the suggested value gives a whole period, whether the period grows or shrinks with it") {
     const Look look = measured_look();
     const Values in_triads{{"crt/unit", Value(1.0)}};
     const PeriodTerms terms{look, in_triads, {800, 672}, {{0.0, 1.0 / 240.0, 240}, {}}};
@@ -108,7 +108,7 @@ TEST_CASE("the even value has a whole period, whichever way the period goes with
     CHECK_FALSE(even_value(narrow, 300.0, terms));
 }
 
-TEST_CASE("a period that names what is not there is an error at its parameter's line") {
+TEST_CASE("a period with an unknown name is an error at the parameter's line") {
     Look look = measured_look();
     CHECK(check_periods(look.parameters, look).empty());
     look.parameters[1].period = "$sise";

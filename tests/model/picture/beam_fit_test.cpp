@@ -21,14 +21,14 @@ Look look_with_fit(double initial) {
 constexpr Extent wide{400, 200};
 constexpr Extent tall{100, 300};
 
-// Half the picture in pixels, as a look draws -1..1 that fills it or keeps circles round.
+// Half the size, in pixels, of -1..1 as a look draws it: filled, or with round circles.
 std::array<double, 2> half_size(Extent picture, bool is_round) {
     const double shorter = std::min(picture.width, picture.height);
     return is_round ? std::array{shorter / 2.0, shorter / 2.0}
                     : std::array{picture.width / 2.0, picture.height / 2.0};
 }
 
-// The half axes in pixels of a circle of radius 1.
+// The semi-axes, in pixels, of a circle of radius 1.
 std::array<double, 2> circle(const Look& look, Extent picture, std::optional<Fit> fit) {
     const auto scale = beam_scale(look, {}, picture, fit);
     const auto drawn = half_size(picture, keeps_circles_round(look, {}, ""));
@@ -36,13 +36,13 @@ std::array<double, 2> circle(const Look& look, Extent picture, std::optional<Fit
 }
 }  // namespace
 
-TEST_CASE("without a fit the beam lies as the look has it") {
+TEST_CASE("without a fit the beam keeps the look's own scale") {
     for (const double initial : {0.0, 1.0})
         CHECK(beam_scale(look_with_fit(initial), {}, wide, std::nullopt) == std::array{1.0, 1.0});
-    CHECK(beam_scale({}, {}, wide, Fit::whole) == std::array{1.0, 1.0});  // nothing is drawn
+    CHECK(beam_scale({}, {}, wide, Fit::whole) == std::array{1.0, 1.0});  // a look without passes
 }
 
-TEST_CASE("whole and crop keep circles round, whatever the look does, and stretch fills") {
+TEST_CASE("whole and crop keep circles round for every look, and stretch fills the picture") {
     for (const double initial : {0.0, 1.0})
         for (const Extent picture : {wide, tall}) {
             CAPTURE(initial);

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a picture's colours are taken to another encoding, its alpha never") {
+TEST_CASE("recoding converts the colours of a picture, but not its alpha") {
     Picture picture{
         {1, 2}, 4, Encoding::display, {0.2f, 0.5f, 1.0f, 0.3f, 0.0f, -0.5f, 2.0f, 0.7f}};
     recode(picture, Encoding::linear);
@@ -15,7 +15,7 @@ TEST_CASE("a picture's colours are taken to another encoding, its alpha never") 
         CHECK(picture.pixels[i] == doctest::Approx(light[i]).epsilon(1e-6));
 }
 
-TEST_CASE("grey is recoded; a picture that has the encoding stays as it is") {
+TEST_CASE("grey is recoded; a picture that already has the encoding is unchanged") {
     Picture grey{{2, 1}, 1, Encoding::linear, {0.25f, 0.75f}};
     const Picture before = grey;
     recode(grey, Encoding::linear);

@@ -27,8 +27,8 @@ Fall fall_of(const Samples& samples) {
 }
 }  // namespace
 
-TEST_CASE("an exponential fall is told as it is, at any frame rate") {
-    constexpr double rate = 5.0;  // a second: exp(-5 t)
+TEST_CASE("an exponential decay is measured exactly at any frame rate") {
+    constexpr double rate = 5.0;  // per second: exp(-5 t)
     for (const double fps : {24.0, 60.0, 144.0}) {
         const Fall fall =
             fall_of(sampled([](double t) { return 3.0 * std::exp(-rate * t); }, fps, 2.0));
@@ -42,7 +42,7 @@ TEST_CASE("an exponential fall is told as it is, at any frame rate") {
     }
 }
 
-TEST_CASE("times count from the peak, also where it comes late") {
+TEST_CASE("times are measured from the peak, even a late one") {
     const auto late = [](double t) { return t < 0.25 ? 0.1 * t : std::exp(-8.0 * (t - 0.25)); };
     const Fall fall = fall_of(sampled(late, 60.0, 2.0));
     CHECK(fall.peak_seconds == about(0.25, 1e-12));
@@ -50,8 +50,8 @@ TEST_CASE("times count from the peak, also where it comes late") {
     CHECK(*fall.to_tenth == about(std::log(10.0) / 8.0, 1e-9));
 }
 
-TEST_CASE("a power law has times of its own") {
-    // 1 / (1 + 20 t): a tenth at 9/20 s, a hundredth at 99/20 s
+TEST_CASE("a power law has the times of its own formula") {
+    // 1 / (1 + 20 t): 1/10 at 9/20 s, 1/100 at 99/20 s
     const Fall fall = fall_of(sampled([](double t) { return 1.0 / (1.0 + 20.0 * t); }, 60.0, 6.0));
     REQUIRE((fall.to_tenth && fall.to_hundredth));
     CHECK(*fall.to_tenth == about(9.0 / 20.0, 1e-3));
@@ -59,21 +59,21 @@ TEST_CASE("a power law has times of its own") {
     CHECK_FALSE(fall.to_thousandth);  // 999/20 s
 }
 
-TEST_CASE("light that comes back has not gone") {
+TEST_CASE("a fall that rises again is not over") {
     const auto echo = [](double t) { return t > 0.9 && t < 1.1 ? 0.5 : std::exp(-10.0 * t); };
     const Fall fall = fall_of(sampled(echo, 100.0, 2.0));
     REQUIRE(fall.to_tenth);
     CHECK(*fall.to_tenth > 1.08);
 }
 
-TEST_CASE("what is gone at once falls between two samples, and has no half-life") {
+TEST_CASE("a fall within one sample is interpolated, and has no half-life") {
     const Fall fall = fall_of({{0.0, 0.02, 0.04}, {1.0, 0.0, 0.0}});
     REQUIRE(fall.to_tenth);
-    CHECK(*fall.to_tenth == about(0.018, 1e-9));  // on a straight line
+    CHECK(*fall.to_tenth == about(0.018, 1e-9));  // linear interpolation
     CHECK_FALSE(fall.half_life);
 }
 
-TEST_CASE("no light, and light that stays, have no times") {
+TEST_CASE("no light and constant light have no decay times") {
     CHECK(fall_of({{0.0, 1.0}, {0.0, 0.0}}) == Fall{});
     CHECK(fall_of(Samples{}) == Fall{});
     const Fall stays = fall_of({{0.0, 1.0, 2.0}, {1.0, 1.0, 1.0}});

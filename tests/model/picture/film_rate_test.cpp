@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a frame rate is told in the whole numbers that are meant") {
+TEST_CASE("a frame rate is written as the exact fraction it stands for") {
     CHECK(film_rate_of(60.0).text(':') == "60:1");
     CHECK(film_rate_of(12.5).text('/') == "25/2");
     CHECK(film_rate_of(59.94).text('/') == "2997/50");

@@ -1,4 +1,4 @@
-// The limits of WCAG 2.1, success criterion 2.3.1, by sequences whose flashes can be counted by
+// The limits of WCAG 2.1, success criterion 2.3.1, with sequences whose flashes can be counted by
 // hand.
 #include "model/picture/flash_log.h"
 
@@ -11,7 +11,7 @@
 namespace {
 using Cells = std::function<Light(int x, int y, int frame)>;
 
-/// The most that was counted over the frames of a picture, at 60 frames a second.
+/// The highest counts over the frames of a picture, at 60 fps.
 Flashes counted(const Cells& picture, int frames = 120) {
     FlashCounter counter;
     Flashes most;
@@ -31,13 +31,13 @@ Light grey(double level) {
     return {number, number, number};
 }
 
-/// Half a period dark, half a period light; `period` in frames.
+/// Half a period dark, then half a period light; `period` in frames.
 Cells square(int period, Light dark, Light light) {
     return [=](int, int, int frame) { return frame % period * 2 < period ? dark : light; };
 }
 }  // namespace
 
-TEST_CASE("three flashes a second are within the limit, four are beyond it") {
+TEST_CASE("three flashes per second are within the limit, and four exceed it") {
     const Flashes three = counted(square(20, grey(0.0), grey(1.0)));
     CHECK(three.general == 3);
     CHECK_FALSE(three.is_beyond_limit());
@@ -48,41 +48,43 @@ TEST_CASE("three flashes a second are within the limit, four are beyond it") {
     CHECK(counted(square(2, grey(0.0), grey(1.0))).red == 0);
 }
 
-TEST_CASE("a flash needs a change of a tenth of the greatest luminance, its dark state below 0.8") {
+TEST_CASE("a flash needs a luminance change of 10 % and a dark state below 0.8") {
     CHECK(counted(square(10, grey(0.40), grey(0.50))).general == 6);
     CHECK(counted(square(10, grey(0.40), grey(0.499))).general == 0);
     CHECK(counted(square(10, grey(0.79), grey(1.0))).general == 6);
     CHECK(counted(square(10, grey(0.80), grey(1.0))).general == 0);
 }
 
-TEST_CASE("relative luminance weighs the colours: green flashes where blue does not") {
-    // 0.0722 of the greatest luminance is no flash, 0.7152 is; 0.2126 of red is also a red one
+TEST_CASE("relative luminance weights the colours: green flashes, but blue does not") {
+    // A change of 0.0722 of the maximum luminance is not a flash, one of 0.7152 is. Red, 0.2126,
+    // also counts as a red flash.
     CHECK(counted(square(10, {0, 0, 0}, {0, 0, 1})) == Flashes{0, 0});
     CHECK(counted(square(10, {0, 0, 0}, {0, 1, 0})) == Flashes{6, 0});
     CHECK(counted(square(10, {0, 0, 0}, {1, 0, 0})) == Flashes{6, 6});
 }
 
 TEST_CASE("a red flash needs saturated red and a change of more than 20 of 320") {
-    // 20 / 320 = 1 / 16 of red alone; 0.0133 of luminance
+    // 20 / 320 = 1 / 16 of pure red; 0.0133 of luminance
     CHECK(counted(square(10, {0, 0, 0}, {0.063f, 0, 0})).red == 6);
     CHECK(counted(square(10, {0, 0, 0}, {0.0625f, 0, 0})).red == 0);
-    // R / (R + G + B) of 0.8 and of 0.79
+    // R / (R + G + B) is 0.8, then 0.79
     CHECK(counted(square(10, {0, 0, 0}, {0.80f, 0.20f, 0})).red == 6);
     CHECK(counted(square(10, {0, 0, 0}, {0.79f, 0.21f, 0})).red == 0);
 }
 
-TEST_CASE("a slow way up and a slow way down are one flash, however many frames they take") {
+TEST_CASE("a slow rise and fall are one flash, regardless of the number of frames") {
     const auto triangle = [](int, int, int frame) {
         const double phase = frame % 30 / 30.0;
         return grey(phase < 0.5 ? 2.0 * phase : 2.0 - 2.0 * phase);
     };
     CHECK(counted(triangle).general == 2);
     const auto stairs = [](int, int, int frame) { return grey(std::min(frame / 100.0, 1.0)); };
-    CHECK(counted(stairs).general == 0);  // up alone is half a flash
+    CHECK(counted(stairs).general == 0);  // a rise alone is half a flash
 }
 
-TEST_CASE("swings that go on in one direction do not count twice") {
-    // up by 0.3 in three steps of 0.1 with small dips between, then down: one pair in 20 frames
+TEST_CASE("several rises in a row count once") {
+    // A rise of 0.3 in three steps with small dips between them, then a fall: one pair in 20
+    // frames.
     const auto bumpy = [](int, int, int frame) {
         constexpr std::array levels{0.0, 0.15, 0.1, 0.3, 0.25, 0.4};
         const int place = frame % 20;
@@ -91,21 +93,21 @@ TEST_CASE("swings that go on in one direction do not count twice") {
     CHECK(counted(bumpy).general == 3);
 }
 
-TEST_CASE("more than a quarter of a field of 10 degrees counts, less does not") {
+TEST_CASE("flashes count if they cover more than a quarter of a field of 10 degrees") {
     const auto part = [](int width, int height) {
         return [=](int x, int y, int frame) {
             const bool flashes = x >= 5 && x < 5 + width && y >= 20 && y < 20 + height;
             return grey(flashes && frame % 10 < 5 ? 1.0 : 0.0);
         };
     };
-    // a field has 16 x 12 cells, its quarter 48
+    // A field has 16 x 12 cells, a quarter 48.
     CHECK(counted(part(8, 6)).general == 0);
     CHECK(counted(part(7, 7)).general == 6);
     CHECK(counted(part(48, 1)).general == 0);  // 16 of them in any field
     CHECK(counted(part(48, 4)).general == 6);
 }
 
-TEST_CASE("a flash that is over is forgotten after a second") {
+TEST_CASE("a flash stops counting after one second") {
     FlashCounter counter;
     const std::vector<Light> dark(48 * 36, grey(0.0));
     const std::vector<Light> light(48 * 36, grey(1.0));
@@ -116,7 +118,7 @@ TEST_CASE("a flash that is over is forgotten after a second") {
     CHECK(counter.add(1.15, dark).general == 0);
 }
 
-TEST_CASE("a run of pictures that flashes beyond the limit is told, with how often and when") {
+TEST_CASE("a warning reports how often, how long and when pictures exceed the flash limit") {
     const auto log_of = [](int period) {
         FlashLog log;
         for (int frame = 0; frame < 90; ++frame) {
@@ -130,20 +132,20 @@ TEST_CASE("a run of pictures that flashes beyond the limit is told, with how oft
     const FlashLog six = log_of(10);
     CHECK(six.most() == Flashes{6, 0});
     REQUIRE(six.warning());
-    // changes in frames 5, 10, .. from 0: the eighth, so the fourth flash, is in frame 40
+    // Changes occur in frames 5, 10, .. from 0: the eighth, so the fourth flash, is in frame 40.
     CHECK(six.warning()->find("up to 6 times a second (0 in red)") != std::string::npos);
     CHECK(six.warning()->find("50 frames from 0.68 s to 1.50 s are above it.") !=
           std::string::npos);
 }
 
-TEST_CASE("cells are means of light, not of display values, and what is no number is dark") {
-    // the left half white and black in columns of one pixel: a half of the light
+TEST_CASE("cells average linear light, not display values, and a NaN counts as black") {
+    // White and black columns of one pixel: half of the light.
     Picture picture{{96, 36}, 3, Encoding::display, std::vector<float>(96 * 36 * 3, 0.0f)};
     for (std::size_t i = 0; i < 96 * 36; i += 2)
         for (std::size_t channel = 0; channel < 3; ++channel)
             picture.pixels[i * 3 + channel] = 1.0f;
     CHECK(std::abs(cells_of(picture)[0][0] - 0.5f) < 1e-5f);
-    // a display value of 0.5 is light of 0.2140
+    // A display value of 0.5 is 0.2140 in linear light.
     std::fill(picture.pixels.begin(), picture.pixels.end(), 0.5f);
     CHECK(std::abs(cells_of(picture)[500][2] - 0.21404f) < 1e-4f);
     std::fill(picture.pixels.begin(), picture.pixels.end(), std::nanf(""));

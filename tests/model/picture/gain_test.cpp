@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace {
-/// Two passes that use a ceiling of 4: what keeps light, and what reckons with it.
+/// Two passes that use a ceiling of 4: one keeps light, one computes with it.
 Look tube() {
     Look look;
     look.passes.resize(3);
@@ -23,7 +23,7 @@ Look tube() {
 }
 }  // namespace
 
-TEST_CASE("headroom is counted in doublings from the peak to the ceiling") {
+TEST_CASE("headroom is the number of stops from the peak to the ceiling") {
     const Statistics statistics{.minimum = 0.0, .maximum = 0.5, .mean = 0.125, .finite = 200};
     const Gain gain = gain_of(statistics, 50, 4.0);
     CHECK(gain.peak == 0.5);
@@ -36,11 +36,11 @@ TEST_CASE("headroom is counted in doublings from the peak to the ceiling") {
     CHECK(gain_of({}, 0, 1.0).clipped == 0.0);
 }
 
-TEST_CASE("the share that is clipped is of all texels, those with a NaN included") {
+TEST_CASE("the clipped share is of all texels, those with a NaN included") {
     CHECK(gain_of({.finite = 1, .not_a_number = 2, .infinite = 1}, 1, 1.0).clipped == 0.25);
 }
 
-TEST_CASE("a format's limit is its largest finite number") {
+TEST_CASE("the limit of a format is its largest finite number") {
     CHECK(format_limit(Format::rgba8) == 1.0);
     CHECK(format_limit(Format::rgba16f) == 65504.0);  // IEEE 754-2008, binary16
     CHECK(format_limit(Format::r32f) == std::ldexp(2.0 - std::ldexp(1.0, -23), 127));
@@ -50,7 +50,7 @@ TEST_CASE("a format's limit is its largest finite number") {
     CHECK(format_limit(Format::r32i) == std::exp2(31.0) - 1.0);
 }
 
-TEST_CASE("a ceiling limits the pass that keeps light, or else each pass that has it") {
+TEST_CASE("a ceiling applies to the pass that keeps light, or else to each pass that has it") {
     Look look = tube();
     CHECK(ceiling_of(look, 0, {}) == 65504.0);
     CHECK(ceiling_of(look, 1, {}) == 4.0);
@@ -62,13 +62,14 @@ TEST_CASE("a ceiling limits the pass that keeps light, or else each pass that ha
     CHECK(ceiling_of(look, 1, {{"phosphor/ceiling", Value(2.0)}}) == 2.0);
 }
 
-TEST_CASE("a number that a half float rounds down from the ceiling is clipped") {
+TEST_CASE("a ceiling rounded down to a half float still counts as clipped") {
     CHECK(clips_from(1.0) == 2047.0 / 2048.0);
     CHECK(clips_from(1.0) < 1.0);
-    CHECK(clips_from(1.0) > 1022.0 / 1023.0);  // a step below full in rgb10_a2 is not
+    CHECK(clips_from(1.0) >
+          1022.0 / 1023.0);  // one step below the maximum of rgb10_a2 is not clipped
 }
 
-TEST_CASE("a meter reaches sixteen stops down") {
+TEST_CASE("a level meter has a range of 16 stops") {
     CHECK(meter_place(2.0, 2.0) == 1.0);
     CHECK(meter_place(1.0, 256.0) == 0.5);
     CHECK(meter_place(5.0, 2.0) == 1.0);

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-TEST_CASE("an end of a plot is the next larger number that reads well") {
+TEST_CASE("the end of a plot is rounded up to a round number") {
     CHECK(rounded_up(0.93) == 1.0);
     CHECK(rounded_up(1.0) == 1.0);
     CHECK(rounded_up(1.01) == 1.5);
@@ -17,7 +17,7 @@ TEST_CASE("an end of a plot is the next larger number that reads well") {
     CHECK(rounded_up(-3.0) == 0.0);
 }
 
-TEST_CASE("the numbers of a scale are even, and no more than there is room for") {
+TEST_CASE("the numbers on a scale are round, and limited by the available space") {
     CHECK(even_numbers({0.0, 1.0}, 3) == std::vector{0.0, 0.5, 1.0});
     CHECK(even_numbers({0.0, 3.0}, 4) == std::vector{0.0, 1.0, 2.0, 3.0});
     CHECK(even_numbers({0.0, 3.0}, 3) == std::vector{0.0, 2.0});
@@ -26,7 +26,7 @@ TEST_CASE("the numbers of a scale are even, and no more than there is room for")
     CHECK(even_numbers({0.0, 0.0}, 4) == std::vector{0.0});
 }
 
-TEST_CASE("a plot grows at once and shrinks when two seconds have not needed it") {
+TEST_CASE("a plot range grows at once, and shrinks after two seconds") {
     SteadyRange range;
     range.cover(0.0, 0.9, 10.0);
     CHECK(range.present() == PlotRange{0.0, 1.0});
@@ -34,11 +34,11 @@ TEST_CASE("a plot grows at once and shrinks when two seconds have not needed it"
     CHECK(range.present() == PlotRange{-0.2, 8.0});
     range.cover(0.0, 0.9, 11.0);
     CHECK(range.present() == PlotRange{-0.2, 8.0});
-    range.cover(-0.2, 7.5, 12.0);  // all of it is needed again
+    range.cover(-0.2, 7.5, 12.0);  // the full range is needed again
     range.cover(0.0, 0.9, 13.9);
     CHECK(range.present() == PlotRange{-0.2, 8.0});
     range.cover(0.0, 0.9, 14.1);
     CHECK(range.present() == PlotRange{0.0, 1.0});
     range.cover(0.0, 0.0, 20.0);
-    CHECK(range.present() == PlotRange{0.0, 1.0});  // darkness has no range of its own
+    CHECK(range.present() == PlotRange{0.0, 1.0});  // all-zero data keeps the range
 }

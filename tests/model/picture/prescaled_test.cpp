@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// Every pixel differs from its neighbours.
+// Each pixel differs from its neighbours.
 Picture original(int width, int height) {
     Picture picture{{width, height}, 3, Encoding::display, {}};
     for (int y = 0; y < height; ++y)
@@ -26,7 +26,7 @@ Picture enlarged(const Picture& picture, int times) {
 }
 }  // namespace
 
-TEST_CASE("what a picture was enlarged by is found, and its original comes back") {
+TEST_CASE("the integer scale of an enlarged picture is detected, and the original restored") {
     const Picture picture = original(20, 15);
     for (int times = 1; times <= 8; ++times) {
         CAPTURE(times);
@@ -37,21 +37,21 @@ TEST_CASE("what a picture was enlarged by is found, and its original comes back"
     CHECK(found_prescale(enlarged(picture, 9)) == 3);
 }
 
-TEST_CASE("one pixel that is not repeated tells that a picture was not enlarged") {
+TEST_CASE("one pixel that is not repeated disproves prescaling") {
     Picture large = enlarged(original(20, 15), 3);
     large.pixels[large.index(30, 22)] += 0.5f;
     CHECK(found_prescale(large) == 1);
 }
 
-TEST_CASE("a picture that changes nowhere or hardly tells nothing") {
+TEST_CASE("a picture with few or no changes is not taken as prescaled") {
     Picture flat{{64, 64}, 1, Encoding::linear, std::vector<float>(64 * 64, 0.5f)};
     CHECK(found_prescale(flat) == 1);
-    CHECK(found_prescale(enlarged(original(8, 30), 4)) == 1);  // 7 changes across
+    CHECK(found_prescale(enlarged(original(8, 30), 4)) == 1);  // 7 changes horizontally
     CHECK(found_prescale(enlarged(original(9, 9), 4)) == 4);
     CHECK(found_prescale(Picture{}) == 1);
 }
 
-TEST_CASE("of a cut enlargement whole pixels of the original are left") {
+TEST_CASE("a cropped enlargement keeps whole pixels of the original") {
     CHECK(extent_without_prescale({11, 7}, 3) == Extent{3, 2});
     CHECK(extent_without_prescale({2, 2}, 8) == Extent{1, 1});
     const Picture picture = without_prescale(original(11, 7), 3);

@@ -9,7 +9,7 @@
 #include <limits>
 
 namespace {
-// Every half float there is, in a picture of so many channels.
+// Every half float, in a picture with this number of channels.
 RawPicture all_halves(int channels, Encoding encoding) {
     RawPicture raw{{256, 256 / channels}, channels, encoding, RawPicture::Halves()};
     auto& halves = std::get<RawPicture::Halves>(raw.pixels);
@@ -27,8 +27,8 @@ RawPicture all_bytes(Encoding encoding) {
 }
 }  // namespace
 
-TEST_CASE("half floats are the numbers of IEEE 754") {
-    // sign, 5 bits of exponent (bias 15), 10 of fraction
+TEST_CASE("half floats are decoded as in IEEE 754") {
+    // sign, 5 bits of exponent (bias 15), 10 bits of fraction
     CHECK(number_of(std::uint16_t{0x3c00}) == 1.0f);
     CHECK(number_of(std::uint16_t{0xc000}) == -2.0f);
     CHECK(number_of(std::uint16_t{0x3555}) == 0x1.554p-2f);
@@ -38,7 +38,7 @@ TEST_CASE("half floats are the numbers of IEEE 754") {
     CHECK(std::isnan(number_of(std::uint16_t{0x7e00})));
 }
 
-TEST_CASE("a picture that was read has its last row on top") {
+TEST_CASE("a raw picture read from GL is flipped vertically") {
     const RawPicture raw{{1, 3}, 1, Encoding::display, RawPicture::Bytes{51, 102, 255}};
     const Picture picture = picture_of(raw);
     CHECK(picture.extent == Extent{1, 3});
@@ -50,7 +50,7 @@ TEST_CASE("a picture that was read has its last row on top") {
           std::vector<std::uint8_t>{255, 255, 255, 102, 102, 102, 51, 51, 51});
 }
 
-TEST_CASE("a display is sent the same bytes of it, whatever numbers it has") {
+TEST_CASE("display bytes are the same as those of the float picture, for every value") {
     for (const Encoding encoding : {Encoding::linear, Encoding::display}) {
         for (const int channels : {1, 4}) {
             const RawPicture halves = all_halves(channels, encoding);
@@ -64,7 +64,7 @@ TEST_CASE("a display is sent the same bytes of it, whatever numbers it has") {
     CHECK(shown.back() == 62);    // the last pixel of the first row, before its alpha
 }
 
-TEST_CASE("its flashes are counted from the same light") {
+TEST_CASE("flashes are counted from the same light as in the float picture") {
     for (const Encoding encoding : {Encoding::linear, Encoding::display}) {
         const RawPicture halves = all_halves(4, encoding);
         CHECK(cells_of(halves) == cells_of(picture_of(halves)));

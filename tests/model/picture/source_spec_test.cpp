@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a source keeps its own commas, its settings stand behind") {
+TEST_CASE("a source name may contain commas, and its settings follow it") {
     CHECK(parse_source("a, b=c.png") == SourceSpec{"a, b=c.png"});
     CHECK(parse_source("frame_%04d.png,rate=25,loop=off") ==
           SourceSpec{"frame_%04d.png", Fit::stretch, 1.0, 25.0, false});
@@ -20,7 +20,7 @@ TEST_CASE("a source keeps its own commas, its settings stand behind") {
         CHECK_MESSAGE(!parse_source(text).has_value(), text);
 }
 
-TEST_CASE("a source is written as it is read, without what is as usual") {
+TEST_CASE("a source is written without default settings, as text that parses to the same source") {
     for (const char* text :
          {"a.png", "pattern:smpte,size=4x4,fit=integer,aspect=0.9375", "v.mp4,rate=12.5,loop=off",
           "a.png,fit=whole,shape=4:3,prescaled=auto", "a.png,shape=8.5:7,prescaled=8"})
@@ -28,7 +28,7 @@ TEST_CASE("a source is written as it is read, without what is as usual") {
     CHECK(to_string(parse_source("a.png,loop=on,fit=stretch,aspect=1").value()) == "a.png");
 }
 
-TEST_CASE("the shape of the whole picture gives its pixels their aspect") {
+TEST_CASE("the shape of the whole picture determines the pixel aspect") {
     const SourceSpec television = parse_source("a.png,shape=4:3").value();
     CHECK(pixel_aspect(television, {320, 240}) == 1.0);
     CHECK(pixel_aspect(television, {256, 224}) == doctest::Approx(7.0 / 6.0));
@@ -37,7 +37,7 @@ TEST_CASE("the shape of the whole picture gives its pixels their aspect") {
     CHECK(pixel_aspect(parse_source("a.png,shape=square").value(), {256, 224}) == 1.0);
 }
 
-TEST_CASE("what a text leaves out is as usual, and what it says is not") {
+TEST_CASE("settings that a text omits are defaults, and settings that it gives override them") {
     SourceSpec usual;
     usual.fit = Fit::whole;
     usual.prescaled = 0;

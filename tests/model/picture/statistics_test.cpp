@@ -17,7 +17,7 @@ Picture row(std::vector<float> numbers, int channels = 1) {
     return {{width, 1}, channels, Encoding::linear, std::move(numbers)};
 }
 
-// 0, 1 .. 999, over 1000.
+// 0, 1, ... 999, divided by 1000.
 Picture ramp() {
     std::vector<float> numbers(1000);
     std::iota(numbers.begin(), numbers.end(), 0.0f);
@@ -27,7 +27,7 @@ Picture ramp() {
 }
 }  // namespace
 
-TEST_CASE("a ramp has its ends and their middle, and fills every bin alike") {
+TEST_CASE("a ramp has the expected minimum, maximum and mean, and equal bins") {
     const Statistics all = statistics_of(ramp());
     CHECK(all.minimum == 0.0);
     CHECK(all.maximum == about(0.999, 1e-6));
@@ -39,7 +39,7 @@ TEST_CASE("a ramp has its ends and their middle, and fills every bin alike") {
     CHECK(histogram.highest() == 100);
 }
 
-TEST_CASE("a narrower range cuts the ends off and counts them") {
+TEST_CASE("values outside the histogram range are counted as below or above") {
     const Histogram histogram = histogram_of(ramp(), 0.2495, 0.7495, 5);
     CHECK(histogram.below == 250);
     CHECK(histogram.above == 250);
@@ -47,13 +47,13 @@ TEST_CASE("a narrower range cuts the ends off and counts them") {
     CHECK(histogram.bins[0] == std::vector<std::uint32_t>(5, 100));
 }
 
-TEST_CASE("both ends of the range lie within it") {
+TEST_CASE("both ends of the histogram range are inclusive") {
     const Histogram histogram = histogram_of(row({0.0f, 1.0f, 1.0f}), 0.0, 1.0, 4);
     CHECK(histogram.bins[0] == std::vector<std::uint32_t>{1, 0, 0, 2});
     CHECK(histogram.below + histogram.above == 0);
 }
 
-TEST_CASE("what is not finite is counted apart, by pixels, and spoils nothing") {
+TEST_CASE("non-finite values are counted per pixel, and excluded from statistics") {
     const Picture picture =
         row({no_number, infinity, 5.0f, 1.0f, -infinity, 7.0f, -2.0f, 0.5f, 3.0f}, 3);
     const Statistics all = statistics_of(picture);
@@ -75,14 +75,14 @@ TEST_CASE("each channel has its own bins") {
           std::vector<std::vector<std::uint32_t>>{{2, 0, 0}, {0, 1, 1}, {0, 0, 2}});
 }
 
-TEST_CASE("fitted levels reach from the least to the greatest number, below zero too") {
+TEST_CASE("fitted levels span the minimum and maximum, zero included") {
     CHECK(fitted_levels(statistics_of(row({-3, 0, 12}))) == Levels{-3, 12});
     CHECK(fitted_levels(statistics_of(row({4, 4}))) == Levels{0, 4});
     CHECK(fitted_levels(statistics_of(row({-4}))) == Levels{-4, 0});
     CHECK(fitted_levels(statistics_of(row({0, 0}))) == Levels{0, 1});
 }
 
-TEST_CASE("black and white never meet: one pushes the other along") {
+TEST_CASE("black stays below white: moving one also moves the other") {
     CHECK(with_black({0, 1}, 0.5) == Levels{0.5, 1});
     CHECK(with_black({0, 1}, 3) == Levels{3, 4});
     CHECK(with_black({0, 1}, 1) == Levels{1, 2});

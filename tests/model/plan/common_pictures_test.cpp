@@ -33,7 +33,7 @@ Look look_of(std::vector<Pass> passes) {
     return look;
 }
 
-// p0 -> p1 -> ... each reads the one before.
+// p0 -> p1 -> ... Each pass reads the previous one.
 Look chain(int count) {
     std::vector<Pass> passes{drawn("p0")};
     for (int i = 1; i < count; ++i)
@@ -60,7 +60,7 @@ std::size_t pictures(const Look& look) {
 }
 }  // namespace
 
-TEST_CASE("a chain of any length takes two pictures in turn, and the last one's") {
+TEST_CASE("a chain of any length needs two shared pictures and the last pass's own") {
     CHECK(pictures(chain(1)) == 1);
     CHECK(pictures(chain(2)) == 2);
     CHECK(pictures(chain(3)) == 3);
@@ -79,15 +79,15 @@ TEST_CASE("a chain of any length takes two pictures in turn, and the last one's"
     CHECK_FALSE(plan.targets[5].common.has_value());
 }
 
-TEST_CASE("a picture is held until the last of its readers has been drawn") {
+TEST_CASE("a picture is kept until its last reader is drawn") {
     Look look = chain(6);
     look.passes[5].inputs.push_back(from("p0"));
-    CHECK(pictures(look) == 4);  // p0 and the two in turn beside it
+    CHECK(pictures(look) == 4);  // p0 and the two alternating pictures
     look.passes[3].inputs.push_back(from("p1"));
-    CHECK(pictures(look) == 5);  // p1 and p2 while p3 is drawn
+    CHECK(pictures(look) == 5);  // p1 and p2 during p3
 }
 
-TEST_CASE("what somebody looks at, what is kept and what gathers samples is not drawn over") {
+TEST_CASE("displayed, kept and accumulating passes keep their own picture") {
     const Look look = chain(5);
     PlanTerms terms = last_seen(look);
     CHECK(pictures(look, terms) == 3);
@@ -101,12 +101,12 @@ TEST_CASE("what somebody looks at, what is kept and what gathers samples is not 
     for (Pass& pass : gathering.passes)
         pass.format = Format::rgba8;
     CHECK(memory_of(planned(gathering, last_seen(gathering))) == 4 * picture_bytes / 2);
-    Look late = chain(5);  // p0 reads what p2 drew a frame ago
+    Look late = chain(5);  // p0 reads the output of p2 of the previous frame
     late.passes[0].inputs = {from("p2")};
     CHECK(pictures(late) == 4);
 }
 
-TEST_CASE("only pictures of one size, format and kind of levels are drawn into in turn") {
+TEST_CASE("pictures are shared only with the same size, format and mipmaps") {
     for (const int other : {0, 1, 2, 3}) {
         Look look = chain(5);
         if (other == 1)
@@ -114,7 +114,7 @@ TEST_CASE("only pictures of one size, format and kind of levels are drawn into i
         if (other == 2)
             look.passes[2].format = Format::rgba32f;
         if (other == 3)
-            look.passes[3].inputs = {from("p2", 0, true)};  // so p2 has levels
+            look.passes[3].inputs = {from("p2", 0, true)};  // so p2 has mipmaps
         CHECK(planned(look, last_seen(look)).targets[2].common.has_value() == (other == 0));
     }
     Look levels = chain(6);
@@ -124,19 +124,19 @@ TEST_CASE("only pictures of one size, format and kind of levels are drawn into i
     CHECK(plan.targets[0].common == plan.targets[2].common);
     CHECK(plan.targets[2].common == plan.targets[4].common);
     CHECK(plan.targets[1].common != plan.targets[0].common);
-    // Three with levels in one, two without in another, and the last.
+    // Three passes with mipmaps share one picture, two without share another; the last has its own.
     CHECK(memory_of(plan) == picture_bytes * 4 / 3 + 2 * picture_bytes);
 }
 
-TEST_CASE("two glows change places with one spare picture") {
+TEST_CASE("two passes with feedback share one spare picture") {
     const auto glow = [](const std::string& name, const std::string& beam) {
         return drawn(name, {from(beam), from(name, 1)});
     };
     const Look look =
         look_of({drawn("beam"), glow("a", "beam"), glow("b", "a"), drawn("show", {from("b")})});
-    // Former a, former b, and show are their own. While a is drawn: beam, a. While b is: a, b.
+    // a, b and show have their own. While a is drawn: beam, a. While b is drawn: a, b.
     CHECK(pictures(look, {.seen = last_seen(look).seen}) == 6);
-    // The beam's numbers may be what is not finite behind the frame, so it is there until its end.
+    // NaN detection after the frame may read the beam's floats, so they stay until the frame's end.
     CHECK(pictures(look) == 5);
     Look bytes = look;
     for (Pass& pass : bytes.passes)
@@ -147,20 +147,20 @@ TEST_CASE("two glows change places with one spare picture") {
     CHECK(plan.targets[1].held_until == 1);
 }
 
-TEST_CASE("what only later frames read is drawn last where that saves a picture") {
-    // The charge takes the place of the light, which the picture has been made of by then.
+TEST_CASE("a pass that only later frames read is drawn last where that saves a picture") {
+    // The charge reuses the picture of the light, because show has already read it.
     const Look look = look_of({drawn("beam"), drawn("charge", {from("beam"), from("charge", 1)}),
                                drawn("light", {from("beam"), from("charge", 1)}),
                                drawn("show", {from("light")})});
     const Plan plan = planned(look, last_seen(look));
     CHECK(draw_order(plan) == std::vector<std::size_t>{0, 2, 3, 1});
-    CHECK(memory_of(plan) == 4 * picture_bytes);  // beam, former charge, light and charge, show
+    CHECK(memory_of(plan) == 4 * picture_bytes);  // beam, previous charge, light and charge, show
     Look read = look;
     read.passes[2].inputs[1].frames_ago = 0;
     CHECK(draw_order(planned(read, last_seen(read))) == std::vector<std::size_t>{0, 1, 2, 3});
 }
 
-TEST_CASE("inputs that programs do not read hold nothing, nor do passes that are left out") {
+TEST_CASE("inputs that no program reads and passes that are left out need no picture") {
     Look look = look_of(
         {drawn("unread"), drawn("a", {from("unread"), from("a", 1)}), drawn("show", {from("a")})});
     PlanTerms terms = last_seen(look);
@@ -168,7 +168,7 @@ TEST_CASE("inputs that programs do not read hold nothing, nor do passes that are
     terms.read = {{}, {false, false}, {true}};
     CHECK(planned(look, terms).targets[1].slots == 1);
     terms.kept = terms.left_out = {true, false, false};
-    CHECK(memory_of(planned(look, terms)) == 2 * picture_bytes + 8);  // and a texel
+    CHECK(memory_of(planned(look, terms)) == 2 * picture_bytes + 8);  // and one texel
     terms.seen[0] = true;
     CHECK(pictures(look, terms) == 3);
     terms.draws_once = false;
@@ -176,7 +176,7 @@ TEST_CASE("inputs that programs do not read hold nothing, nor do passes that are
 }
 
 namespace {
-/// What pictures hold, as numbers of pass and frame, while a plan is drawn.
+/// Simulates drawing a plan: the pass and frame that each picture holds.
 class DrawnPlan {
 public:
     explicit DrawnPlan(const Look& look, Plan plan) : m_look(look), m_plan(std::move(plan)) {
@@ -187,7 +187,7 @@ public:
 
     void draw(int frame) {
         for (std::size_t i = 0; i < m_own.size(); ++i)
-            if (!m_plan.targets[i].common)  // the oldest is drawn over
+            if (!m_plan.targets[i].common)  // the oldest is overwritten
                 std::rotate(m_own[i].begin(), m_own[i].end() - 1, m_own[i].end());
         m_newest_is_common.assign(m_own.size(), true);
         for (const std::size_t pass : draw_order(m_plan)) {
@@ -226,7 +226,7 @@ private:
         const int ago = is_late ? 1 : input.frames_ago;
         const int kept = is_late && m_plan.targets[static_cast<std::size_t>(read)].slots == 1
                              ? 0
-                             : ago;  // not drawn over yet
+                             : ago;  // not overwritten yet
         if (frame > ago)
             CHECK(at(static_cast<std::size_t>(read), kept) == Tag{read, frame - ago});
     }
@@ -239,7 +239,7 @@ private:
 };
 }  // namespace
 
-TEST_CASE("whatever passes read of each other, nothing is drawn over that is still to be read") {
+TEST_CASE("random graphs: no picture is overwritten before its last reader") {
     std::mt19937 chance(5);
     const auto below = [&](std::size_t count) { return chance() % count; };
     std::size_t saved = 0;

@@ -16,7 +16,7 @@ std::string problem(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("products come before sums, and both go from left to right") {
+TEST_CASE("multiplication precedes addition, and both are left-associative") {
     CHECK(value("2 + 3 * 4") == 14.0);
     CHECK(value("(2 + 3) * 4") == 20.0);
     CHECK(value("10 - 4 - 3") == 3.0);
@@ -26,7 +26,7 @@ TEST_CASE("products come before sums, and both go from left to right") {
     CHECK(value("2--3") == 5.0);
 }
 
-TEST_CASE("names stand behind a dollar sign and functions before a bracket") {
+TEST_CASE("names start with a dollar sign, and functions are followed by brackets") {
     CHECK(value("$WIDTH / 4") == 160.0);
     CHECK(value("floor($WIDTH / $pixels_2)") == 213.0);
     CHECK(value("ceil(0.1) + round(2.5) + abs(-4) + sqrt(9)") == 11.0);
@@ -34,7 +34,7 @@ TEST_CASE("names stand behind a dollar sign and functions before a bracket") {
     CHECK(value("finite(3) + finite(1 / 0) + finite(-1 / 0) + finite(sqrt(-1))") == 3.0);
 }
 
-TEST_CASE("a choice takes one of two by a comparison, and each may be a choice") {
+TEST_CASE("a condition selects one of two values, and conditions nest") {
     CHECK(value("$WIDTH > 100 ? 10 : 20") == 10.0);
     CHECK(value("$WIDTH < 100 ? 10 : 20 + 1") == 21.0);
     CHECK(value("1 >= 1 ? 2 <= 1 ? 3 : 4 : 5") == 4.0);
@@ -50,7 +50,7 @@ TEST_CASE("a choice takes one of two by a comparison, and each may be a choice")
     CHECK(problem(chain) == "the '? :' conditions are nested too deeply");
 }
 
-TEST_CASE("what cannot be read is said in words") {
+TEST_CASE("an expression that cannot be parsed gives a specific error") {
     CHECK(problem("$HEIGHT") == "unknown name '$HEIGHT'");
     CHECK(problem("sin(1)") == "unknown function 'sin'");
     CHECK(problem("(1 + 2") == "missing ')'");
@@ -62,7 +62,7 @@ TEST_CASE("what cannot be read is said in words") {
     CHECK(problem("\xff\x01") == "expected a number, a name or '('");
 }
 
-TEST_CASE("a text that only opens brackets ends in words, however long it is") {
+TEST_CASE("very deep nesting is an error, not a crash") {
     CHECK(problem(std::string(100000, '(')) == "the expression is nested too deeply");
     CHECK(problem(std::string(100000, '-')) == "the expression is nested too deeply");
 }

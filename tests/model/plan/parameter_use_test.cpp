@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a pass uses what its shaders declare, its size reads and its repeats count") {
+TEST_CASE("a parameter is used by the uniforms, the size or the repeat count of a pass") {
     Look look;
     look.passes.resize(2);
     look.passes[1].scope = "crt/";
@@ -19,13 +19,12 @@ TEST_CASE("a pass uses what its shaders declare, its size reads and its repeats 
     CHECK_FALSE(is_used_by(look, 1, bound));
     CHECK(is_used_by(look, 1, named("crt/shrink")));
     CHECK_FALSE(is_used_by(look, 0, named("crt/shrink")));
-    CHECK_FALSE(is_used_by(look, 1, named("crt/shri")));  // the start of another's name
+    CHECK_FALSE(is_used_by(look, 1, named("crt/shri")));  // a prefix of another name
     CHECK_FALSE(is_used_by(look, 1, named("shrink")));    // of another look
     CHECK(is_used_by(look, 1, named("crt/turns")));
 }
 
-TEST_CASE(
-    "a pass is idle where what a person turns has made it one texel, and not where it always is") {
+TEST_CASE("a pass is idle if a parameter makes it one texel, but not if it is always one texel") {
     Look look;
     look.passes.resize(2);
     look.passes[0].scope = "a/";
@@ -40,7 +39,7 @@ TEST_CASE(
     CHECK_FALSE(is_idle(look, 1, {1, 1}));
 }
 
-TEST_CASE("the next pass is one that the picture is not without, past the last the first") {
+TEST_CASE("selecting the next pass skips idle passes and wraps around") {
     Look look;
     look.passes.resize(4);
     for (const std::size_t pass : {1, 2})
@@ -54,7 +53,7 @@ TEST_CASE("the next pass is one that the picture is not without, past the last t
     CHECK(next_used_pass(look, plan, 0, 1) == 3);
     CHECK(next_used_pass(look, plan, 3, 1) == 0);
     CHECK(next_used_pass(look, plan, 0, -1) == 3);
-    CHECK(next_used_pass(look, plan, 1, 1) == 3);  // from one that is shown though it is idle
+    CHECK(next_used_pass(look, plan, 1, 1) == 3);  // from an idle pass that is displayed
     plan.targets[2].extent = {65, 64};
     CHECK(next_used_pass(look, plan, 3, -1) == 2);
 }

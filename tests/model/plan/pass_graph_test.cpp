@@ -43,7 +43,7 @@ int column(const PassGraph& graph, const std::string& name) {
 }
 }  // namespace
 
-TEST_CASE("a pass stands right of what it reads of this frame, wherever the past comes from") {
+TEST_CASE("a pass is right of the passes it reads from this frame; past frames do not count") {
     const PassGraph graph = graph_of(look_of(
         {named("beam"), named("light", {read("current", "beam"), read("before", "light", 1)}),
          named("glow", {read("image", "light"), read("late", "screen", 2)}),
@@ -58,7 +58,7 @@ TEST_CASE("a pass stands right of what it reads of this frame, wherever the past
     CHECK(edge(graph, "screen", "glow", 2).bends.empty());
 }
 
-TEST_CASE("a line across columns has a place of its own in each, where no pass stands") {
+TEST_CASE("a line across columns has its own row in each, apart from all passes") {
     const PassGraph graph =
         graph_of(look_of({named("a"), named("b", {read("x", "a")}), named("c", {read("x", "b")}),
                           named("d", {read("x", "c"), read("y", "a")})}));
@@ -73,7 +73,7 @@ TEST_CASE("a line across columns has a place of its own in each, where no pass s
     CHECK(graph.lowest == 0.5);
 }
 
-TEST_CASE("lines that need not cross do not") {
+TEST_CASE("avoidable line crossings are avoided") {
     // Two chains; the second reader is listed first.
     const PassGraph graph =
         graph_of(look_of({named("a"), named("b"), named("of_b", {read("x", "b")}),
@@ -82,8 +82,7 @@ TEST_CASE("lines that need not cross do not") {
     CHECK((row(0) < row(1)) == (row(3) < row(2)));
 }
 
-TEST_CASE(
-    "source and images stand before their first reader; a pass that comes later is the past") {
+TEST_CASE("source and images are left of their first reader; a later pass is read from the past") {
     const Input source{"scene", From::source, "", 0, {}};
     const Input image{"lut", From::image, "colors", 0, {}};
     const PassGraph graph = graph_of(look_of(
@@ -97,7 +96,7 @@ TEST_CASE(
     CHECK(edge(graph, "source", "b").bends.size() == 1);
 }
 
-TEST_CASE("samplers that read the same share a line; what is not there has none") {
+TEST_CASE("samplers with the same input share a line; a missing input has none") {
     const PassGraph graph = graph_of(
         look_of({named("a"), named("b", {read("x", "a"), read("y", "a"), read("z", "lost")})}));
     REQUIRE(graph.edges.size() == 1);

@@ -16,7 +16,7 @@ Input from(Input::From kind, const std::string& name = {}, int frames_ago = 0) {
 
 using From = Input::From;
 
-// beam draws; light adds it to its own past; glow blurs light; the screen shows both.
+// beam draws; light adds it to its previous frame; glow blurs light; screen shows both.
 Look four_passes() {
     Look look;
     look.passes = {switched_pass("beam"),
@@ -32,7 +32,7 @@ std::string reason(const Result<PassSwitches>& result) {
 using Runs = std::vector<PassRun>;
 }  // namespace
 
-TEST_CASE("a switch is turned on and off again") {
+TEST_CASE("a pass switch toggles on and off") {
     const Look look = four_passes();
     for (const PassSwitch which :
          {PassSwitch::bypass, PassSwitch::freeze, PassSwitch::solo, PassSwitch::stop}) {
@@ -45,7 +45,7 @@ TEST_CASE("a switch is turned on and off again") {
     CHECK(reason(switched(look, {}, PassSwitch::freeze, "lost")) == "there is no pass 'lost'");
 }
 
-TEST_CASE("a bypass hands on the first input that is not the pass's own past") {
+TEST_CASE("a bypassed pass passes on its first input that is not its own output") {
     const Look look = four_passes();
     REQUIRE(handed_on(look.passes[1]));
     CHECK(handed_on(look.passes[1])->name == "beam");
@@ -56,7 +56,7 @@ TEST_CASE("a bypass hands on the first input that is not the pass's own past") {
     CHECK(handed_on(switched_pass("shown", {from(From::image, "lut")}))->name == "lut");
 }
 
-TEST_CASE("a pass without anything to hand on says why it cannot be bypassed") {
+TEST_CASE("a pass without a usable input cannot be bypassed, and the reason is reported") {
     Look look = four_passes();
     look.passes.push_back(switched_pass("count", {from(From::pass, "count", 1)}));
     CHECK(reason(switched(look, {}, PassSwitch::bypass, "beam")) ==
@@ -65,7 +65,7 @@ TEST_CASE("a pass without anything to hand on says why it cannot be bypassed") {
           "'count' can't be bypassed: it reads only its own output");
 }
 
-TEST_CASE("one pass is seen in the picture's place: alone, or as the last that is drawn") {
+TEST_CASE("solo and stop select which pass is displayed, and replace each other") {
     const Look look = four_passes();
     CHECK(picture_pass(look, {}) == 3);
     const auto solo = switched(look, {}, PassSwitch::solo, "beam");
@@ -77,7 +77,7 @@ TEST_CASE("one pass is seen in the picture's place: alone, or as the last that i
     CHECK(switched(look, *stop, PassSwitch::solo, "glow")->last.empty());
 }
 
-TEST_CASE("what is done about each pass: freezing goes before all else") {
+TEST_CASE("freeze takes precedence over the other pass switches") {
     const Look look = four_passes();
     const PassSwitches switches{{"light", "glow"}, {"glow"}, "", "glow"};
     CHECK(runs_of(look, switches) ==
@@ -85,7 +85,7 @@ TEST_CASE("what is done about each pass: freezing goes before all else") {
     CHECK(runs_of(look, {}).empty());
 }
 
-TEST_CASE("switches of passes that are no more are forgotten, as are bypasses of nothing") {
+TEST_CASE("switches of removed passes and bypasses without an input are dropped") {
     Look look = four_passes();
     const PassSwitches switches{{"light", "glow"}, {"screen", "lost"}, "glow", ""};
     look.passes[2].name = "halo";

@@ -2,9 +2,9 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("the memory of a plan is that of its pictures and of the one that is read") {
-    // 100 x 10 texels of 8 bytes, two of them, one with smaller levels; then a picture of 20 bytes
-    // a pixel.
+TEST_CASE("the memory of a plan is that of its targets and of the picture read back") {
+    // 100 x 10 texels of 8 bytes, two slots. The picture that is read back takes 20 bytes per
+    // pixel.
     Plan plan;
     plan.targets.push_back({.extent = {100, 10}, .format = Format::rgba16f, .slots = 2});
     CHECK(estimated_bytes(plan, {100, 10}) == 2 * 8000 + 20 * 1000);

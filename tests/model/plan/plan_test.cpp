@@ -29,7 +29,7 @@ Parameter knob(const char* name, double initial, std::vector<Binding> bindings) 
     return made;
 }
 
-// beam -> persistence (reads itself) -> bloom -> composite, as an oscilloscope has it.
+// beam -> persistence (reads itself) -> bloom -> composite, as in an oscilloscope look.
 Look scope() {
     Look look;
     look.passes = {pass("beam"), pass("persistence", {reads("beam"), reads("persistence", 1)}),
@@ -47,7 +47,7 @@ std::string problem(const Look& look, Extent viewport = {100, 50}) {
 }
 }  // namespace
 
-TEST_CASE("a side is measured by viewport, source, pixels or an expression") {
+TEST_CASE("the size of a pass is relative to viewport or source, in pixels, or an expression") {
     Look look;
     look.passes = {pass("a"), pass("b"), pass("c")};
     look.passes[0].size = {Side{Side::By::viewport, 0.5, {}}, Side{Side::By::source, 2.0, {}}};
@@ -72,7 +72,7 @@ TEST_CASE("a share of a small viewport is at least one texel") {
     CHECK(plan_targets(look, {64, 64}, {}, {}).value().targets[0].extent == Extent{1, 1});
 }
 
-TEST_CASE("a size that no texture can have is refused at the pass's line") {
+TEST_CASE("an impossible size is an error at the pass's line") {
     Look look;
     look.passes = {pass("big")};
     look.passes[0].size.fill({Side::By::pixels, 1000, {}});
@@ -84,11 +84,11 @@ TEST_CASE("a size that no texture can have is refused at the pass's line") {
     CHECK(problem(look).find("1000 x 0 px") != std::string::npos);
     look.passes[0].size[1].factor = -1e300;
     CHECK_FALSE(problem(look).empty());
-    look.passes[0].size.fill({Side::By::source, 1, {}});  // without any source
+    look.passes[0].size.fill({Side::By::source, 1, {}});  // without a source
     CHECK(problem(look).find("0 x 0 px") != std::string::npos);
 }
 
-TEST_CASE("an expression that cannot be read is refused at the pass's line") {
+TEST_CASE("an invalid size expression is an error at the pass's line") {
     Look look;
     look.passes = {pass("odd")};
     look.passes[0].size = {Side{Side::By::pixels, 5000, {}},
@@ -96,7 +96,7 @@ TEST_CASE("an expression that cannot be read is refused at the pass's line") {
     CHECK(problem(look) == "look.json:7: error: size of pass 'odd': unknown name '$HIGHT'");
 }
 
-TEST_CASE("a target keeps as many pictures as its most patient reader needs") {
+TEST_CASE("a target has slots for the oldest frame that any input reads") {
     Look look = scope();
     look.passes[3].inputs.push_back(reads("beam", 3, true));
     Input source{"s", Input::From::source, "source", 2, {}};
@@ -113,11 +113,11 @@ TEST_CASE("a target keeps as many pictures as its most patient reader needs") {
 TEST_CASE("memory is texels times bytes times slots") {
     const Plan plan{{{{100, 10}, Format::rgba16f, 2, false}, {{8, 8}, Format::r32f, 1, false}}, 1};
     CHECK(memory_of(plan) == 100 * 10 * 8 * 2 + 8 * 8 * 4);
-    // Each smaller copy has a quarter of the one before: a third more in all.
+    // Each mipmap level has a quarter of the texels of the previous one: a third more in all.
     CHECK(memory_of({{{{96, 32}, Format::rgba16f, 1, true}}, 1}) == 96 * 32 * 8 * 4 / 3);
 }
 
-TEST_CASE("a target keeps red alone where its look says so and nobody overrides its format") {
+TEST_CASE("one_channel stores only red, unless an override sets the format") {
     Look look;
     look.passes = {pass("light")};
     look.passes[0].format = Format::rgba32f;
@@ -135,7 +135,7 @@ TEST_CASE("a target keeps red alone where its look says so and nobody overrides 
     CHECK(problem(look).starts_with("look.json:7: error: 'one_channel' of pass 'light': "));
 }
 
-TEST_CASE("the smallest spot is what the look says of it, else half a texel") {
+TEST_CASE("the spot is given by the look's expression, and is half a texel without one") {
     Look look;
     look.passes = {pass("beam")};
     look.passes[0].scope = "scope/";
@@ -153,7 +153,7 @@ TEST_CASE("the smallest spot is what the look says of it, else half a texel") {
     CHECK(problem(look) == "look.json:7: error: 'spot' of pass 'beam': unknown name '$widht'");
 }
 
-TEST_CASE("a knob reaches the passes behind its own") {
+TEST_CASE("a parameter affects its passes and those that read them") {
     const Redraw composite = redraw_after(scope(), {"exposure"});
     CHECK(composite.passes == std::vector<bool>{false, false, false, true});
     CHECK_FALSE(composite.needs_replay);
@@ -164,14 +164,14 @@ TEST_CASE("a knob reaches the passes behind its own") {
           std::vector<bool>{false, false, false, false});
 }
 
-TEST_CASE("a knob before a pass that reads its own past needs a replay") {
+TEST_CASE("a parameter of a pass before feedback needs a replay") {
     const Redraw gain = redraw_after(scope(), {"gain"});
     CHECK(gain.passes == std::vector<bool>{true, true, true, true});
     CHECK(gain.needs_replay);
     CHECK(redraw_after(scope(), {"decay"}).needs_replay);
 }
 
-TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
+TEST_CASE("a parameter that repeats or sizes a pass affects it too") {
     Look look = scope();
     look.passes[2].repeat = "rounds";
     look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
@@ -181,7 +181,7 @@ TEST_CASE("a knob that repeats or sizes a pass reaches it too") {
     CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
 }
 
-TEST_CASE("a knob of another look of the stack does not size a pass") {
+TEST_CASE("a parameter of another look in the stack does not size a pass") {
     Look look = scope();
     look.passes[3].scope = "b/";
     look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
@@ -191,7 +191,7 @@ TEST_CASE("a knob of another look of the stack does not size a pass") {
     CHECK(redraw_after(look, {"b/cell"}).passes == std::vector<bool>{false, false, false, true});
 }
 
-TEST_CASE("a knob does not reach what reads a former frame of its pass, but that needs a replay") {
+TEST_CASE("a parameter does not affect readers of a previous frame, but needs a replay") {
     Look look = scope();
     look.passes[3].inputs = {reads("bloom", 2)};
     const Redraw glow = redraw_after(look, {"glow"});
@@ -199,14 +199,14 @@ TEST_CASE("a knob does not reach what reads a former frame of its pass, but that
     CHECK(glow.needs_replay);
 }
 
-TEST_CASE("a knob behind an accumulating pass leaves its samples, one before it needs them anew") {
+TEST_CASE("a parameter before an accumulating pass restarts its samples, one after it does not") {
     Look look = scope();
     look.passes[2].accumulate = true;
     CHECK_FALSE(redraw_after(look, {"exposure"}).needs_replay);
     CHECK(redraw_after(look, {"glow"}).needs_replay);
 }
 
-TEST_CASE("how many samples an accumulating pass takes changes nothing about them") {
+TEST_CASE("the number of samples of an accumulating pass does not affect the samples") {
     Look look = scope();
     look.passes[2].accumulate = true;
     look.passes[2].repeat = "rounds";
@@ -219,13 +219,13 @@ TEST_CASE("how many samples an accumulating pass takes changes nothing about the
     CHECK(redraw_after(look, {"rounds"}).passes == std::vector<bool>{false, false, true, true});
 }
 
-TEST_CASE("what a pass needs is found through loops as well") {
+TEST_CASE("dependencies of a pass are found through feedback loops") {
     CHECK(needed_for(scope(), 3) == std::vector<bool>{true, true, true, true});
     CHECK(needed_for(scope(), 1) == std::vector<bool>{true, true, false, false});
     CHECK(needed_for(scope(), 0) == std::vector<bool>{true, false, false, false});
 }
 
-TEST_CASE("later frames are made of what an input reads frames ago, and of what that needs") {
+TEST_CASE("passes read from past frames are carried over, with their dependencies") {
     CHECK(carried_passes(scope()) == std::vector<bool>{true, true, false, false});
     Look look = scope();
     look.passes.back().accumulate = true;
@@ -238,7 +238,7 @@ TEST_CASE("later frames are made of what an input reads frames ago, and of what 
     CHECK(carried_passes(look) == std::vector<bool>(4, false));
 }
 
-TEST_CASE("a person's override reaches the pass and whoever reads it") {
+TEST_CASE("an override changes the pass and the inputs that read it") {
     PassOverrides overrides;
     overrides["persistence"] = {Format::r32f, 0.5, Filter::nearest};
     const Look look = with_overrides(scope(), overrides);
@@ -250,7 +250,7 @@ TEST_CASE("a person's override reaches the pass and whoever reads it") {
 }
 
 namespace {
-// The beam may be drawn onto the persistence while the knob `plain` is above 0.
+// The beam may be drawn onto the persistence while the parameter `plain` is above 0.
 Look sharing_scope() {
     Look look = scope();
     look.passes[0].onto = Onto{"persistence", "$plain"};
@@ -265,7 +265,7 @@ Plan sharing_plan(const PlanTerms& terms, double plain = 1.0) {
 }
 }  // namespace
 
-TEST_CASE("a pass is drawn onto another's target while its look allows it and nobody looks") {
+TEST_CASE("a pass is drawn onto another target if the look allows it and neither is displayed") {
     const PlanTerms last_seen{.seen = {false, false, false, true}};
     const Plan shared = sharing_plan(last_seen);
     CHECK(shared.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f, 1, false, 1});
@@ -277,7 +277,7 @@ TEST_CASE("a pass is drawn onto another's target while its look allows it and no
     CHECK(apart.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f});
     CHECK(draw_order(apart) == std::vector<std::size_t>{0, 1, 2, 3});
     CHECK_FALSE(meets_drawn_onto(sharing_scope(), apart, 1));
-    // 8 bytes a texel of the beam; in its place one texel.
+    // The beam's 8 bytes per texel are replaced by one texel.
     CHECK(memory_of(apart) - memory_of(shared) == 100 * 10 * 8 - 8);
 
     CHECK(sharing_plan(last_seen, 0.0) == apart);
@@ -287,7 +287,7 @@ TEST_CASE("a pass is drawn onto another's target while its look allows it and no
     CHECK(sharing_plan({.seen = last_seen.seen, .kept = {false, true, false, false}}) == apart);
 }
 
-TEST_CASE("passes share no target where their own would differ, or a person has changed either") {
+TEST_CASE("targets are not shared if they differ or the user has overridden either") {
     const PlanTerms last_seen{.seen = {false, false, false, true}};
     const auto shares = [&](const Look& look) {
         const auto plan = plan_targets(look, {100, 10}, {}, {}, last_seen);
@@ -306,7 +306,7 @@ TEST_CASE("passes share no target where their own would differ, or a person has 
     CHECK_FALSE(shares(with_overrides(sharing_scope(), {{"beam", linear}})));
 }
 
-TEST_CASE("whether passes share targets is told of the parameter that decides it") {
+TEST_CASE("the parameter that decides about target sharing is found") {
     Look look = sharing_scope();
     CHECK(decides_sharing(look, look.parameters.back()));
     CHECK_FALSE(decides_sharing(look, look.parameters.front()));
@@ -315,7 +315,7 @@ TEST_CASE("whether passes share targets is told of the parameter that decides it
     CHECK(problem(look) == "look.json:7: error: 'onto' of pass 'beam': unknown name '$plan'");
 }
 
-TEST_CASE("floats have half their bits where the look says so, by any component of a value") {
+TEST_CASE("half_floats halves the float size, and may depend on one component of a value") {
     Look look;
     look.passes = {pass("light")};
     look.passes[0].format = Format::rgba32f;

@@ -11,7 +11,7 @@ using Kind = StepEffect::Kind;
 constexpr PassChange same{0.0, 0.0, 0.5};
 constexpr PassChange other{0.01, 0.2, 0.5};
 
-// beam -> kept (reads itself) -> bloom -> show, which reads kept too.
+// beam -> kept (reads itself) -> bloom -> show, which also reads kept.
 Look scope_look() {
     Look look;
     const auto add = [&](const char* name, std::initializer_list<const char*> reads) {
@@ -36,7 +36,7 @@ Parameter used_by(int pass) {
 }
 }  // namespace
 
-TEST_CASE("a change that reaches the picture is told in levels of a display") {
+TEST_CASE("a change that reaches the picture is reported in 8-bit levels") {
     const Look look = scope_look();
     const PassChange picture{0.8 / 255.0, 14.0 / 255.0, 0.3};
     const auto effect = effect_of(look, used_by(0), {other, other, other, picture});
@@ -50,7 +50,7 @@ TEST_CASE("a change that reaches the picture is told in levels of a display") {
     CHECK(effect_text(faint, little) == "too small to see: at most 0.4 of 255 levels");
 }
 
-TEST_CASE("a change that does not reach the picture names where it ends") {
+TEST_CASE("a change that does not reach the picture names the pass where it ends") {
     const Look look = scope_look();
     const auto effect = effect_of(look, used_by(2), {same, same, other, same});
     CHECK(effect.kind == Kind::lost);
@@ -71,7 +71,7 @@ TEST_CASE("a change that does not reach the picture names where it ends") {
           "doesn't change the picture: no pass reads \"bloom\"");
 }
 
-TEST_CASE("where no pass changes, those that use the parameter are named") {
+TEST_CASE("if no pass changes, the passes that use the parameter are named") {
     const Look look = scope_look();
     const auto effect = effect_of(look, used_by(3), {same, same, same, same});
     CHECK(effect.kind == Kind::none);
@@ -82,14 +82,14 @@ TEST_CASE("where no pass changes, those that use the parameter are named") {
           "has no effect: no pass uses it");
 }
 
-TEST_CASE("a pass's bar is as long as its share of change, in equal ratios") {
+TEST_CASE("the bar of a pass is its share of change on a logarithmic scale") {
     CHECK(change_share(same) == 0.0);
     CHECK(change_place(same) == 0.0);
     CHECK(std::abs(change_share({0.05, 1.0, 0.5}) - 0.1) < 1e-12);
     CHECK(std::abs(change_place({0.05, 1.0, 0.5}) - 0.75) < 1e-12);  // of 10^-4 .. 1
     CHECK(std::abs(change_place({0.005, 1.0, 0.5}) - 0.5) < 1e-12);
-    CHECK(change_place({1e-9, 1e-6, 0.5}) == 0.02);  // it does change
-    CHECK(change_share({0.3, 1.0, 0.0}) == 1.0);     // out of nothing
+    CHECK(change_place({1e-9, 1e-6, 0.5}) == 0.02);  // above 0
+    CHECK(change_share({0.3, 1.0, 0.0}) == 1.0);     // the reference is 0
     const double infinite = std::numeric_limits<double>::infinity();
     CHECK(change_share({infinite, infinite, 0.5}) == 1.0);
 }

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-TEST_CASE("a difference is seen absolute, relative to the other, or squared") {
+TEST_CASE("a difference is measured absolute, relative to the reference, or squared") {
     CHECK(difference_of(0.75, 0.5, DifferenceMeasure::absolute) == 0.25);
     CHECK(difference_of(0.5, 0.75, DifferenceMeasure::absolute) == 0.25);
     CHECK(difference_of(0.75, 0.5, DifferenceMeasure::relative) == 0.5);
@@ -14,14 +14,14 @@ TEST_CASE("a difference is seen absolute, relative to the other, or squared") {
     CHECK(difference_of(0.75, 0.5, DifferenceMeasure::squared) == 0.0625);
 }
 
-TEST_CASE("half the light is matched by one stop; darkness by nothing") {
+TEST_CASE("brightness is matched in stops, and black has no match") {
     CHECK(matching_stops(0.5, 0.25) == 1.0);
     CHECK(matching_stops(0.125, 0.5) == -2.0);
     CHECK_FALSE(matching_stops(0.5, 0.0));
     CHECK_FALSE(matching_stops(0.0, 0.5));
 }
 
-TEST_CASE("a difference is shown as many times as it stays within white") {
+TEST_CASE("a difference is amplified by the largest power of two that does not exceed white") {
     CHECK(gain_to_see(0.25) == 4.0);
     CHECK(gain_to_see(0.3) == 2.0);
     CHECK(gain_to_see(1.0) == 1.0);
@@ -37,8 +37,8 @@ TEST_CASE("a difference is shown as many times as it stays within white") {
     CHECK(apart.pixels == std::vector<float>{0.5f, 0.0f, 0.25f, 2.0f, 0.0f, 0.0f});
 }
 
-TEST_CASE("sums of differences come to means over components and shares of pixels") {
-    // 4 pixels of 3 components: a half apart in six of them.
+TEST_CASE("sums of differences become means over components and shares of pixels") {
+    // 4 pixels of 3 components: six of them differ by 0.5.
     const Distances distances =
         distances_of({.absolute = 3.0, .squares = 1.5, .largest = 0.5, .beyond = 2}, {2, 2}, 3);
     CHECK(distances.mean == 0.25);

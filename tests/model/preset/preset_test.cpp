@@ -13,7 +13,7 @@ Look phosphor() {
 }
 }  // namespace
 
-TEST_CASE("a preset of the present look has nothing to say") {
+TEST_CASE("a preset of the current version of a look gives no warnings") {
     Preset preset;
     preset.values = {{"decay", 0.5}};
     preset.digest = look_digest(phosphor());
@@ -22,7 +22,7 @@ TEST_CASE("a preset of the present look has nothing to say") {
     CHECK(compare_with_look(preset, phosphor(), "p.json").empty());
 }
 
-TEST_CASE("a value without a parameter is named, with a likely new name") {
+TEST_CASE("a value without a parameter is reported, with a suggestion") {
     Preset preset;
     preset.values = {{"dekay", 0.5}};
     const Diagnostics notes = compare_with_look(preset, phosphor(), "p.json");
@@ -33,14 +33,14 @@ TEST_CASE("a value without a parameter is named, with a likely new name") {
         "Its value 0.5 is kept.");
 }
 
-TEST_CASE("changed defaults are noted even when every name still fits") {
+TEST_CASE("changed defaults are reported even when every name still exists") {
     Preset preset;
     preset.digest = "00000000";
     CHECK(compare_with_look(preset, phosphor(), "p.json").size() == 1);
 }
 
 namespace {
-// Decay and gain; then parameters that came later.
+// A look with these parameters: name and default.
 Look with(const std::vector<std::pair<std::string, double>>& parameters) {
     Look look;
     look.name = "Phosphor";
@@ -54,7 +54,7 @@ Look with(const std::vector<std::pair<std::string, double>>& parameters) {
 }
 }  // namespace
 
-TEST_CASE("parameters that were added since a preset was saved give no note") {
+TEST_CASE("parameters added since a preset was saved give no warning") {
     const Look before = with({{"decay", 0.9}, {"gain", 1.0}});
     Look now = before;
     Preset preset;
@@ -68,7 +68,7 @@ TEST_CASE("parameters that were added since a preset was saved give no note") {
     CHECK(compare_with_look(preset, now, "p.json").empty());
 }
 
-TEST_CASE("removing or renaming a parameter, or changing a default, gives one note") {
+TEST_CASE("a removed, renamed or changed parameter gives one warning") {
     Preset preset;
     preset.digest = look_digest(with({{"decay", 0.9}, {"gain", 1.0}}));
     for (const Look& now : {with({{"decay", 0.9}}), with({{"decay", 0.9}, {"level", 1.0}}),
@@ -77,9 +77,9 @@ TEST_CASE("removing or renaming a parameter, or changing a default, gives one no
         CHECK(compare_with_look(preset, now, "p.json").size() == 1);
 }
 
-TEST_CASE("digests of older programs are understood, also where parameters were added") {
-    // As the program wrote it before digests had a part for each parameter: FNV-1a, 64 bits, of
-    // "decay=0.9\ngain=1\n", folded to 32.
+TEST_CASE("digests of older versions are accepted, also after parameters were added") {
+    // Written by a version whose digests had no part for each parameter: FNV-1a, 64 bits, of
+    // "decay=0.9\ngain=1\n", folded to 32 bits.
     Preset preset;
     preset.digest = "d70b80e1";
     CHECK(compare_with_look(preset, with({{"gain", 1.0}, {"decay", 0.9}}), "p.json").empty());

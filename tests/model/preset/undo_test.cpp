@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("undo goes back step by step and redo forward again") {
+TEST_CASE("undo and redo move one step at a time") {
     Undo<int> undo(1);
     undo.change(2, "two");
     undo.change(3, "three");
@@ -19,7 +19,7 @@ TEST_CASE("undo goes back step by step and redo forward again") {
     CHECK_FALSE(undo.can_redo());
 }
 
-TEST_CASE("a drag is one step until it is finished") {
+TEST_CASE("a drag is one undo step until it is finished") {
     Undo<int> undo(0);
     for (int i = 1; i <= 5; ++i)
         undo.change(i, "decay", true);
@@ -31,7 +31,7 @@ TEST_CASE("a drag is one step until it is finished") {
     CHECK(undo.current() == 0);
 }
 
-TEST_CASE("another knob in the middle of a drag is a step of its own") {
+TEST_CASE("changing another parameter during a drag starts a new undo step") {
     Undo<int> undo(0);
     undo.change(1, "decay", true);
     undo.change(2, "gain", true);
@@ -39,7 +39,7 @@ TEST_CASE("another knob in the middle of a drag is a step of its own") {
     CHECK(undo.current() == 1);
 }
 
-TEST_CASE("what changes nothing is no step, and a new change ends what could be redone") {
+TEST_CASE("a change without effect adds no undo step, and a new change discards redo") {
     Undo<int> undo(0);
     undo.change(0, "nothing");
     CHECK_FALSE(undo.can_undo());
@@ -50,14 +50,14 @@ TEST_CASE("what changes nothing is no step, and a new change ends what could be 
     CHECK(undo.current() == 2);
 }
 
-TEST_CASE("undo and redo at their ends do nothing") {
+TEST_CASE("undo and redo do nothing at the ends of the history") {
     Undo<int> undo(7);
     undo.undo();
     undo.redo();
     CHECK(undo.current() == 7);
 }
 
-TEST_CASE("only the newest thousand steps are kept") {
+TEST_CASE("the undo history is limited to the newest 1000 steps") {
     Undo<int> undo(0);
     for (int i = 1; i <= 1500; ++i)
         undo.change(i, "step");
@@ -67,7 +67,7 @@ TEST_CASE("only the newest thousand steps are kept") {
     CHECK(undo.current() == 500);
 }
 
-TEST_CASE("a rewrite reaches the past and what can be redone; a saved history comes back") {
+TEST_CASE("a rewrite applies to all undo and redo states, and a saved history is restored") {
     Undo<int> undo(1);
     undo.change(2, "two");
     undo.change(3, "three");
@@ -82,10 +82,10 @@ TEST_CASE("a rewrite reaches the past and what can be redone; a saved history co
     CHECK(back.current() == 10);
 }
 
-TEST_CASE("undo ends a gesture: what is turned next is a step of its own") {
+TEST_CASE("undo ends a drag: the next change is a new undo step") {
     Undo<int> undo(1);
     undo.change(2, "gain");
-    undo.change(3, "gain", true);  // the hand is still on it
+    undo.change(3, "gain", true);  // the drag is not finished
     undo.undo();
     undo.change(4, "gain", true);
     undo.undo();

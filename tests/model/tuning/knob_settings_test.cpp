@@ -16,7 +16,7 @@ const KnobSetting starred{.is_favourite = true};
 const KnobSetting locked{.is_locked = true};
 }  // namespace
 
-TEST_CASE("a star and a lock follow a parameter to its new name") {
+TEST_CASE("favourites and locks follow a renamed parameter") {
     Look look;
     look.parameters = {knob("glow"), knob("gain")};
     look.parameters[0].was = "decay";
@@ -24,7 +24,7 @@ TEST_CASE("a star and a lock follow a parameter to its new name") {
     CHECK(knobs == KnobSettings{{"glow", starred}, {"gain", locked}});
 }
 
-TEST_CASE("a look has its settings in a stack too, and gives them back by its own id") {
+TEST_CASE("knob settings of a look also apply in a stack, and are stored by the look's id") {
     const Stack stack{{"phosphor", {}, "a"}, {"crt", {}, "b"}, {"crt", {}, "c"}};
     const LookKnobs looks{{"crt", {{"gain", locked}}}, {"other", {{"gain", starred}}}};
     KnobSettings knobs = knobs_in(stack, looks);
@@ -37,7 +37,7 @@ TEST_CASE("a look has its settings in a stack too, and gives them back by its ow
     CHECK(knobs_in({{"phosphor", {}, "a"}}, kept) == KnobSettings{{"decay", starred}});
 }
 
-TEST_CASE("a slider's own ends stay within the hard limit and leave something between them") {
+TEST_CASE("custom ends of a slider are clamped to the hard limit and must differ") {
     Parameter parameter = knob("gain");
     CHECK(fitted_ends(parameter, {2.0, 99.0}) == Limit{2.0, 10.0});
     const auto refused = fitted_ends(parameter, {20.0, 30.0});
@@ -49,7 +49,7 @@ TEST_CASE("a slider's own ends stay within the hard limit and leave something be
     CHECK_FALSE(fitted_ends(parameter, {1.1, 1.3}).has_value());
 }
 
-TEST_CASE("a slider runs between the ends that a person gave it, while they make sense") {
+TEST_CASE("valid custom ends replace the range of a slider") {
     const Parameter parameter = knob("gain");
     CHECK(with_ends(parameter, {.ends = Limit{2.0, 4.0}}).range == Range{2.0, 4.0});
     CHECK(with_ends(parameter, {}).range == parameter.range);

@@ -23,13 +23,13 @@ bool is_close(double a, double b) {
 }
 }  // namespace
 
-TEST_CASE("a share of the way is that share of the slider, in equal ratios where it is so") {
+TEST_CASE("a share maps to the slider linearly, or by equal ratios on a logarithmic scale") {
     const Parameter plain = ranged({-1.0, 3.0});
     CHECK(turned(plain, 0.0) == -1.0);
     CHECK(turned(plain, 1.0) == 3.0);
     CHECK(is_close(turned(plain, 0.25), 0.0));
     CHECK(is_close(share_at({plain, {}}, Value(0.0)), 0.25));
-    CHECK(share_at({plain, {}}, Value(9.0)) == 1.0);  // typed beyond the end
+    CHECK(share_at({plain, {}}, Value(9.0)) == 1.0);  // typed beyond the end of the slider
     const Parameter ratios = ranged({1.0, 100.0}, Scale::logarithmic);
     CHECK(is_close(turned(ratios, 0.5), 10.0));
     CHECK(is_close(share_at({ratios, {}}, Value(10.0)), 0.5));
@@ -38,7 +38,7 @@ TEST_CASE("a share of the way is that share of the slider, in equal ratios where
     CHECK(is_close(share_at({plain, ends}, Value(0.25)), 0.5));
 }
 
-TEST_CASE("steps, whole numbers, lists and switches are met exactly") {
+TEST_CASE("steps, integers, lists and switches map to exact values") {
     Parameter odd = ranged({3.0, 25.0, 2.0});
     CHECK(turned(odd, 0.45) == 13.0);  // 12.9
     CHECK(turned(odd, 0.03) == 3.0);
@@ -62,7 +62,7 @@ TEST_CASE("steps, whole numbers, lists and switches are met exactly") {
     CHECK_FALSE(is_gradual(toggle));
 }
 
-TEST_CASE("one number of a vector is turned; colours, files and matrices are not") {
+TEST_CASE("one component of a vector can be controlled; colours, files and matrices cannot") {
     Parameter point = ranged({0.0, 2.0});
     point.type = {Scalar::floating, 2};
     point.initial = Value({0.5, 0.5});

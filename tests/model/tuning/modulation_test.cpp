@@ -13,7 +13,7 @@ Modulation lfo(LfoShape shape, double rate = 1.0, double phase = 0.0) {
     return {.shape = shape, .rate = rate, .phase = phase};
 }
 
-/// The first parameter is turned over -1 .. 3 and held within 0 .. 3.
+/// The first parameter has the range -1 .. 3 and the limit 0 .. 3.
 Look moving_look() {
     Look look;
     Parameter gain;
@@ -42,7 +42,7 @@ Value moved_to(const std::string& name, const Modulation& modulation, double sec
     return value_of(*find_parameter(look, name), now);
 }
 
-/// Loud by as much as the time constants say.
+/// Loudness computed from the time constants.
 class Told : public Loudness {
 public:
     double envelope(double seconds, double attack, double release) const override {
@@ -54,7 +54,7 @@ public:
 };
 }  // namespace
 
-TEST_CASE("an LFO goes through its shape once a turn, from its phase on") {
+TEST_CASE("an LFO repeats its shape every period, from its phase") {
     const double half = std::sqrt(0.5);
     CHECK(is_near(lfo_at(lfo(LfoShape::sine), 0.125, 0), half));
     CHECK(is_near(lfo_at(lfo(LfoShape::sine, 2.0), 0.125, 0), 1.0));
@@ -71,11 +71,11 @@ TEST_CASE("an LFO goes through its shape once a turn, from its phase on") {
     }
 }
 
-TEST_CASE("SplitMix64 gives what is published for the seed 0") {
+TEST_CASE("SplitMix64 gives the published first number for seed 0") {
     CHECK(Dice(0).roll() == std::ldexp(static_cast<double>(0xe220a8397b1dcdafu >> 11), -53));
 }
 
-TEST_CASE("random steps stay for a turn, fill -1..1 evenly, and differ by seed") {
+TEST_CASE("random steps last one period, are uniform in -1..1, and differ by seed") {
     const Modulation steps = lfo(LfoShape::random, 4.0);
     double sum = 0.0;
     double squares = 0.0;
@@ -90,12 +90,13 @@ TEST_CASE("random steps stay for a turn, fill -1..1 evenly, and differ by seed")
         squares += number * number;
     }
     CHECK(same == 0);
-    // An even number has mean 0 and variance 1/3; four standard errors of each.
+    // A uniform distribution on -1..1 has mean 0 and variance 1/3; four standard errors of each.
     CHECK(std::abs(sum / count) < 4.0 / std::sqrt(3.0 * count));
     CHECK(std::abs(squares / count - 1.0 / 3.0) < 4.0 * std::sqrt(4.0 / 45.0 / count));
 }
 
-TEST_CASE("a value moves by depth and range about what a person set, within its hard limit") {
+TEST_CASE(
+    "modulation moves a value by depth times range around its setting, within the hard limit") {
     Modulation moving = lfo(LfoShape::sine, 1.0);
     moving.depth = 0.25;
     CHECK(is_near(moved_to("gain", moving, 0.25).number(), 2.0));  // 1 + 0.25 * 4 * 1
@@ -107,7 +108,7 @@ TEST_CASE("a value moves by depth and range about what a person set, within its 
     CHECK(is_near(moved_to("gain", moving, 0.75).number(), 0.0));
 }
 
-TEST_CASE("what counts stays whole, and a point moves with both its numbers") {
+TEST_CASE("integers stay whole under modulation, and both components of a point move") {
     Modulation moving = lfo(LfoShape::saw, 1.0);
     moving.depth = 0.37;
     CHECK(moved_to("taps", moving, 0.75) == Value(7.0));  // 5 + 0.37 * 10 * 0.5 = 6.85
@@ -115,7 +116,7 @@ TEST_CASE("what counts stays whole, and a point moves with both its numbers") {
     CHECK(moved_to("place", moving, 0.75) == Value({0.5, 0.75}));
 }
 
-TEST_CASE("each axis of a point moves over its own range") {
+TEST_CASE("modulation moves each axis of a point over its own range") {
     Look look = moving_look();
     look.parameters[2].axes = {{0.0, 8.0, 0.0}, {0.0, 2.0, 0.0}};
     Modulation moving = lfo(LfoShape::square);
@@ -124,7 +125,7 @@ TEST_CASE("each axis of a point moves over its own range") {
     CHECK(value_of(look.parameters[2], now) == Value({2.25, 1.0}));
 }
 
-TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence does nothing") {
+TEST_CASE("envelope follows level, beat decays exponentially, and silence has no effect") {
     const Modulation envelope{
         .kind = ModulationKind::envelope, .depth = 0.5, .attack = 0.1, .release = 0.4};
     const Modulation beat{
@@ -138,7 +139,7 @@ TEST_CASE("an envelope follows the level, a beat jumps and comes down; silence d
     CHECK(moved_to("gain", beat, 2.0) == Value(1.0));
 }
 
-TEST_CASE("what a pass keeps its light in, where it is drawn and how fine its spot is may move") {
+TEST_CASE("half floats, sharing of targets and spot size can be modulated") {
     Look look = moving_look();
     look.passes.resize(1);
     const std::string read = "$" + look.parameters[0].name;
@@ -150,7 +151,7 @@ TEST_CASE("what a pass keeps its light in, where it is drawn and how fine its sp
     CHECK_FALSE(why_unmodulated(look, look.parameters[0]).empty());
 }
 
-TEST_CASE("what is no number, or says how large a pass is, does not move") {
+TEST_CASE("switches, lists and parameters that size a pass cannot be modulated") {
     Look look = moving_look();
     look.passes.resize(2);
     look.passes[1].repeat = Count(std::string("taps"));
@@ -167,7 +168,7 @@ TEST_CASE("what is no number, or says how large a pass is, does not move") {
           values);
 }
 
-TEST_CASE("a modulation keeps the figures of its kind alone, within their limits") {
+TEST_CASE("a modulation keeps only the fields of its kind, within their limits") {
     const Modulation all{.kind = ModulationKind::beat,
                          .depth = 9.0,
                          .shape = LfoShape::saw,

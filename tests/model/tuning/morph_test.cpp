@@ -27,7 +27,7 @@ Value between(const Parameter& parameter, const Value& from, const Value& to, do
 
 }  // namespace
 
-TEST_CASE("numbers go straight from one preset to the other, ratios on a logarithmic slider") {
+TEST_CASE("numbers morph linearly, or by ratio on a logarithmic slider") {
     const Parameter plain = morphed_knob({0, 10, 0});
     CHECK(is_near(between(plain, 2.0, 6.0, 0.25).number(), 3.0));
     CHECK(between(plain, 2.0, 6.0, 0.0) == Value(2.0));
@@ -35,10 +35,11 @@ TEST_CASE("numbers go straight from one preset to the other, ratios on a logarit
     Parameter ratio = morphed_knob({0.1, 100, 0});
     ratio.scale = Scale::logarithmic;
     CHECK(is_near(between(ratio, 1.0, 64.0, 0.5).number(), 8.0));
-    CHECK(is_near(between(ratio, 0.0, 64.0, 0.5).number(), 32.0));  // from nothing: straight
+    CHECK(is_near(between(ratio, 0.0, 64.0, 0.5).number(),
+                  32.0));  // a ratio from 0 is not defined: linear
 }
 
-TEST_CASE("a colour goes through the mean of its light") {
+TEST_CASE("colours morph linearly in light") {
     Parameter color = morphed_knob({0, 1, 0}, Control::color);
     color.type.rows = 3;
     const Value middle = between(color, Value({1.0, 0.0, 0.2}), Value({0.0, 0.5, 0.2}), 0.5);
@@ -47,7 +48,7 @@ TEST_CASE("a colour goes through the mean of its light") {
     CHECK(is_near(middle.numbers[2], 0.2));
 }
 
-TEST_CASE("an angle that goes all round takes the shorter way, another one its slider's") {
+TEST_CASE("a full-circle angle morphs the shorter way, a limited one along its range") {
     const Parameter round = morphed_knob({-3.1416, 3.1416, 0}, Control::angle);
     CHECK(std::abs(between(round, 0.9 * pi, -0.9 * pi, 0.25).number() - 0.95 * pi) < 1e-9);
     CHECK(std::abs(between(round, 0.9 * pi, -0.9 * pi, 0.75).number() + 0.95 * pi) < 1e-9);
@@ -55,7 +56,7 @@ TEST_CASE("an angle that goes all round takes the shorter way, another one its s
     CHECK(is_near(between(quarter, 1.5, -1.5, 0.5).number(), 0.0));
 }
 
-TEST_CASE("whole numbers, lists, switches and files change at half of the way") {
+TEST_CASE("integers, lists, switches and files change halfway through a morph") {
     Parameter count = morphed_knob({0, 10, 0});
     count.type.scalar = Scalar::integer;
     Parameter toggle = morphed_knob({0, 1, 0});
@@ -70,7 +71,7 @@ TEST_CASE("whole numbers, lists, switches and files change at half of the way") 
     CHECK(between(image, Value::of_path("a"), Value::of_path("b"), 0.6).path == "b");
 }
 
-TEST_CASE("what only one of the presets has goes from or to its default, the rest stays") {
+TEST_CASE("a parameter of only one preset morphs from or to its default; unknown values stay") {
     Parameter first = morphed_knob({0, 10, 0});
     first.name = "first";
     Parameter second = first;

@@ -17,7 +17,7 @@ Look knob_look() {
 }
 }  // namespace
 
-TEST_CASE("moves are read as time goes on, the last one at or before it") {
+TEST_CASE("an automation reader returns the last move at or before a time") {
     MovesReader reader({{0.0, "a", 1.0}, {0.5, "a", 2.0}, {0.5, "b", 3.0}, {0.50001, "a", 4.0}});
     CHECK(reader.take(0.25) == Values{{"a", 1.0}});
     CHECK(reader.take(0.4999).empty());
@@ -26,21 +26,21 @@ TEST_CASE("moves are read as time goes on, the last one at or before it") {
     CHECK(reader.take(9.0).empty());
     reader.start_again();
     CHECK(reader.take(0.6) == Values{{"a", 4.0}, {"b", 3.0}});
-    MovesReader third({{0.333333, "a", 1.0}});  // as a file tells a third
+    MovesReader third({{0.333333, "a", 1.0}});  // a third of a second, as a file stores it
     CHECK(third.take(1.0 / 3.0).size() == 1);
     MovesReader two_thirds({{0.666667, "a", 1.0}});
     CHECK(two_thirds.take(2.0 / 3.0).size() == 1);
 }
 
-TEST_CASE("what differs at the start is told at time 0, then each turn at its frame's time") {
+TEST_CASE("an automation starts with the values that differ from the defaults at time 0") {
     const Look look = knob_look();
     MovesRecorder recorder;
-    recorder.note({{"gain", 5.0}}, 1.0);  // nobody records
+    recorder.note({{"gain", 5.0}}, 1.0);  // not recording
     CHECK(recorder.moves().empty());
     recorder.start(look, {{"gain", 2.0}});
     recorder.note({{"gain", 2.0}}, 3.0);
     recorder.note({{"gain", 2.5}}, 3.5);
-    recorder.note({{"gain", 2.75}}, 3.5);  // turned while time rests
+    recorder.note({{"gain", 2.75}}, 3.5);  // changed while time is paused
     recorder.note({{"decay", 0.5}, {"noise", Value::of_path("a.png")}}, 4.0);
     CHECK(recorder.moves() ==
           Moves{{0.0, "gain", 2.0}, {3.5, "gain", 2.75}, {4.0, "decay", 0.5}, {4.0, "gain", 1.0}});
@@ -49,7 +49,7 @@ TEST_CASE("what differs at the start is told at time 0, then each turn at its fr
     CHECK(recorder.moves().size() == 4);
 }
 
-TEST_CASE("after a way back the clock is recorded over") {
+TEST_CASE("when time goes back, later moves are recorded over") {
     const Look look = knob_look();
     MovesRecorder recorder;
     recorder.start(look, {});

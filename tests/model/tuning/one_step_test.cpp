@@ -29,12 +29,12 @@ std::string why_not(const Parameter& parameter, const Value& value, bool up = tr
 
 }  // namespace
 
-TEST_CASE("one step of a slider is its step, else a hundredth of its length") {
+TEST_CASE("one step of a slider is its step size, else 1 % of its range") {
     CHECK(is_near(stepped(slider(0, 8, 0.5), 3.0, true), 3.5));
     CHECK(is_near(stepped(slider(0, 8, 0.5), 3.0, false), 2.5));
     CHECK(is_near(stepped(slider(2, 4), 3.0, true), 3.02));
     CHECK(is_near(stepped(slider(2, 4), 3.0, false), 2.98));
-    CHECK(is_near(stepped(slider(2, 4), 3.995, true), 4.0));  // no further than the end
+    CHECK(is_near(stepped(slider(2, 4), 3.995, true), 4.0));  // clamped to the maximum
 
     Parameter ratio = slider(0.1, 10.0);
     ratio.scale = Scale::logarithmic;
@@ -42,7 +42,7 @@ TEST_CASE("one step of a slider is its step, else a hundredth of its length") {
     CHECK(is_near(stepped(ratio, 1.0, false), std::pow(100.0, -0.01)));
 }
 
-TEST_CASE("a number counts on, a list goes to the next item, a switch is turned") {
+TEST_CASE("a step changes an integer by one, selects the next item of a list and flips a switch") {
     Parameter count = slider(1, 16);
     count.type.scalar = Scalar::integer;
     CHECK(stepped(count, 4, true) == 5.0);
@@ -62,7 +62,7 @@ TEST_CASE("a number counts on, a list goes to the next item, a switch is turned"
     CHECK(stepped(toggle, 0, false) == 1.0);
 }
 
-TEST_CASE("of a vector one number is stepped, a colour as a whole, a point upward") {
+TEST_CASE("a step changes one component of a vector, all of a colour, and the y of a point") {
     Parameter vector = slider(0, 10);
     vector.type.rows = 3;
     const auto next = one_step(vector, Value({1.0, 2.0, 3.0}), 1, true);
@@ -86,7 +86,7 @@ TEST_CASE("of a vector one number is stepped, a colour as a whole, a point upwar
     CHECK(is_near(raised->numbers[1], 5.1));
 }
 
-TEST_CASE("a point is stepped over the range of its upward axis") {
+TEST_CASE("a point is stepped over the range of its vertical axis") {
     Parameter point = slider(0, 1920);
     point.type.rows = 2;
     point.control = Control::point;
@@ -98,7 +98,7 @@ TEST_CASE("a point is stepped over the range of its upward axis") {
     CHECK(is_near(next->numbers[1], 550.0));
 }
 
-TEST_CASE("at its end, and without steps, a parameter says why it takes none") {
+TEST_CASE("a parameter at its limit or without steps returns the reason") {
     CHECK(why_not(slider(0, 1), Value(1.0)) == "Knob is at its maximum");
     CHECK(why_not(slider(0, 1), Value(0.0), false) == "Knob is at its minimum");
     CHECK(why_not(slider(0, 1, 0.25), Value(1.0)) == "Knob is at its maximum");

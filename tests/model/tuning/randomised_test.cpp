@@ -22,7 +22,7 @@ Look look_of(std::vector<Parameter> parameters) {
     return look;
 }
 
-// What a parameter alone gets by each of many seeds.
+// The values of one parameter for many seeds.
 std::vector<Value> rolls(const Parameter& parameter, int count = 4000,
                          const KnobSetting& setting = {}) {
     const Look look = look_of({parameter});
@@ -42,7 +42,7 @@ std::vector<double> numbers(const std::vector<Value>& values, std::size_t compon
     return all;
 }
 
-// The share of all that lies below `end`; of 4000 throws its own spread is at most 0.008.
+// The share of the values below `end`. With 4000 samples its standard deviation is at most 0.008.
 double share_below(const std::vector<double>& sorted, double end) {
     const auto below = std::lower_bound(sorted.begin(), sorted.end(), end) - sorted.begin();
     return static_cast<double>(below) / static_cast<double>(sorted.size());
@@ -50,7 +50,7 @@ double share_below(const std::vector<double>& sorted, double end) {
 constexpr double spread = 0.03;
 }  // namespace
 
-TEST_CASE("a random value lies anywhere in the soft range, each place as likely") {
+TEST_CASE("random values are uniform over the soft range") {
     const auto all = numbers(rolls(knob("a", {2.0, 6.0})));
     CHECK(all.front() >= 2.0);
     CHECK(all.back() <= 6.0);
@@ -58,14 +58,14 @@ TEST_CASE("a random value lies anywhere in the soft range, each place as likely"
         CHECK(std::abs(share_below(all, 2.0 + 4.0 * place) - place) < spread);
 }
 
-TEST_CASE("on a logarithmic slider each ratio is as likely") {
+TEST_CASE("random values of a logarithmic slider are uniform in ratio") {
     const auto all = numbers(rolls(knob("a", {0.01, 100.0}, Scale::logarithmic)));
     CHECK(std::abs(share_below(all, 0.1) - 0.25) < spread);
     CHECK(std::abs(share_below(all, 1.0) - 0.5) < spread);
     CHECK(std::abs(share_below(all, 10.0) - 0.75) < spread);
 }
 
-TEST_CASE("a random value stops at steps, whole numbers and items, the ends as often as the rest") {
+TEST_CASE("random steps, integers and list items are equally likely, the ends included") {
     const auto odd = numbers(rolls(knob("a", {3.0, 9.0, 2.0})));
     CHECK(std::set<double>(odd.begin(), odd.end()) == std::set<double>{3.0, 5.0, 7.0, 9.0});
     CHECK(std::abs(share_below(odd, 4.0) - 0.25) < spread);
@@ -85,7 +85,7 @@ TEST_CASE("a random value stops at steps, whole numbers and items, the ends as o
     CHECK(std::abs(share_below(numbers(rolls(box)), 1.0) - 0.5) < spread);
 }
 
-TEST_CASE("a random colour is even to the eye and keeps its alpha") {
+TEST_CASE("a random colour is uniform in sRGB and keeps its alpha") {
     Parameter color = knob("a", {0.0, 1.0});
     color.control = Control::color;
     color.type = {Scalar::floating, 4, 1};
@@ -97,7 +97,7 @@ TEST_CASE("a random colour is even to the eye and keeps its alpha") {
     CHECK(numbers(all, 3).back() == 0.6);
 }
 
-TEST_CASE("a vector's parts are thrown apart, an angle's and a point's too") {
+TEST_CASE("components of a random vector, angle or point are independent") {
     Parameter point = knob("a", {-1.0, 1.0});
     point.control = Control::point;
     point.type = {Scalar::floating, 2, 1};
@@ -107,13 +107,14 @@ TEST_CASE("a vector's parts are thrown apart, an angle's and a point's too") {
     CHECK(std::abs(above / 4000.0 - 0.5) < spread);
 }
 
-TEST_CASE("the ends that a person gave the slider hold for the dice") {
+TEST_CASE("custom ends of a slider also limit random values") {
     const auto all = numbers(rolls(knob("a", {0.0, 1.0}), 1000, {.ends = Limit{0.4, 0.6}}));
     CHECK(all.front() >= 0.4);
     CHECK(all.back() <= 0.6);
 }
 
-TEST_CASE("what is locked, hidden, fired, a file, the view or an amount of work stays") {
+TEST_CASE(
+    "randomise keeps locked and hidden parameters, events, files, the view and repeat counts") {
     Parameter hidden = knob("hidden", {0.0, 1.0});
     hidden.is_hidden = true;
     Parameter event = knob("event", {0.0, 1.0});
@@ -137,7 +138,7 @@ TEST_CASE("what is locked, hidden, fired, a file, the view or an amount of work 
     CHECK(next.size() == 3);
 }
 
-TEST_CASE("the same seed gives the same, whatever else is locked") {
+TEST_CASE("a seed gives the same values, whatever else is locked") {
     const Look look = look_of({knob("a", {0.0, 1.0}), knob("b", {0.0, 1.0})});
     const Values both = randomised_values(look, {}, {}, 1);
     CHECK(both == randomised_values(look, {}, {}, 1));

@@ -4,21 +4,21 @@
 
 #include <cmath>
 
-TEST_CASE("a slider gives each place its value and each value its place") {
+TEST_CASE("slider positions and values convert both ways") {
     const Range linear{-2.0, 6.0};
     CHECK(value_at(linear, Scale::linear, 0.25) == 0.0);
     CHECK(place_in(linear, Scale::linear, 4.0) == 0.75);
     const Range ratios{0.1, 1000.0};
     CHECK(std::abs(value_at(ratios, Scale::logarithmic, 0.5) - 10.0) < 1e-9);
     CHECK(std::abs(place_in(ratios, Scale::logarithmic, 1.0) - 0.25) < 1e-12);
-    const Range from_zero{0.0, 8.0};  // no ratios: a cubic
+    const Range from_zero{0.0, 8.0};  // a range that starts at 0 has no ratios: cubic
     CHECK(value_at(from_zero, Scale::logarithmic, 0.5) == 1.0);
     CHECK(std::abs(place_in(from_zero, Scale::logarithmic, 1.0) - 0.5) < 1e-12);
     CHECK(place_in(linear, Scale::linear, 99.0) == 1.0);
     CHECK(value_at(linear, Scale::linear, -1.0) == -2.0);
 }
 
-TEST_CASE("a value is rounded to a number that reads well for the slider's size") {
+TEST_CASE("a value is rounded to the resolution of the slider") {
     const auto is_near = [](double value, double wanted) {
         return std::abs(value - wanted) < 1e-9;
     };
@@ -27,10 +27,10 @@ TEST_CASE("a value is rounded to a number that reads well for the slider's size"
     CHECK(is_near(readable({0.0, 1.0}, Scale::linear, 0.123456, 0.1), 0.1235));
     CHECK(is_near(readable({0.1, 16.0}, Scale::logarithmic, 0.123456), 0.1235));
     CHECK(is_near(readable({0.1, 16.0}, Scale::logarithmic, 12.3456), 12.35));
-    CHECK(readable({0.0, 0.9999}, Scale::linear, 0.99989) == 0.9999);  // not past the end
+    CHECK(readable({0.0, 0.9999}, Scale::linear, 0.99989) == 0.9999);  // not beyond the maximum
 }
 
-TEST_CASE("steps are counted from the end that the shader says, also when a person moved it") {
+TEST_CASE("steps count from the shader's minimum, also with custom ends") {
     const auto odd = steps_in({3.0, 25.0, 2.0}, 3.0);
     REQUIRE(odd.has_value());
     CHECK(odd->first == 3.0);
@@ -48,7 +48,7 @@ TEST_CASE("steps are counted from the end that the shader says, also when a pers
     CHECK_FALSE(steps_in({0.2, 0.8, 1.0}, 0.0).has_value());
 }
 
-TEST_CASE("whole numbers have a step of one") {
+TEST_CASE("integers have a step of one") {
     Parameter parameter;
     parameter.range = {0.0, 4.0};
     CHECK(step_of(parameter) == 0.0);
