@@ -10,11 +10,12 @@
 #include <optional>
 #include <thread>
 
-TEST_CASE_FIXTURE(Headless, "a context says who draws and how much") {
+TEST_CASE_FIXTURE(Headless, "a context reports its renderer and limits") {
     const gpu::Facts& facts = (*context)->facts();
     CHECK_FALSE(facts.renderer.empty());
     CHECK_FALSE(facts.version.empty());
-    CHECK(facts.largest_texture >= 16384 / 2);  // OpenGL 4.1 wants 16384, some drivers have less
+    CHECK(facts.largest_texture >=
+          16384 / 2);  // OpenGL 4.1 requires 16384, but some drivers have less
     CHECK(facts.largest_point_size >= 1.0f);
 }
 
@@ -27,7 +28,8 @@ TEST_CASE("a context needs no display") {
         setenv("DISPLAY", former.c_str(), 1);
 }
 
-TEST_CASE_FIXTURE(Headless, "what a helper thread draws is there for the first one") {
+TEST_CASE_FIXTURE(
+    Headless, "results of a shared context on another thread are visible in the first context") {
     auto helper = gpu::Context::shared_with(**context);
     REQUIRE(helper.has_value());
     auto texture = gpu::Texture::make({2, 2}, Format::rgba32f);
@@ -42,7 +44,7 @@ TEST_CASE_FIXTURE(Headless, "what a helper thread draws is there for the first o
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "within a scope another context draws, and what it drew is seen after it") {
+                  "a scope makes another context current, and its drawing is visible afterwards") {
     auto other = gpu::Context::shared_with(**context);
     REQUIRE(other.has_value());
     std::optional<gpu::Canvas> canvas;
@@ -60,12 +62,13 @@ TEST_CASE_FIXTURE(Headless,
     canvas.reset();
 }
 
-TEST_CASE_FIXTURE(Headless, "without a context to change to, a scope changes nothing") {
+TEST_CASE_FIXTURE(Headless, "a scope without a context changes nothing") {
     const gpu::ContextScope scope(nullptr);
     CHECK(gpu::Context::current() == context->get());
 }
 
-TEST_CASE_FIXTURE(Headless, "a program ends in its home, whoever lets go of it last") {
+TEST_CASE_FIXTURE(Headless,
+                  "a program is deleted in its own context, whichever thread releases it last") {
     auto made = gpu::Context::shared_with(**context);
     REQUIRE(made.has_value());
     const std::shared_ptr<gpu::Context> home = std::move(*made);
@@ -85,7 +88,7 @@ TEST_CASE_FIXTURE(Headless, "a program ends in its home, whoever lets go of it l
     CHECK(home.use_count() == 1);
 }
 
-TEST_CASE("contexts come and go, also while others live") {
+TEST_CASE("contexts can be created and destroyed while others exist") {
     auto first = gpu::Context::headless();
     REQUIRE(first.has_value());
     for (int i = 0; i < 3; ++i)
@@ -94,7 +97,7 @@ TEST_CASE("contexts come and go, also while others live") {
     CHECK(gpu::Canvas::make({1, 1}, Format::rgba8).has_value());
 }
 
-TEST_CASE("the error log hears of a mistake") {
+TEST_CASE("the error log records a GL error") {
     auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
     gpu::ErrorLog log;

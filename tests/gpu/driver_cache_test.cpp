@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("whether a folder has room is known without leaving a file there") {
+TEST_CASE("free space of a folder is checked without leaving a file there") {
     const TemporaryFolder folder;
     CHECK(gpu::has_room(folder.path(), 4096));
     CHECK(gpu::has_room(folder / "not/there/yet", 4096));

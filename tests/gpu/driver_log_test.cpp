@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// Line 3 of the text was written in another file than the rest.
+// Line 3 of the text comes from another file than the rest.
 Stage stage() {
     return {"glow.frag",
             "",
@@ -11,7 +11,7 @@ Stage stage() {
 }
 }  // namespace
 
-TEST_CASE("every driver's way to name a line ends at the author's file and line") {
+TEST_CASE("every driver's line format is mapped to the original file and line") {
     for (const char* log :
          {"0:3(12): error: `lihgt' undeclared", "0(3) : error C1008: `lihgt' undeclared",
           "ERROR: 0:3: `lihgt' undeclared"}) {
@@ -22,7 +22,7 @@ TEST_CASE("every driver's way to name a line ends at the author's file and line"
     }
 }
 
-TEST_CASE("several lines become several diagnostics, and what counts them none") {
+TEST_CASE("several log lines become several diagnostics, and the summary line is dropped") {
     const Diagnostics found = gpu::parse_driver_log(
         "WARNING: 0:1: old version\n"
         "ERROR: 0:2: 'a' : undeclared identifier\r\n"
@@ -35,7 +35,7 @@ TEST_CASE("several lines become several diagnostics, and what counts them none")
     CHECK(found[2].line == 4);
 }
 
-TEST_CASE("a log without a place is kept whole, on the stage's file") {
+TEST_CASE("a log without a line number is kept whole, for the stage's file") {
     const Diagnostics found =
         gpu::parse_driver_log("error: fragment shader input `x' has no matching output\n", stage());
     REQUIRE(found.size() == 1);
@@ -44,13 +44,13 @@ TEST_CASE("a log without a place is kept whole, on the stage's file") {
           "output");
 }
 
-TEST_CASE("a driver that only warns and yet refuses, or says nothing, still makes an error") {
+TEST_CASE("a driver that fails with only warnings or an empty log still gives an error") {
     CHECK(has_errors(gpu::parse_driver_log("WARNING: 0:1: old version", stage())));
     CHECK(has_errors(gpu::parse_driver_log("", stage())));
     CHECK(has_errors(gpu::parse_driver_log(std::string(1 << 20, '('), stage())));
 }
 
-TEST_CASE("a line past the end is the last one, and a stage without a map keeps its numbers") {
+TEST_CASE("a line past the end maps to the last one, and a stage without a map keeps its numbers") {
     CHECK(gpu::parse_driver_log("0:99(1): error: eof", stage()).front().line == 4);
     const Diagnostics own = gpu::parse_driver_log("0:7(1): error: x", {"own.vert", "", {}});
     CHECK(to_string(own.front()) == "own.vert:7: error: graphics driver: x");

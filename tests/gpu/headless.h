@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-/// A context for one test case, which fails on any GL error within it.
+/// A context for one test case. It fails on any GL error.
 struct Headless {
     Headless() {
         REQUIRE(context.has_value());

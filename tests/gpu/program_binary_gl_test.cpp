@@ -39,13 +39,13 @@ gpu::Program built(ByteStore& kept, const std::string& light) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless,
-                  "a program is compiled once, and then what the driver made of it is used") {
+TEST_CASE_FIXTURE(Headless, "a program is compiled once, and later loaded from its binary") {
     ByteMap kept;
     const gpu::Program first = built(kept, "3.0");
     CHECK_FALSE(first.is_restored());
     REQUIRE(kept.answers.size() == 1);
-    first.write("gain", std::vector<double>{9.0});  // what is kept has the text's own default
+    first.write("gain",
+                std::vector<double>{9.0});  // a restored program has the default of the text
 
     const gpu::Program second = built(kept, "3.0");
     CHECK(second.is_restored());
@@ -56,7 +56,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(kept.answers.size() == 2);
 }
 
-TEST_CASE_FIXTURE(Headless, "what another driver made is not asked for") {
+TEST_CASE_FIXTURE(Headless, "a binary of another driver is not used") {
     ByteMap kept;
     static_cast<void>(built(kept, "3.0"));
     const std::string question = kept.answers.begin()->first;
@@ -70,12 +70,12 @@ TEST_CASE_FIXTURE(Headless, "what another driver made is not asked for") {
     CHECK_FALSE(built(of_other, "3.0").is_restored());
 }
 
-TEST_CASE_FIXTURE(Headless, "a spoiled binary is refused, compiled and replaced") {
+TEST_CASE_FIXTURE(Headless, "an invalid binary is rejected, recompiled and replaced") {
     ByteMap kept;
     static_cast<void>(built(kept, "3.0"));
     std::string& answer = kept.answers.begin()->second;
     const std::string good = answer;
-    std::string foreign = good;  // of a form that the driver does not know
+    std::string foreign = good;  // of a format that the driver does not know
     foreign[0] = static_cast<char>(~foreign[0]);
     for (const std::string& bad : {std::string(), good.substr(0, 20), good + "!", foreign}) {
         answer = bad;
@@ -86,7 +86,7 @@ TEST_CASE_FIXTURE(Headless, "a spoiled binary is refused, compiled and replaced"
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "a mistake is the driver's to tell each time, and is not kept") {
+TEST_CASE_FIXTURE(Headless, "a compile error is reported each time and is not cached") {
     ByteMap kept;
     for (int i = 0; i < 2; ++i)
         CHECK_FALSE(gpu::Program::build(corner, of_light("oops"), &kept).has_value());

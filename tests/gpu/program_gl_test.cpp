@@ -18,7 +18,7 @@ Stage fragment(const std::string& body) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "the driver's complaint points at the author's file and line") {
+TEST_CASE_FIXTURE(Headless, "a driver error is mapped to the original file and line") {
     const auto program =
         gpu::Program::build(vertex(), fragment("void main() {\n color = vec4(lihgt);\n}\n"));
     REQUIRE_FALSE(program.has_value());
@@ -27,7 +27,7 @@ TEST_CASE_FIXTURE(Headless, "the driver's complaint points at the author's file 
     CHECK(program.error().front().message.find("lihgt") != std::string::npos);
 }
 
-TEST_CASE_FIXTURE(Headless, "both stages' mistakes are told at once") {
+TEST_CASE_FIXTURE(Headless, "errors of both stages are reported at once") {
     Stage broken = vertex();
     broken.text = "#version 410 core\nvoid main() { gl_Position = nothing; }\n";
     const auto program = gpu::Program::build(broken, fragment("void main() { color = x; }\n"));
@@ -37,7 +37,7 @@ TEST_CASE_FIXTURE(Headless, "both stages' mistakes are told at once") {
     CHECK(program.error().back().file == "include/light.glsl");
 }
 
-TEST_CASE_FIXTURE(Headless, "stages that do not fit are refused on the fragment stage's file") {
+TEST_CASE_FIXTURE(Headless, "mismatched stages give an error in the fragment stage's file") {
     const Stage wider{"glow.frag",
                       "#version 410 core\nin vec3 uv;\nout vec4 color;\n"
                       "void main() { color = vec4(uv, 1.0); }\n",
@@ -48,7 +48,7 @@ TEST_CASE_FIXTURE(Headless, "stages that do not fit are refused on the fragment 
     CHECK(program.error().front().message.find("uv") != std::string::npos);
 }
 
-TEST_CASE_FIXTURE(Headless, "no text, or one that is no GLSL, is refused") {
+TEST_CASE_FIXTURE(Headless, "an empty text or invalid GLSL is an error") {
     for (const char* text : {"", "\x01\x02\xff", "hello", "#version 999\n"}) {
         const auto program = gpu::Program::build(vertex(), {"bad.frag", text, {}});
         REQUIRE_FALSE(program.has_value());
@@ -56,7 +56,7 @@ TEST_CASE_FIXTURE(Headless, "no text, or one that is no GLSL, is refused") {
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "a program knows the uniforms it uses, with their types") {
+TEST_CASE_FIXTURE(Headless, "a program lists its active uniforms with types") {
     const auto program = gpu::Program::build(
         vertex(), fragment("uniform vec3 tint; uniform mat2x3 turn; uniform uint bits;\n"
                            "uniform float taps[5]; uniform sampler2D image; uniform float unused;\n"
@@ -76,8 +76,7 @@ TEST_CASE_FIXTURE(Headless, "a program knows the uniforms it uses, with their ty
     CHECK(program->find_uniform("unused") == nullptr);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "writing what a program has not, or too much or too little, is no error") {
+TEST_CASE_FIXTURE(Headless, "writing unknown uniforms or a wrong number of values is harmless") {
     const auto program = gpu::Program::build(
         vertex(), fragment("uniform vec3 tint; uniform int count; uniform float taps[2];\n"
                            "void main() { color = vec4(tint, float(count) + taps[1]); }\n"));

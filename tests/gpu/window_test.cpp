@@ -6,7 +6,7 @@
 
 #include <cstdlib>
 
-TEST_CASE("without a display opening a window fails in words, and again the same way") {
+TEST_CASE("without a display, opening a window fails with an error each time") {
     const char* display = std::getenv("DISPLAY");
     const std::string former = display ? display : "";
     for (const char* absent : {"", ":987"}) {
@@ -21,7 +21,7 @@ TEST_CASE("without a display opening a window fails in words, and again the same
         unsetenv("DISPLAY");
 }
 
-TEST_CASE("where no display has a context none shares with it") {
+TEST_CASE("without a GLX context there is no shared context") {
     const gpu::GlxPlace nowhere;
     CHECK(gpu::share_through_glx(nowhere, {}) == nullptr);
 }

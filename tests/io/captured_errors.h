@@ -4,7 +4,7 @@
 #include <string>
 #include <unistd.h>
 
-/// What the process writes to stderr, by whatever library, while this lives.
+/// Captures what the process, libraries included, writes to stderr while this object exists.
 class CapturedErrors {
 public:
     CapturedErrors() : m_stderr(dup(STDERR_FILENO)), m_file(std::tmpfile()) {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <unistd.h>
 
-/// A folder of its own for one test, removed at its end.
+/// A new folder for one test, removed when the test ends.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -29,7 +29,8 @@ public:
         return m_path / name;
     }
 
-    /// Writes in place, as `cp` or an editor without safe saving does; folders are made.
+    /// Writes in place, as `cp` or an editor without atomic saving does. Parent folders are
+    /// created.
     std::filesystem::path write(const std::filesystem::path& name, std::string_view text) const {
         std::filesystem::path file = m_path / name;
         std::filesystem::create_directories(file.parent_path());

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 namespace {
-// 0 to 1, alpha too; no two neighbours alike.
+// Values from 0 to 1, alpha included; all neighbours differ.
 Picture uneven(Extent extent) {
     Picture picture{extent, 4, Encoding::linear, {}};
     for (int i = 0; i < extent.width * extent.height * 4; ++i)
@@ -28,7 +28,7 @@ gpu::Texture cube_of(int side) {
     return std::move(*cube);
 }
 
-// RGBA of one level of a flat texture or a face, as it is stored: sRGB is not decoded.
+// RGBA of one level of a flat texture or a cube face, as stored: sRGB is not decoded.
 std::vector<float> level_of(const gpu::Texture& texture, GLenum face, int level) {
     std::vector<float> texels(std::size_t(std::max(1, texture.extent().width >> level)) *
                               std::size_t(std::max(1, texture.extent().height >> level)) * 4);
@@ -38,7 +38,7 @@ std::vector<float> level_of(const gpu::Texture& texture, GLenum face, int level)
     return texels;
 }
 
-// The largest difference between two textures of a kind in any of their smaller levels.
+// The largest difference between two textures of one kind in their smaller levels.
 float difference(const gpu::Texture& one, const gpu::Texture& other, GLenum face) {
     float most = 0;
     for (int level = 1; level < one.levels(); ++level) {
@@ -59,7 +59,7 @@ void let_the_driver_make_levels(const gpu::Texture& texture) {
 constexpr float one_code = 1.01f / 255;
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a texel of a smaller level is the mean of the four above it") {
+TEST_CASE_FIXTURE(Headless, "a mipmap texel is the mean of four texels of the previous level") {
     const Picture picture = uneven({8, 4});
     gpu::Texture texture = texture_of(picture, Format::rgba32f);
     const std::vector<float> whole = level_of(texture, GL_TEXTURE_2D, 0);
@@ -78,7 +78,7 @@ TEST_CASE_FIXTURE(Headless, "a texel of a smaller level is the mean of the four 
             }
 }
 
-TEST_CASE_FIXTURE(Headless, "the levels of sRGB are means of light, not of its codes") {
+TEST_CASE_FIXTURE(Headless, "sRGB mipmaps average light, not codes") {
     const Picture black_and_white{{2, 1}, 4, Encoding::linear, {0, 0, 0, 1, 1, 1, 1, 1}};
     gpu::Texture texture = texture_of(black_and_white, Format::srgb8_alpha8);
     texture.generate_mipmaps();
@@ -86,7 +86,7 @@ TEST_CASE_FIXTURE(Headless, "the levels of sRGB are means of light, not of its c
     CHECK(level_of(texture, GL_TEXTURE_2D, 1)[0] == doctest::Approx(188.0 / 255).epsilon(0.004));
 }
 
-TEST_CASE_FIXTURE(Headless, "smaller levels are those that the driver makes, at any size") {
+TEST_CASE_FIXTURE(Headless, "mipmaps match the driver's own at any size") {
     for (const FormatFacts& facts : all_formats())
         for (const Extent extent : {Extent{16, 16}, Extent{37, 21}, Extent{1, 7}, Extent{5, 2}}) {
             if (facts.is_integer)
@@ -101,7 +101,7 @@ TEST_CASE_FIXTURE(Headless, "smaller levels are those that the driver makes, at 
         }
 }
 
-TEST_CASE_FIXTURE(Headless, "each face of a cube has levels of its own") {
+TEST_CASE_FIXTURE(Headless, "each face of a cube has its own mipmaps") {
     gpu::Texture ours = cube_of(8);
     const gpu::Texture theirs = cube_of(8);
     ours.generate_mipmaps();
@@ -112,7 +112,7 @@ TEST_CASE_FIXTURE(Headless, "each face of a cube has levels of its own") {
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "a limit of what is drawn does not reach the smaller levels") {
+TEST_CASE_FIXTURE(Headless, "a scissor rectangle does not affect mipmaps") {
     gpu::Texture texture = texture_of(uneven({8, 8}), Format::rgba32f);
     gpu::Texture limited = texture_of(uneven({8, 8}), Format::rgba32f);
     texture.generate_mipmaps();

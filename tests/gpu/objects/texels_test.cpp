@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("grey and RGB become RGBA, and the bottom row comes first") {
+TEST_CASE("grey and RGB become RGBA, with the bottom row first") {
     std::vector<float> texels;
     gpu::fill_texels({{1, 2}, 1, Encoding::linear, {0.25f, 0.75f}}, Encoding::linear, texels);
     CHECK(texels == std::vector<float>{0.75f, 0.75f, 0.75f, 1, 0.25f, 0.25f, 0.25f, 1});
@@ -12,7 +12,7 @@ TEST_CASE("grey and RGB become RGBA, and the bottom row comes first") {
     CHECK(texels == std::vector<float>{1, 2, 3, 1});
 }
 
-TEST_CASE("colours are taken to the wanted encoding to 1e-6, alpha never") {
+TEST_CASE("colours are converted between encodings to 1e-6, and alpha is unchanged") {
     std::vector<float> texels;
     for (int i = 0; i <= 1000; ++i) {
         const float x = static_cast<float>(i) / 1000.0f;
@@ -24,7 +24,7 @@ TEST_CASE("colours are taken to the wanted encoding to 1e-6, alpha never") {
     }
 }
 
-TEST_CASE("light beyond 0..1 keeps to the curve, mirrored below zero") {
+TEST_CASE("light beyond 0..1 follows the curve, mirrored below zero") {
     std::vector<float> texels;
     gpu::fill_texels({{1, 1}, 3, Encoding::display, {2.0f, -0.5f, 1.0f}}, Encoding::linear, texels);
     CHECK(texels[0] == doctest::Approx(srgb_decode(2.0)).epsilon(1e-6));

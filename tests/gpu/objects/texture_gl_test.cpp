@@ -14,17 +14,18 @@ gpu::Texture texture_of(const Picture& picture, Format format, bool is_mipmapped
     return std::move(*texture);
 }
 
-// Values that every format can hold: 0 or 1.
+// 0 and 1: values that every format can store.
 Picture corners() {
     return {{2, 2}, 4, Encoding::linear, {1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1, 1, 1, 1, 1}};
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a picture comes back as it went, row 0 on top") {
+TEST_CASE_FIXTURE(Headless, "a picture is read back as uploaded, with row 0 at the top") {
     CHECK(gpu::read_picture(texture_of(corners(), Format::rgba32f)) == corners());
 }
 
-TEST_CASE_FIXTURE(Headless, "a large picture that goes up in bands is the one that goes up whole") {
+TEST_CASE_FIXTURE(
+    Headless, "uploading a large picture in bands gives the same texture as uploading it whole") {
     Picture picture{{1200, 1801}, 3, Encoding::display, {}};
     for (std::size_t i = 0; i < picture.index(0, 1801); ++i)
         picture.pixels.push_back(static_cast<float>(i * 37 % 61) / 60.0f);
@@ -63,7 +64,7 @@ TEST_CASE_FIXTURE(
     CHECK(std::holds_alternative<RawPicture::Bytes>(raw.pixels));
 }
 
-TEST_CASE_FIXTURE(Headless, "a picture of many rows comes back whole, whatever it is kept in") {
+TEST_CASE_FIXTURE(Headless, "a picture with many rows is read back whole in every format") {
     Picture tall{{300, 700}, 4, Encoding::linear, {}};
     for (int i = 0; i < 300 * 700 * 4; ++i)
         tall.pixels.push_back(static_cast<float>(i * 37 % 256) / 255.0f);
@@ -74,7 +75,7 @@ TEST_CASE_FIXTURE(Headless, "a picture of many rows comes back whole, whatever i
         REQUIRE(std::abs(codes.pixels[i] - tall.pixels[i]) < 1e-6f);
 }
 
-TEST_CASE_FIXTURE(Headless, "in 8 bits a number is the nearest code, and none at all is black") {
+TEST_CASE_FIXTURE(Headless, "8-bit formats round to the nearest code, and NaN is black") {
     const float none = std::numeric_limits<float>::quiet_NaN();
     const Picture odd{
         {2, 1}, 4, Encoding::linear, {-3, 1.4f / 255, 1.6f / 255, 1, none, 7, 0.5f, 1}};
@@ -86,7 +87,7 @@ TEST_CASE_FIXTURE(Headless, "in 8 bits a number is the nearest code, and none at
     CHECK(std::abs(second[2] - 0.5f) <= 0.51f / 255);
 }
 
-TEST_CASE_FIXTURE(Headless, "every format gives back the channels that it has") {
+TEST_CASE_FIXTURE(Headless, "every format returns the channels that it has") {
     for (const FormatFacts& facts : all_formats()) {
         if (facts.is_integer)
             continue;
@@ -105,7 +106,7 @@ TEST_CASE_FIXTURE(Headless, "every format gives back the channels that it has") 
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "one pixel is read where a picture has it, and lacking channels are told") {
+                  "a single pixel is read at its position, with missing channels filled in") {
     const gpu::Texture texture = texture_of(corners(), Format::rgba16f);
     CHECK(gpu::read_pixel(texture, 1, 0) == std::array<float, 4>{0, 1, 0, 1});
     CHECK(gpu::read_pixel(texture, 0, 1) == std::array<float, 4>{0, 0, 1, 1});
@@ -138,7 +139,7 @@ TEST_CASE_FIXTURE(Headless, "a canvas is cleared to a colour and copied") {
     CHECK(gpu::read_pixel(whole->texture(), 0, 0)[0] == 0.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "whole numbers of every integer format come back, channel by channel") {
+TEST_CASE_FIXTURE(Headless, "integers of every integer format are read back per channel") {
     constexpr std::array<float, 4> from_zero{200.0f, 100.0f, 50.0f, 3.0f};
     constexpr std::array<float, 4> of_either_sign{-128.0f, 127.0f, -5.0f, -1.0f};
     for (const FormatFacts& facts : all_formats()) {
@@ -159,8 +160,7 @@ TEST_CASE_FIXTURE(Headless, "whole numbers of every integer format come back, ch
     }
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "a side past the driver's limit is refused in words, without a GL error") {
+TEST_CASE_FIXTURE(Headless, "a size beyond the driver's limit is an error, without a GL error") {
     const int largest = (*context)->facts().largest_texture;
     const auto texture = gpu::Texture::make({largest + 1, 1}, Format::rgba32f);
     REQUIRE_FALSE(texture.has_value());

@@ -4,7 +4,7 @@
 #include "gpu/objects/timer.h"
 
 TEST_CASE_FIXTURE(Headless,
-                  "a timer knows nothing at first and a positive time once work is done") {
+                  "a timer has no result at first, and a positive time after work is done") {
     auto canvas = gpu::Canvas::make({512, 512}, Format::rgba32f);
     REQUIRE(canvas.has_value());
     gpu::Timer timer;

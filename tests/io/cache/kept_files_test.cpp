@@ -19,7 +19,7 @@ void grow_older(const fs::path& file, std::chrono::hours age) {
 }
 }  // namespace
 
-TEST_CASE("an answer is found again by its question, also by the next run") {
+TEST_CASE("a cached entry is found again, also in a new process") {
     const TemporaryFolder folder;
     const std::string answer("light\0and shade", 15);
     {
@@ -35,14 +35,14 @@ TEST_CASE("an answer is found again by its question, also by the next run") {
     CHECK(next.find("what") == "other");
 }
 
-TEST_CASE("what another program has kept is not found") {
+TEST_CASE("entries of another program version are not found") {
     const TemporaryFolder folder;
     KeptFiles(folder.path(), "program 1").keep("what", "light");
     CHECK_FALSE(KeptFiles(folder.path(), "program 2").find("what").has_value());
     CHECK(KeptFiles(folder.path(), "program 1").find("what") == "light");
 }
 
-TEST_CASE("a file that is cut, changed, foreign or empty is as if it were not there") {
+TEST_CASE("truncated, changed, foreign and empty cache files are ignored") {
     const TemporaryFolder folder;
     KeptFiles kept(folder.path(), "program");
     kept.keep("what", "light");
@@ -63,7 +63,7 @@ TEST_CASE("a file that is cut, changed, foreign or empty is as if it were not th
     CHECK(kept.find("what") == "light");
 }
 
-TEST_CASE("an answer that lies where another question's belongs is not taken for it") {
+TEST_CASE("an entry stored under another key is not returned") {
     const TemporaryFolder folder;
     KeptFiles kept(folder.path(), "program");
     kept.keep("one", "light");
@@ -76,7 +76,7 @@ TEST_CASE("an answer that lies where another question's belongs is not taken for
     CHECK_FALSE(kept.find("two").has_value());
 }
 
-TEST_CASE("where it would become too much, what was not asked for longest goes") {
+TEST_CASE("a full disk cache evicts the least recently used entry") {
     const TemporaryFolder folder;
     const std::string answer(1000, 'x');
     const std::string mine = folder.write("notes.txt", std::string(50000, '.'));
@@ -85,7 +85,7 @@ TEST_CASE("where it would become too much, what was not asked for longest goes")
         kept.keep(question, answer);
     for (const fs::path& file : files_in(folder.path()))
         grow_older(file, std::chrono::hours(48));
-    REQUIRE(kept.find("a").has_value());  // is the youngest now
+    REQUIRE(kept.find("a").has_value());  // is the most recently used now
     for (const char* question : {"d", "e"})
         kept.keep(question, answer);
     std::size_t left = 0;
@@ -95,11 +95,11 @@ TEST_CASE("where it would become too much, what was not asked for longest goes")
     CHECK(kept.find("a").has_value());
     CHECK(kept.find("e").has_value());
     CHECK(fs::exists(mine));
-    kept.keep("f", std::string(6000, 'x'));  // would push out all others
+    kept.keep("f", std::string(6000, 'x'));  // larger than the limit
     CHECK_FALSE(kept.find("f").has_value());
 }
 
-TEST_CASE("a folder that cannot be written is no error") {
+TEST_CASE("an unwritable cache folder is not an error") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "in the way");
     KeptFiles kept(file / "shaders", "program");

@@ -5,7 +5,7 @@
 #include <map>
 
 namespace {
-/// What lies in it is seen from outside.
+/// A store whose content is visible to the test.
 class OpenStore : public ByteStore {
 public:
     std::optional<std::string> find(std::string_view question) override {
@@ -22,7 +22,7 @@ public:
 };
 }  // namespace
 
-TEST_CASE("an answer is found at once and goes to the store when it is time") {
+TEST_CASE("a write-behind store finds new entries at once and writes them when flushed") {
     const auto store = std::make_shared<OpenStore>();
     store->keep("old", "known");
     KeptLater kept(store);
@@ -41,5 +41,5 @@ TEST_CASE("an answer is found at once and goes to the store when it is time") {
     kept.write_owed();
     CHECK(store->times == 2);
     store->all.clear();
-    CHECK_FALSE(kept.find("what").has_value());  // it is kept in one place
+    CHECK_FALSE(kept.find("what").has_value());  // the flushed entry is only in the store
 }

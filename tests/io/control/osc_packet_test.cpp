@@ -10,7 +10,7 @@
 namespace {
 using Packet = std::vector<std::uint8_t>;
 
-// The two examples of the specification, as it prints them.
+// The two examples of the OSC specification.
 const Packet frequency{0x2f, 0x6f, 0x73, 0x63, 0x69, 0x6c, 0x6c, 0x61, 0x74, 0x6f, 0x72,
                        0x2f, 0x34, 0x2f, 0x66, 0x72, 0x65, 0x71, 0x75, 0x65, 0x6e, 0x63,
                        0x79, 0x00, 0x2c, 0x66, 0x00, 0x00, 0x43, 0xdc, 0x00, 0x00};
@@ -35,7 +35,7 @@ std::string refusal_of(const Packet& packet) {
 }
 }  // namespace
 
-TEST_CASE("the examples of the OSC specification are read as it says") {
+TEST_CASE("the examples of the OSC specification are parsed correctly") {
     CHECK(parse_osc(frequency) == std::vector<OscMessage>{{"/oscillator/4/frequency", {440.0}}});
     CHECK(parse_osc(foo) ==
           std::vector<OscMessage>{{"/foo",
@@ -43,7 +43,7 @@ TEST_CASE("the examples of the OSC specification are read as it says") {
                                     static_cast<double>(5.678f)}}});
 }
 
-TEST_CASE("bundles hold messages and bundles, in their order") {
+TEST_CASE("OSC bundles contain messages and nested bundles in order") {
     const Packet inner = bundle_of({foo});
     const auto messages = parse_osc(bundle_of({frequency, inner, frequency}));
     REQUIRE(messages.has_value());
@@ -53,19 +53,19 @@ TEST_CASE("bundles hold messages and bundles, in their order") {
     CHECK(parse_osc(bundle_of({}))->empty());
 }
 
-TEST_CASE("switches, doubles and long numbers are read") {
+TEST_CASE("OSC booleans, doubles and 64-bit integers are parsed") {
     const Packet packet{'/',  'a',  0,    0,    ',',  'T',  'F',  'd', 'h', 0,
                         0,    0,    0x3f, 0xf8, 0,    0,    0,    0,   0,   0,  // 1.5
                         0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xfe};        // -2
     CHECK(parse_osc(packet) == std::vector<OscMessage>{{"/a", {1.0, 0.0, 1.5, -2.0}}});
 }
 
-TEST_CASE("what is malformed is refused and told") {
+TEST_CASE("malformed OSC packets are rejected with a specific error") {
     CHECK(refusal_of({}) == "an OSC packet must have a multiple of 4 bytes, got 0");
     CHECK(refusal_of({'/', 'a', 0}) == "an OSC packet must have a multiple of 4 bytes, got 3");
     CHECK(refusal_of({'/', 'a', 'b', 'c'}) == "an OSC address isn't terminated");
     CHECK(refusal_of({'/', 'a', 0, 'x'}) ==
-          "an OSC address isn't terminated");  // no zeros up to a word
+          "an OSC address isn't terminated");  // no padding to 4 bytes
     CHECK(refusal_of({'a', 0, 0, 0}).starts_with("an OSC packet must start with"));
     CHECK(refusal_of({'/', 'a', 0, 0}) == "'/a' has no type tags");
     CHECK(refusal_of({'/', 'a', 0, 0, 'f', 0, 0, 0}) == "the type tags of '/a' are invalid");
@@ -86,7 +86,7 @@ TEST_CASE("what is malformed is refused and told") {
     CHECK(refusal_of(deep).find("nested") != std::string::npos);
 }
 
-TEST_CASE("whatever comes is read or refused, and reads nothing beyond its end") {
+TEST_CASE("truncated and damaged OSC packets are never read beyond their end") {
     const Packet whole = bundle_of({frequency, foo});
     for (std::size_t size = 0; size < whole.size(); ++size)
         (void)parse_osc(Packet(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
@@ -98,7 +98,7 @@ TEST_CASE("whatever comes is read or refused, and reads nothing beyond its end")
         }
 }
 
-TEST_CASE("packets come to a port of this machine; nobody waits for them") {
+TEST_CASE("UDP packets are received on a local port without blocking") {
     const auto port = UdpPort::open(0);
     REQUIRE(port.has_value());
     CHECK_FALSE(port->take().has_value());

@@ -21,7 +21,7 @@ std::size_t count_of(const fs::path& folder) {
 }
 }  // namespace
 
-// In the place of the C library's, which cannot be made to fail.
+// Replaces the C library's fsync, so that it can fail.
 extern "C" int fsync(int file) {
     struct stat status = {};
     if (fails_to_flush_folders && ::fstat(file, &status) == 0 && S_ISDIR(status.st_mode)) {
@@ -31,14 +31,14 @@ extern "C" int fsync(int file) {
     return static_cast<int>(::syscall(SYS_fsync, file));
 }
 
-TEST_CASE("a new file is written with its folders, and nothing is left beside it") {
+TEST_CASE("a new file is written with its parent folders, and no temporary file remains") {
     const TemporaryFolder folder;
     REQUIRE(write_atomically(folder / "a/b/file.txt", std::string_view("one\0two", 7)));
     CHECK(content_of(folder / "a/b/file.txt") == std::string("one\0two", 7));
     CHECK(count_of(folder / "a/b") == 1);
 }
 
-TEST_CASE("an old file is replaced and keeps its permissions") {
+TEST_CASE("an existing file is replaced and keeps its permissions") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "a long old content");
     fs::permissions(file, fs::perms(0640));
@@ -47,7 +47,7 @@ TEST_CASE("an old file is replaced and keeps its permissions") {
     CHECK(fs::status(file).permissions() == fs::perms(0640));
 }
 
-TEST_CASE("a new file has the permissions that the person's mask leaves") {
+TEST_CASE("a new file gets permissions from the umask") {
     const TemporaryFolder folder;
     const mode_t before = ::umask(027);
     REQUIRE(write_atomically(folder / "file", "new"));
@@ -55,7 +55,8 @@ TEST_CASE("a new file has the permissions that the person's mask leaves") {
     CHECK(fs::status(folder / "file").permissions() == fs::perms(0640));
 }
 
-TEST_CASE("a link stays and its target is replaced, also through a chain and when it dangles") {
+TEST_CASE(
+    "a symbolic link is kept and its target is written, also through chains and dangling links") {
     const TemporaryFolder folder;
     folder.write("there/file", "old");
     fs::create_symlink("there/file", folder / "inner");
@@ -71,7 +72,7 @@ TEST_CASE("a link stays and its target is replaced, also through a chain and whe
     CHECK(content_of(folder / "there/later") == "made");
 }
 
-TEST_CASE("what cannot be a file is refused by name and reason, and nothing is left behind") {
+TEST_CASE("an impossible target is an error with a reason, and leaves no files behind") {
     const TemporaryFolder folder;
     folder.write("file", "kept");
     fs::create_symlink("circle", folder / "circle");
@@ -96,7 +97,7 @@ TEST_CASE("what cannot be a file is refused by name and reason, and nothing is l
     CHECK(count_of(folder.path()) == 4);
 }
 
-TEST_CASE("a file whose folder cannot be flushed has been written all the same") {
+TEST_CASE("a file is written even if its folder cannot be flushed") {
     const TemporaryFolder folder;
     const auto file = folder.write("a.json", "old");
     fails_to_flush_folders = true;
@@ -106,10 +107,10 @@ TEST_CASE("a file whose folder cannot be flushed has been written all the same")
     CHECK(content_of(folder / "a.json") == "new");
 }
 
-TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly the new one") {
+TEST_CASE("after a kill at any moment, the file has either the old or the new content") {
     const TemporaryFolder folder;
     const fs::path file = folder / "file";
-    // The text says its own length and letter, so that a torn one shows.
+    // The length and the letter of a text match, so that a partially written file is detected.
     const auto text = [](int round) {
         return std::string(static_cast<std::size_t>(1 + round % 7 * 40000),
                            static_cast<char>('a' + round % 7));
@@ -118,7 +119,7 @@ TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly 
     std::mt19937 random(20240601);
     std::uniform_int_distribution<useconds_t> moment(0, 8000);
     int changes = 0;
-    // On a busy machine a child may not come to save before it is killed.
+    // On a busy machine the child may be killed before it saves.
     for (int trial = 0; trial < 60 || (changes <= 10 && trial < 2000); ++trial) {
         const std::string before = content_of(file);
         const pid_t child = ::fork();
@@ -142,11 +143,11 @@ TEST_CASE("killed at any moment of saving, the file is wholly the old or wholly 
     CHECK(count_of(folder.path()) == 1);
 }
 
-TEST_CASE("what a killed program left beside a file goes with the next save, and nothing else") {
+TEST_CASE("a save removes temporary files of killed processes, and nothing else") {
     const TemporaryFolder folder;
     folder.write(".afterglow-4194301-7.tmp", "half of a pres");
     folder.write(".afterglow-1-0.tmp", "of a process that has another's number now");
-    // Names that are not ours, and links and folders of our name, are the person's.
+    // Names in another format, and links and folders with a matching name, belong to the user.
     const std::vector<std::string> kept = {
         ".afterglow-notes.tmp", ".afterglow-1-.tmp", ".afterglow--1.tmp", ".afterglow-1-2.tmp.bak",
         "afterglow-1-2.tmp",    ".afterglow.tmp",    ".afterglow-1-x.tmp"};
@@ -168,7 +169,7 @@ TEST_CASE("what a killed program left beside a file goes with the next save, and
     CHECK(count_of(folder.path()) == kept.size() + 4);
 }
 
-TEST_CASE("programs that save into one folder at the same time take nothing from each other") {
+TEST_CASE("concurrent saves into one folder do not affect each other") {
     const TemporaryFolder folder;
     constexpr int writers = 4;
     std::vector<pid_t> children;

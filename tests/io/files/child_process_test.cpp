@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <thread>
 
-TEST_CASE("a program is fed in two ways, writes a file that is open, and says something") {
+TEST_CASE("a child process is fed by two inputs, writes to an open file, and prints output") {
     const TemporaryFolder folder;
     auto file = AtomicFile::create(folder / "made");
     REQUIRE(file.has_value());
@@ -31,7 +31,7 @@ TEST_CASE("a program is fed in two ways, writes a file that is open, and says so
     CHECK(content_of(folder / "made") == "second " + much);
 }
 
-TEST_CASE("a program that reads no more is told from one that does, without a signal") {
+TEST_CASE("a child process that stops reading is detected without a signal") {
     auto program = ChildProcess::start({"sh", "-c", "echo no >&2; exit 3"}, {.inputs = 1});
     REQUIRE(program.has_value());
     bool is_fed = true;
@@ -42,9 +42,10 @@ TEST_CASE("a program that reads no more is told from one that does, without a si
     CHECK(program->complaint() == "no");
 }
 
-TEST_CASE("what has the numbers that a program is to find is not mixed up") {
+TEST_CASE("descriptors of a child process do not collide with those it expects") {
     const TemporaryFolder folder;
-    std::vector<Descriptor> taken;  // so that the file and the sockets get other numbers each time
+    std::vector<Descriptor>
+        taken;  // so that the file and the sockets get different descriptors each time
     for (int i = 0; i < 4; ++i) {
         const auto name = folder / std::to_string(i);
         auto file = AtomicFile::create(name);

@@ -18,7 +18,7 @@ bool is_ready(const FileWatcher& watcher, int milliseconds) {
     return ::poll(&poll_request, 1, milliseconds) > 0;
 }
 
-// What is told within the given time, as a loop that sleeps in poll sees it.
+// The files reported as changed within the given time, as seen by a loop that sleeps in poll.
 Paths changed_within(FileWatcher& watcher, int milliseconds) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
     for (;;) {
@@ -43,7 +43,7 @@ FileWatcher watcher_of(const Paths& files) {
 }
 }  // namespace
 
-TEST_CASE("a save in place is told once, other files in the folder are not") {
+TEST_CASE("a save in place is reported once, and other files in the folder are not") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.frag", "one");
     FileWatcher watcher = watcher_of({file});
@@ -54,7 +54,7 @@ TEST_CASE("a save in place is told once, other files in the folder are not") {
     CHECK(changed_within(watcher, 50).empty());
 }
 
-TEST_CASE("a file that is still being written is not told") {
+TEST_CASE("a file is not reported while it is being written") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.frag", "one");
     FileWatcher watcher = watcher_of({file});
@@ -65,7 +65,7 @@ TEST_CASE("a file that is still being written is not told") {
     CHECK(changed_within(watcher, soon) == Paths{file});
 }
 
-TEST_CASE("saves by rename are told, as vim and emacs do them, without a moment of absence") {
+TEST_CASE("saves by rename, as by vim and emacs, are reported once as a change") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.frag", "one");
     FileWatcher watcher = watcher_of({file});
@@ -81,7 +81,7 @@ TEST_CASE("saves by rename are told, as vim and emacs do them, without a moment 
     CHECK(changed_within(watcher, a_while).empty());
 }
 
-TEST_CASE("two saves within 100 ms are both told") {
+TEST_CASE("two saves within 100 ms are both reported") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.frag", "one");
     FileWatcher watcher = watcher_of({file});
@@ -91,7 +91,7 @@ TEST_CASE("two saves within 100 ms are both told") {
     }
 }
 
-TEST_CASE("a file that goes away is told after a moment") {
+TEST_CASE("a deleted file is reported after a short delay") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.frag", "one");
     FileWatcher watcher = watcher_of({file});
@@ -101,7 +101,7 @@ TEST_CASE("a file that goes away is told after a moment") {
     CHECK(changed_within(watcher, a_while).empty());
 }
 
-TEST_CASE("a missing file and its missing folders are told when they appear") {
+TEST_CASE("a missing file in missing folders is reported when it appears") {
     const TemporaryFolder folder;
     const fs::path file = folder / "shaders/include/a.glsl";
     FileWatcher watcher = watcher_of({file});
@@ -120,7 +120,7 @@ TEST_CASE("a missing file and its missing folders are told when they appear") {
     CHECK(changed_within(watcher, soon) == Paths{at_once});
 }
 
-TEST_CASE("a folder that is moved away and one that takes its place are told") {
+TEST_CASE("a renamed folder and its replacement are reported") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("look/a.frag", "one");
     folder.write("other/a.frag", "another");
@@ -136,7 +136,7 @@ TEST_CASE("a folder that is moved away and one that takes its place are told") {
     CHECK(changed_within(watcher, soon) == Paths{file});
 }
 
-TEST_CASE("a link is told when its target is saved and when it is turned to another file") {
+TEST_CASE("a symbolic link is reported when its target is saved or the link changes") {
     const TemporaryFolder folder;
     folder.write("there/one", "1");
     folder.write("there/two", "2");
@@ -154,7 +154,7 @@ TEST_CASE("a link is told when its target is saved and when it is turned to anot
     CHECK(changed_within(watcher, 50).empty());
 }
 
-TEST_CASE("a second name for a complete file is told at once") {
+TEST_CASE("a new hard link to a complete file is reported at once") {
     const TemporaryFolder folder;
     const fs::path file = folder / "a.frag";
     FileWatcher watcher = watcher_of({file});
@@ -162,7 +162,7 @@ TEST_CASE("a second name for a complete file is told at once") {
     CHECK(changed_within(watcher, soon) == Paths{file});
 }
 
-TEST_CASE("watching other files keeps what was seen of those that stay") {
+TEST_CASE("changing the watch list keeps pending changes of files that stay") {
     const TemporaryFolder folder;
     const fs::path a = folder.write("a", "1");
     const fs::path b = folder.write("b", "1");
@@ -181,12 +181,12 @@ TEST_CASE("watching other files keeps what was seen of those that stay") {
     CHECK(changed_within(watcher, 50).empty());
 }
 
-TEST_CASE("when the system lost count of events, every file is told") {
+TEST_CASE("after an event queue overflow, every file is reported") {
     const TemporaryFolder folder;
     const fs::path a = folder.write("a", "1");
     const fs::path b = folder.write("b", "1");
     FileWatcher watcher = watcher_of({a, b});
-    // The kernel joins equal events that follow each other, so two names take turns.
+    // The kernel merges equal consecutive events, so two names alternate.
     std::size_t most_events = 16384;
     std::ifstream("/proc/sys/fs/inotify/max_queued_events") >> most_events;
     if (most_events > 200000)
@@ -201,7 +201,7 @@ TEST_CASE("when the system lost count of events, every file is told") {
     CHECK(changed_within(watcher, soon) == Paths{a});
 }
 
-TEST_CASE("a system that has no watch left says so") {
+TEST_CASE("running out of file descriptors gives an error") {
     rlimit most = {};
     REQUIRE(::getrlimit(RLIMIT_NOFILE, &most) == 0);
     const rlimit none{0, most.rlim_max};
@@ -213,7 +213,7 @@ TEST_CASE("a system that has no watch left says so") {
               "can't watch files for changes: Too many open files") != std::string::npos);
 }
 
-TEST_CASE("names that lead nowhere do no harm") {
+TEST_CASE("impossible paths are harmless") {
     const TemporaryFolder folder;
     folder.write("file", "");
     fs::create_symlink("circle", folder / "circle");

@@ -13,12 +13,12 @@
 namespace fs = std::filesystem;
 
 namespace {
-// What a program that holds `files` one after the other, each made before the last one goes, leaves
-// when a signal ends it. Gives the signal that ended it.
+// Runs a child process that holds `files` one after the other, each created before the previous one
+// is released. Then `signal` ends it. Returns the signal that ended it.
 int ended_by(int signal, const std::vector<fs::path>& files) {
     const pid_t child = ::fork();
     if (child == 0) {
-        (void)std::signal(signal, SIG_DFL);  // in place of the test program's own
+        (void)std::signal(signal, SIG_DFL);  // replaces the handler of the test program
         std::unique_ptr<PassingFile> held;
         for (const fs::path& file : files)
             held = std::make_unique<PassingFile>(file);
@@ -31,7 +31,7 @@ int ended_by(int signal, const std::vector<fs::path>& files) {
 }
 }  // namespace
 
-TEST_CASE("a passing file goes when a signal ends the program, also one that followed another") {
+TEST_CASE("a transient file is removed when a signal ends the process, also after an earlier one") {
     const TemporaryFolder folder;
     const fs::path first = folder.path() / "first";
     const fs::path second = folder.path() / "second";

@@ -1,4 +1,4 @@
-// Against the Trash specification 1.0 of freedesktop.org.
+// Checked against the Trash specification 1.0 of freedesktop.org.
 #include "io/files/trash.h"
 
 #include "base/file.h"
@@ -13,7 +13,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-/// A home of its own for as long as it lives.
+/// Sets XDG_DATA_HOME during its lifetime.
 class DataHome {
 public:
     explicit DataHome(const fs::path& folder) {
@@ -35,7 +35,7 @@ private:
 };
 }  // namespace
 
-TEST_CASE("a file goes to the trash with its place and time, and comes back") {
+TEST_CASE("a file is moved to the trash with its path and date, and is restored") {
     const TemporaryFolder folder;
     const DataHome home(folder / "data");
     const fs::path file = folder.write("My pr\xc3\xa4set 50%.json", "{}");
@@ -56,7 +56,7 @@ TEST_CASE("a file goes to the trash with its place and time, and comes back") {
     CHECK_FALSE(fs::exists(trashed->info));
 }
 
-TEST_CASE("files of one name keep apart in the trash") {
+TEST_CASE("files with the same name stay separate in the trash") {
     const TemporaryFolder folder;
     const DataHome home(folder / "data");
     std::vector<TrashedFile> all;
@@ -70,11 +70,11 @@ TEST_CASE("files of one name keep apart in the trash") {
     CHECK(read_text(all[1].file) == "second");
     REQUIRE(restore_from_trash(all[0]).has_value());
     const auto taken = restore_from_trash(all[1]);
-    REQUIRE_FALSE(taken.has_value());  // another file has its place
+    REQUIRE_FALSE(taken.has_value());  // another file exists at its path
     CHECK(read_text(all[1].file) == "second");
 }
 
-TEST_CASE("a file that cannot be moved to the trash stays, and the message names it") {
+TEST_CASE("a file that cannot be moved to the trash stays, and the error names it") {
     const TemporaryFolder folder;
     const DataHome home(folder / "data");
     const auto missing = move_to_trash(folder / "gone.json");

@@ -13,7 +13,7 @@ Picture written(const std::string& text) {
     return picture;
 }
 
-// Of the rows first .. last - 1.
+// The sum over the rows first .. last - 1.
 double ink(const Picture& picture, int first, int last) {
     double sum = 0.0;
     for (int i = first * 128 * 3; i < last * 128 * 3; ++i)
@@ -22,7 +22,7 @@ double ink(const Picture& picture, int first, int last) {
 }
 }  // namespace
 
-TEST_CASE("a letter beyond ASCII is that letter") {
+TEST_CASE("a caption draws non-ASCII letters") {
     const Picture plain = written("e");
     const Picture accented = written("\xC3\xA9");  // U+00E9, e with an acute accent
 
@@ -33,12 +33,12 @@ TEST_CASE("a letter beyond ASCII is that letter") {
           doctest::Approx(ink(plain, top_of_small_letters + 2, 56)).epsilon(0.02));
 }
 
-TEST_CASE("a text that is no UTF-8 is written with a sign for what is broken") {
+TEST_CASE("a caption draws a replacement character for invalid UTF-8") {
     CHECK(ink(written("a\xFFz"), 0, 56) > ink(written("az"), 0, 56));
     CHECK(ink(written("a\xE2\x82"), 0, 56) > ink(written("a"), 0, 56));
 }
 
-TEST_CASE("a caption outside the picture writes nothing and harms nothing") {
+TEST_CASE("a caption outside the picture draws nothing") {
     Picture small{{3, 3}, 4, Encoding::display, std::vector<float>(36, 0.0f)};
 
     CHECK(draw_caption(small, {.left = -500, .baseline = 900, .width = 400, .height = 30}, "far"));

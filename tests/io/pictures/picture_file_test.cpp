@@ -22,7 +22,7 @@ Picture picture_of(Extent extent, int channels, Encoding encoding, std::vector<f
     return {extent, channels, encoding, std::move(pixels)};
 }
 
-// Pixels as another program would store them.
+// Saves pixels as another program would.
 void store(const fs::path& file, const OIIO::ImageSpec& spec, const std::vector<float>& pixels) {
     const auto output = OIIO::ImageOutput::create(file.string());
     REQUIRE(output);
@@ -46,7 +46,7 @@ void append_number(std::string& bytes, std::uint32_t number) {
 }
 }  // namespace
 
-TEST_CASE("a PNG holds display values to the nearest 1/255, row 0 on top") {
+TEST_CASE("a PNG stores display values rounded to 1/255, with row 0 at the top") {
     const TemporaryFolder folder;
     const Picture picture = picture_of({2, 2}, 3, Encoding::display,
                                        {0.0f, 1.0f, 0.5f, 0.25f, 2.0f, -1.0f,  //
@@ -62,7 +62,7 @@ TEST_CASE("a PNG holds display values to the nearest 1/255, row 0 on top") {
         CHECK(std::lround(loaded->pixels[i] * 255) == expected[i]);
 }
 
-TEST_CASE("linear values are sRGB-encoded in a PNG, and what is no number is black") {
+TEST_CASE("a PNG stores linear values sRGB-encoded, and NaN as black") {
     const TemporaryFolder folder;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float infinity = std::numeric_limits<float>::infinity();
@@ -71,7 +71,7 @@ TEST_CASE("linear values are sRGB-encoded in a PNG, and what is no number is bla
     REQUIRE(save_picture(picture, folder / "a.png"));
     const auto loaded = load_picture(folder / "a.png");
     REQUIRE(loaded.has_value());
-    // IEC 61966-2-1: 0.214041 is shown by 0.5; 0.003 by 0.03876 (10); 0.5 by 0.73536 (188).
+    // IEC 61966-2-1: 0.214041 encodes to 0.5, 0.003 to 0.03876 (10), 0.5 to 0.73536 (188).
     const std::vector<int> expected{127, 10, 255, 0, 255, 188};
     for (std::size_t i = 0; i < expected.size(); ++i)
         CHECK(std::abs(std::lround(loaded->pixels[i] * 255) - expected[i]) <= (i == 0 ? 1 : 0));
@@ -103,7 +103,7 @@ TEST_CASE("the same pixels give the same bytes") {
     const Picture picture = picture_of({64, 64}, 4, Encoding::linear, pixels);
     REQUIRE(save_picture(picture, folder / "first.png"));
     REQUIRE(save_picture(picture, folder / "first.exr"));
-    ::sleep(1);  // a time of day in the file would show
+    ::sleep(1);  // a timestamp in the file would differ
     REQUIRE(save_picture(picture, folder / "second.png"));
     REQUIRE(save_picture(picture, folder / "second.exr"));
     CHECK(content_of(folder / "first.png") == content_of(folder / "second.png"));
@@ -111,7 +111,7 @@ TEST_CASE("the same pixels give the same bytes") {
     CHECK(encode_png(picture).value() == content_of(folder / "first.png"));
 }
 
-TEST_CASE("an EXR holds the stored values, also with an alpha that is data") {
+TEST_CASE("an EXR stores exact values, also under zero alpha") {
     const TemporaryFolder folder;
     const Picture picture = picture_of({2, 1}, 4, Encoding::linear,
                                        {-1.5f, 1e-7f, 70000.0f, 0.25f, 0.1f, 0.2f, 0.3f, 0.0f});
@@ -130,7 +130,7 @@ TEST_CASE("an EXR holds the stored values, also with an alpha that is data") {
     CHECK(half->pixels[1] == 1000.0f);
 }
 
-TEST_CASE("associated alpha of another program's EXR is divided out, glows are left") {
+TEST_CASE("premultiplied alpha of an EXR is divided out, except where alpha is 0") {
     const TemporaryFolder folder;
     store(folder / "a.exr", OIIO::ImageSpec(2, 1, 4, OIIO::TypeDesc::FLOAT),
           {0.25f, 0.5f, 0.0f, 0.5f, 3.0f, 2.0f, 1.0f, 0.0f});
@@ -140,7 +140,7 @@ TEST_CASE("associated alpha of another program's EXR is divided out, glows are l
     CHECK(loaded->encoding == Encoding::linear);
 }
 
-TEST_CASE("a PNG's colours are read as they are under any alpha; grey with alpha becomes RGBA") {
+TEST_CASE("PNG colours are not changed by their alpha, and grey with alpha becomes RGBA") {
     const TemporaryFolder folder;
     OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::UINT8);
     spec.attribute("oiio:UnassociatedAlpha", 1);
@@ -162,10 +162,10 @@ TEST_CASE("a PNG's colours are read as they are under any alpha; grey with alpha
     CHECK(std::lround(read->pixels[3] * 255) == 204);
 }
 
-TEST_CASE("a JPEG is display-encoded and turned upright, an HDR is linear") {
+TEST_CASE("a JPEG is display-encoded and rotated by its orientation tag; an HDR is linear") {
     const TemporaryFolder folder;
     OIIO::ImageSpec spec(32, 16, 3, OIIO::TypeDesc::UINT8);
-    spec.attribute("Orientation", 6);  // stored turned: its left side is the top of the scene
+    spec.attribute("Orientation", 6);  // stored rotated: its left side is the top of the scene
     std::vector<float> pixels;
     for (int y = 0; y < 16; ++y)
         for (int x = 0; x < 32; ++x)
@@ -185,7 +185,7 @@ TEST_CASE("a JPEG is display-encoded and turned upright, an HDR is linear") {
     CHECK(hdr->pixels[0] == about(8.0, 0.02));
 }
 
-TEST_CASE("what is no picture is one clear message") {
+TEST_CASE("an invalid picture file gives one clear error") {
     const TemporaryFolder folder;
     CHECK(error_of(folder / "none.png") == "file not found");
     CHECK(error_of(folder.path()) == "this is a folder, not a file");
@@ -201,7 +201,7 @@ TEST_CASE("what is no picture is one clear message") {
           "the picture must have 1 (grey), 3 (RGB) or 4 (RGBA) channels, got 5");
 }
 
-TEST_CASE("a picture's format is told by its first bytes, whatever its name says") {
+TEST_CASE("the format of a picture is detected from its first bytes, not from its name") {
     const TemporaryFolder folder;
     for (const char* format : {"png", "jpg", "exr", "tif", "bmp", "gif", "webp", "ppm", "hdr"}) {
         CAPTURE(format);
@@ -217,14 +217,14 @@ TEST_CASE("a picture's format is told by its first bytes, whatever its name says
     }
 }
 
-TEST_CASE("a huge file of nothing is refused at its start") {
+TEST_CASE("a huge file of zeros is rejected at its start") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("huge.png", "");
     fs::resize_file(file, std::uintmax_t{1} << 30);
     CHECK(error_of(file).starts_with("can't read the picture: "));
 }
 
-TEST_CASE("an absurd size is refused before memory is asked for") {
+TEST_CASE("an absurd picture size is rejected before memory is allocated") {
     const TemporaryFolder folder;
     std::string png = "\x89PNG\r\n\x1a\n";
     append_number(png, 13);
@@ -233,14 +233,14 @@ TEST_CASE("an absurd size is refused before memory is asked for") {
     append_number(header, 500000);
     header += std::string("\x08\x02\x00\x00\x00", 5);
     png += header;
-    append_number(png, 0x8cea9d6e);  // a wrong sum or the size: refused either way
+    append_number(png, 0x8cea9d6e);  // either the wrong checksum or the size is rejected
     CHECK_FALSE(error_of(folder.write("large.png", png)).empty());
     store(folder / "wide.exr", OIIO::ImageSpec(16385, 1, 1, OIIO::TypeDesc::HALF),
           std::vector<float>(16385));
     CHECK(error_of(folder / "wide.exr").starts_with("the picture is too large: 16385 x 1 px"));
 }
 
-TEST_CASE("a truncated or damaged picture never crashes, and is refused with its name") {
+TEST_CASE("a truncated or damaged picture never crashes and gives an error") {
     const TemporaryFolder folder;
     std::vector<float> pixels(24 * 24 * 3);
     std::mt19937 random(7);
@@ -262,7 +262,7 @@ TEST_CASE("a truncated or damaged picture never crashes, and is refused with its
     }
 }
 
-TEST_CASE("a JPEG that breaks off is read, with a note") {
+TEST_CASE("a truncated JPEG is loaded with a note") {
     const fs::path inputs = fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/pic";
     const CapturedErrors errors;
     const auto cut = load_picture(inputs / "cut.jpg");
@@ -275,7 +275,7 @@ TEST_CASE("a JPEG that breaks off is read, with a note") {
     CHECK(load_picture(folder / "whole.jpg")->note.empty());
 }
 
-TEST_CASE("an EXR is its display window, black where it has no pixels") {
+TEST_CASE("an EXR is cropped or padded with black to its display window") {
     const auto file = load_picture(fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/pic/window.exr");
     REQUIRE_MESSAGE(file.has_value(), problems_of(file));
     CHECK(file->extent == Extent{64, 48});
@@ -294,7 +294,7 @@ TEST_CASE("an EXR is its display window, black where it has no pixels") {
     CHECK(crop->extent == Extent{4, 3});
     CHECK(crop->pixels == std::vector<float>{0, 0, 0, 0, 0, 0, 0, 0, 0, 0.25f, 0.5f, 0});
 
-    // Rendered beyond the picture's edges; the window does not begin at 0.
+    // Rendered beyond the picture's edges, with a window that does not start at 0.
     OIIO::ImageSpec beyond(3, 2, 1, OIIO::TypeDesc::FLOAT);
     beyond.x = 4;
     beyond.y = -1;
@@ -309,7 +309,7 @@ TEST_CASE("an EXR is its display window, black where it has no pixels") {
     CHECK(over->pixels == std::vector<float>{5});
 }
 
-TEST_CASE("a PNG with a bad header is one message, and libpng prints none") {
+TEST_CASE("a PNG with a bad header gives one error, and libpng prints nothing") {
     const TemporaryFolder folder;
     const auto png = [&](const std::string& header, const std::string& rest) {
         const std::string bytes =
@@ -343,7 +343,7 @@ TEST_CASE("a PNG with a bad header is one message, and libpng prints none") {
     CHECK(png("short", pixels).find("no header") != std::string::npos);
 }
 
-TEST_CASE("saving refuses what it cannot encode or place") {
+TEST_CASE("saving a picture fails for unknown formats and impossible paths") {
     const TemporaryFolder folder;
     const Picture picture = picture_of({1, 1}, 1, Encoding::display, {0.4f});
     const auto wrong = save_picture(picture, folder / "a.bmp");

@@ -23,13 +23,13 @@ float value_at(PictureReader& reader, std::int64_t number) {
 }
 }  // namespace
 
-TEST_CASE("a sequence begins at the lowest number and ends at the highest") {
+TEST_CASE("a sequence runs from its lowest to its highest number") {
     const TemporaryFolder folder;
     save(folder, "f_0009.exr", level(9));
     save(folder, "f_0010.exr", level(10));
     save(folder, "f_0011.exr", level(11));
-    save(folder, "f_12.exr", level(12));   // another width
-    save(folder, "g_0008.exr", level(8));  // another name
+    save(folder, "f_12.exr", level(12));   // different number of digits
+    save(folder, "g_0008.exr", level(8));  // different name
     const auto reader = open_sequence(folder / "f_%04d.exr");
     REQUIRE(reader.has_value());
     CHECK((*reader)->count() == 3);
@@ -42,7 +42,8 @@ TEST_CASE("a sequence begins at the lowest number and ends at the highest") {
     CHECK_FALSE(is_sequence_name("100%.png"));
 }
 
-TEST_CASE("a gap, another size and a damaged picture are told, and the others are read") {
+TEST_CASE(
+    "missing, mismatched and damaged pictures of a sequence give errors, and the others load") {
     const TemporaryFolder folder;
     save(folder, "1.exr", level(1));
     save(folder, "3.exr", level(3));

@@ -5,8 +5,7 @@
 #include <random>
 
 namespace {
-// The smallest PNG there is, one grey pixel, as a hex dump in many a text about the format shows
-// it.
+// The smallest valid PNG, one grey pixel, a hex dump known from texts about the format.
 const std::string smallest(
     "\x89PNG\r\n\x1a\n"
     "\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55"
@@ -21,7 +20,7 @@ std::string chunk_error(std::string_view bytes) {
 }
 }  // namespace
 
-TEST_CASE("the chunks of a PNG are told with type and data") {
+TEST_CASE("PNG chunks are parsed with type and data") {
     const std::string bytes = smallest + "what follows does not count";
     const auto chunks = parse_png_chunks(bytes);
     REQUIRE(chunks.has_value());
@@ -32,13 +31,13 @@ TEST_CASE("the chunks of a PNG are told with type and data") {
     CHECK((*chunks)[2].whole == std::string_view("\0\0\0\0IEND\xae\x42\x60\x82", 12));
 }
 
-TEST_CASE("a chunk is written with length and check sum") {
+TEST_CASE("a PNG chunk is written with length and checksum") {
     CHECK(png_chunk("IEND", "") == std::string("\0\0\0\0IEND\xae\x42\x60\x82", 12));
     CHECK(png_chunk("IHDR", std::string_view("\0\0\0\1\0\0\0\1\x08\0\0\0\0", 13)) ==
           smallest.substr(8, 25));
 }
 
-TEST_CASE("a PNG cut anywhere or changed in any byte is refused") {
+TEST_CASE("a PNG truncated anywhere or changed in any byte is rejected") {
     CHECK(chunk_error("") == "not a PNG file");
     CHECK(chunk_error("GIF89a") == "not a PNG file");
     for (std::size_t size = 0; size < smallest.size(); ++size)

@@ -10,7 +10,7 @@
 namespace {
 constexpr int queue_rate = 48000;
 
-/// The beam at rest for so many frames.
+/// A constant beam position for a number of frames.
 std::vector<float> at(float x, float y, std::size_t frames) {
     std::vector<float> stereo;
     for (std::size_t i = 0; i < frames; ++i)
@@ -24,7 +24,7 @@ std::vector<float> mixed(BeamQueue& queue, std::size_t frames) {
     return stereo;
 }
 
-// At full level, the way to it and to the first place being behind.
+// Brings the queue to full level and to a position, so that the ramps to both are over.
 void settle(BeamQueue& queue, float x, float y) {
     queue.set_level(1.0);
     queue.write(at(x, y, 500));
@@ -42,7 +42,7 @@ float largest_step(const std::vector<float>& stereo, float before) {
 }
 }  // namespace
 
-TEST_CASE("what is written is played as it is, and then the beam rests where it was") {
+TEST_CASE("queued samples are played unchanged, and then the last position is held") {
     BeamQueue queue(queue_rate);
     settle(queue, 0.0f, 0.0f);
     std::vector<float> ramp;
@@ -59,7 +59,7 @@ TEST_CASE("what is written is played as it is, and then the beam rests where it 
     CHECK(mixed(queue, 50) == at(ramp[598], ramp[599], 50));
 }
 
-TEST_CASE("the level is a factor, held to 0 .. 1, and is reached over a buffer") {
+TEST_CASE("the level is a factor clamped to 0 .. 1, ramped over one buffer") {
     BeamQueue queue(queue_rate);
     settle(queue, 0.5f, -1.0f);
     queue.set_level(0.25);
@@ -71,7 +71,7 @@ TEST_CASE("the level is a factor, held to 0 .. 1, and is reached over a buffer")
     CHECK(mixed(queue, 1) == at(0.5f, -1.0f, 1));
 }
 
-TEST_CASE("after a jump the beam goes over within 5 ms, in even steps and without a click") {
+TEST_CASE("after a jump the beam moves linearly to its new position within 5 ms") {
     BeamQueue queue(queue_rate);
     settle(queue, 0.75f, 0.0f);
     queue.write(at(0.75f, 0.0f, 1000));
@@ -87,7 +87,7 @@ TEST_CASE("after a jump the beam goes over within 5 ms, in even steps and withou
     CHECK(queue.waiting() == 600);
 }
 
-TEST_CASE("what comes after a gap is joined without a click, too") {
+TEST_CASE("samples after a gap are joined without a click") {
     BeamQueue queue(queue_rate);
     settle(queue, -0.5f, 0.0f);
     mixed(queue, 1000);
@@ -95,7 +95,7 @@ TEST_CASE("what comes after a gap is joined without a click, too") {
     CHECK(largest_step(mixed(queue, 480), -0.5f) <= 1.0f / 240.0f * 1.001f);
 }
 
-TEST_CASE("a second is kept, and what lies beyond the device's reach is cut off") {
+TEST_CASE("the queue holds one second, and samples are clamped to -1 .. 1") {
     BeamQueue queue(1000);
     queue.set_level(1.0);
     queue.write(at(3.0f, -3.0f, 5000));
@@ -104,7 +104,7 @@ TEST_CASE("a second is kept, and what lies beyond the device's reach is cut off"
     CHECK(mixed(queue, 1) == at(1.0f, -1.0f, 1));
 }
 
-TEST_CASE("one thread writes while another plays; each sample comes once and in order") {
+TEST_CASE("with a writing and a playing thread, each sample is played once and in order") {
     BeamQueue queue(queue_rate);
     constexpr int count = 200000;
     settle(queue, 0.0f, 0.0f);

@@ -8,7 +8,7 @@ namespace {
 constexpr DeviceWatch::Clock::time_point watch_start{100s};
 }
 
-TEST_CASE("a device has four seconds to begin, and then one between its buffers") {
+TEST_CASE("a device times out after four seconds at the start, and one second between buffers") {
     DeviceWatch watch;
     watch.start(watch_start);
     CHECK_FALSE(watch.is_lost(watch_start + 3900ms));
@@ -18,7 +18,7 @@ TEST_CASE("a device has four seconds to begin, and then one between its buffers"
     CHECK(watch.is_lost(watch_start + 2300ms));
 }
 
-TEST_CASE("a device that takes two seconds at once, and is a little fast, is none that ran away") {
+TEST_CASE("a device that takes two seconds at once and is slightly fast is not a runaway") {
     DeviceWatch watch;
     watch.start(watch_start);
     for (int n = 0; n < 10000; ++n) {
@@ -29,7 +29,7 @@ TEST_CASE("a device that takes two seconds at once, and is a little fast, is non
     }
 }
 
-TEST_CASE("a stream that is served as fast as it can be is told to end, and stays lost") {
+TEST_CASE("a stream that consumes samples much too fast is stopped and stays lost") {
     DeviceWatch watch;
     watch.start(watch_start);
     int served = 0;

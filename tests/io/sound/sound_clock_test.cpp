@@ -12,15 +12,14 @@ namespace {
 const SoundClock::Time clock_start = SoundClock::Time{} + 100s;
 }
 
-TEST_CASE("between buffers the clock goes on at the sound's speed, late by the latency") {
+TEST_CASE("between buffers the clock runs at the sound's speed, delayed by the latency") {
     SoundClock clock;
     clock.buffer_filled({.begin_seconds = 5.0, .seconds_per_second = 2.0, .jump = 0}, clock_start);
     CHECK(clock.heard_seconds(clock_start + 8ms, 0.004) == doctest::Approx(5.0 + 0.004 * 2.0));
     CHECK(clock.heard_seconds(clock_start + 12ms, 0.004) == doctest::Approx(5.0 + 0.008 * 2.0));
 }
 
-TEST_CASE(
-    "buffers in bursts, of a device that is a little fast, make an even clock that stays with it") {
+TEST_CASE("irregular buffers of a slightly fast device give a smooth clock without drift") {
     SoundClock clock;
     double last = 0.0;
     std::int64_t bursts = 0;
@@ -40,7 +39,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("it never runs back, whatever the device's buffers say") {
+TEST_CASE("the clock never runs backwards") {
     SoundClock clock;
     clock.buffer_filled({.begin_seconds = 5.0, .seconds_per_second = 1.0, .jump = 0}, clock_start);
     const double before = clock.heard_seconds(clock_start + 15ms, 0.0);
@@ -49,7 +48,7 @@ TEST_CASE("it never runs back, whatever the device's buffers say") {
     CHECK(clock.heard_seconds(clock_start + 17ms, 0.0) == before);
 }
 
-TEST_CASE("after a jump it shows the goal until a buffer follows it, also backwards") {
+TEST_CASE("after a seek the clock shows the target until a buffer follows") {
     SoundClock clock;
     clock.buffer_filled({.begin_seconds = 5.0, .seconds_per_second = 1.0, .jump = 0}, clock_start);
     CHECK(clock.heard_seconds(clock_start, 0.0) == 5.0);
@@ -60,7 +59,7 @@ TEST_CASE("after a jump it shows the goal until a buffer follows it, also backwa
     CHECK(clock.heard_seconds(clock_start + 14ms, 0.0) == doctest::Approx(2.004));
 }
 
-TEST_CASE("paused or at its end, it reaches what was played last and stands still") {
+TEST_CASE("when paused or at the end, the clock runs to the last played position and stops") {
     SoundClock clock;
     CHECK(clock.heard_seconds(clock_start, 0.0) == 0.0);
     clock.buffer_filled({.begin_seconds = 1.0, .seconds_per_second = 1.0, .jump = 0}, clock_start);
@@ -72,7 +71,7 @@ TEST_CASE("paused or at its end, it reaches what was played last and stands stil
     CHECK(clock.heard_seconds(clock_start + 5s, 0.041) == 1.01);
 }
 
-TEST_CASE("when the device is gone it stands still") {
+TEST_CASE("the clock stops when the device is gone") {
     SoundClock clock;
     clock.buffer_filled({.begin_seconds = 1.0, .seconds_per_second = 1.0, .jump = 0}, clock_start);
     clock.heard_seconds(clock_start + 9ms, 0.0);

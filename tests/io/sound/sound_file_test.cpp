@@ -58,7 +58,7 @@ struct WavHeader {
     std::uint64_t data_bytes = 8;
 };
 
-// A 16-bit WAV whose header may say anything; four samples follow.
+// A 16-bit WAV with an arbitrary header, followed by four samples.
 std::string wav(const WavHeader& header) {
     const std::uint64_t frame_bytes = header.channels * 2;
     return "RIFF" + little_endian(36 + header.data_bytes, 4) + "WAVEfmt " + little_endian(16, 4) +
@@ -69,7 +69,7 @@ std::string wav(const WavHeader& header) {
 }
 }  // namespace
 
-TEST_CASE("a WAV of floats comes back bit for bit, whatever its channels and rate") {
+TEST_CASE("a float WAV is loaded exactly, with any channels and rate") {
     const TemporaryFolder folder;
     for (const int channels : {1, 2, 6}) {
         const Sound sound = sines(96000, channels, 20000);
@@ -82,7 +82,7 @@ TEST_CASE("a WAV of floats comes back bit for bit, whatever its channels and rat
     }
 }
 
-TEST_CASE("FLAC is met to a 16-bit step, OGG and MP3 to what they throw away") {
+TEST_CASE("FLAC is loaded to 16-bit precision, and OGG and MP3 within their compression loss") {
     struct Kind {
         const char* name;
         int format;
@@ -96,7 +96,7 @@ TEST_CASE("FLAC is met to a 16-bit step, OGG and MP3 to what they throw away") {
         INFO(std::string(kind.name));
         SF_INFO info{0, 44100, 2, kind.format, 0, 0};
         if (!sf_format_check(&info))
-            continue;  // a library that cannot write it
+            continue;  // a libsndfile build without this encoder
         REQUIRE(save(sound, folder / kind.name, kind.format));
         const auto loaded = load_sound(folder / kind.name);
         REQUIRE(loaded.has_value());
@@ -110,7 +110,7 @@ TEST_CASE("FLAC is met to a 16-bit step, OGG and MP3 to what they throw away") {
     }
 }
 
-TEST_CASE("of a file that breaks off, what is there is played, and how much that is is told") {
+TEST_CASE("a truncated sound is loaded up to its end, with a warning about its length") {
     const TemporaryFolder folder;
     for (const int format : {SF_FORMAT_WAV | SF_FORMAT_PCM_16, SF_FORMAT_AIFF | SF_FORMAT_PCM_16,
                              SF_FORMAT_FLAC | SF_FORMAT_PCM_16}) {
@@ -128,7 +128,7 @@ TEST_CASE("of a file that breaks off, what is there is played, and how much that
         CHECK(loaded->frame_count() > 10000);
         CHECK(loaded->frame_count() < 30000);
     }
-    Diagnostics notes;  // an OGG tells its length in its last page
+    Diagnostics notes;  // an OGG stores its length in its last page
     REQUIRE(save(sines(8000, 2, 80000), folder / "a.ogg", SF_FORMAT_OGG | SF_FORMAT_VORBIS));
     REQUIRE(load_sound(folder / "a.ogg", nullptr, &notes));
     CHECK(notes.empty());
@@ -143,7 +143,7 @@ TEST_CASE("of a file that breaks off, what is there is played, and how much that
     CHECK(sound_refusal(folder / "a.wav") == "the file has a header but no sound data");
 }
 
-TEST_CASE("what is no sound file is refused with its reason") {
+TEST_CASE("an invalid sound file is rejected with a reason") {
     const TemporaryFolder folder;
     CHECK(sound_refusal(folder / "missing.wav") == "file not found");
     CHECK(sound_refusal(folder.path()) == "this is a folder, not a file");
@@ -163,7 +163,7 @@ TEST_CASE("what is no sound file is refused with its reason") {
     }
 }
 
-TEST_CASE("a header's absurd claims are refused or not believed") {
+TEST_CASE("absurd header values are rejected or ignored") {
     const TemporaryFolder folder;
     folder.write("good.wav", wav({}));
     REQUIRE(load_sound(folder / "good.wav").has_value());
@@ -184,7 +184,7 @@ TEST_CASE("a header's absurd claims are refused or not believed") {
     CHECK(claims_gigabytes->frame_count() == 4);
 }
 
-TEST_CASE("2^60 frames that a 64-bit header claims are not allocated") {
+TEST_CASE("2^60 frames claimed by a 64-bit header are not allocated") {
     const TemporaryFolder folder;
     const std::uint64_t claimed = std::uint64_t{1} << 61;
     folder.write("a.wav", "RF64" + little_endian(0xffffffff, 4) + "WAVEds64" +
@@ -202,7 +202,7 @@ TEST_CASE("2^60 frames that a 64-bit header claims are not allocated") {
         CHECK_FALSE(sound_refusal(folder / "a.wav").empty());
 }
 
-TEST_CASE("samples that are no numbers become silence, and enormous ones are bounded") {
+TEST_CASE("non-finite samples become silence or are clamped, and huge ones are clamped") {
     const TemporaryFolder folder;
     const float infinite = std::numeric_limits<float>::infinity();
     const Sound sound{8000, 1, {std::numeric_limits<float>::quiet_NaN(), infinite, 1e30f, 0.5f}};
@@ -212,20 +212,20 @@ TEST_CASE("samples that are no numbers become silence, and enormous ones are bou
     CHECK(loaded->samples == std::vector<float>{0.0f, 1000.0f, 1000.0f, 0.5f});
 }
 
-TEST_CASE("a sound of more than an hour is refused and the limit is said") {
+TEST_CASE("a sound longer than one hour is rejected with the limit") {
     const TemporaryFolder folder;
     REQUIRE(save(Sound{10, 1, std::vector<float>(36001)}, folder / "a.wav",
                  SF_FORMAT_WAV | SF_FORMAT_PCM_U8));
     CHECK(sound_refusal(folder / "a.wav") == "the sound is too long; the limit is 1 hour");
 }
 
-TEST_CASE("a WAV whose header tells no length is read to its end, with a note") {
+TEST_CASE("a WAV without a length in its header is read to its end, with a warning") {
     const TemporaryFolder folder;
     Diagnostics notes;
     const auto input = load_sound(fs::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/wav/zerosize.wav",
                                   nullptr, &notes);
     REQUIRE(input.has_value());
-    // 9644 bytes less 44 of header, two channels of 16 bits.
+    // 9644 bytes minus a header of 44 bytes, two channels of 16 bits.
     CHECK(input->frame_count() == 2400);
     REQUIRE(notes.size() == 1);
     CHECK(notes[0].severity == Severity::warning);
@@ -238,7 +238,7 @@ TEST_CASE("a WAV whose header tells no length is read to its end, with a note") 
     REQUIRE(sound.has_value());
     CHECK(sound->samples == std::vector<float>{0.5f, 0.5f, 0.5f, 0.5f});
 
-    // Data of no length, and a list of the author's words behind it: there is no sound.
+    // Data of length 0 followed by a LIST chunk: the file has no sound.
     text.resize(zero + 4);
     const std::string list = "LIST" + little_endian(4, 4) + "INFO";
     CHECK(sound_refusal(folder.write("b.wav", text + list))

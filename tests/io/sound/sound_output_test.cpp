@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("opening the sound device gives a device or one plain reason, and nothing on stderr") {
+TEST_CASE("opening the audio device gives a device or one error, and prints nothing to stderr") {
     CapturedErrors errors;
     const auto output = open_sound_output({});
     CHECK(errors.text() == "");

@@ -7,7 +7,7 @@
 #include <thread>
 
 namespace {
-// Left counts up, right counts down.
+// Left rises, right falls.
 std::shared_ptr<const Sound> ramp(int rate, int frames) {
     auto sound = std::make_shared<Sound>(Sound{rate, 2, {}});
     for (int i = 0; i < frames; ++i) {
@@ -29,7 +29,7 @@ double begin_of_next(SoundPlayer& player) {
 }
 }  // namespace
 
-TEST_CASE("at speed 1 and the device's own rate the sound's samples come out as they are") {
+TEST_CASE("at speed 1 and the device's rate, samples are played unchanged") {
     const auto sound = ramp(48000, 600);
     SoundPlayer player(48000);
     player.play(sound);
@@ -40,7 +40,7 @@ TEST_CASE("at speed 1 and the device's own rate the sound's samples come out as 
     CHECK(begin_of_next(player) == doctest::Approx(600.0 / 48000.0));
 }
 
-TEST_CASE("other rates and speeds read between the samples by straight lines") {
+TEST_CASE("other rates and speeds interpolate linearly between samples") {
     SoundPlayer player(48000);
     player.play(ramp(24000, 600));
     player.set_speed(0.5);
@@ -50,7 +50,7 @@ TEST_CASE("other rates and speeds read between the samples by straight lines") {
     CHECK(begin_of_next(player) == doctest::Approx(400.0 / 48000.0 * 0.5));
 }
 
-TEST_CASE("behind the end comes silence, and the position stays there") {
+TEST_CASE("after the end there is silence, and the position stays") {
     SoundPlayer player(1000);
     player.play(ramp(1000, 10));
     const std::vector<float> heard = mixed(player, 20);
@@ -62,7 +62,7 @@ TEST_CASE("behind the end comes silence, and the position stays there") {
     CHECK(player.mix(none).seconds_per_second == 0.0);
 }
 
-TEST_CASE("a loop goes on with its first sample, and its time goes on counting") {
+TEST_CASE("a loop continues with its first sample, and its time keeps counting") {
     SoundPlayer player(1000);
     player.play(ramp(1000, 10));
     player.set_loop(true);
@@ -71,11 +71,11 @@ TEST_CASE("a loop goes on with its first sample, and its time goes on counting")
         REQUIRE(heard[2 * i] == static_cast<float>(i % 10) / 1024.0f);
     CHECK(begin_of_next(player) == doctest::Approx(0.035));
 
-    player.seek(0.0295);  // half way from the last sample to the first
+    player.seek(0.0295);  // halfway from the last sample to the first
     CHECK(mixed(player, 1)[0] == doctest::Approx(4.5 / 1024.0));
 }
 
-TEST_CASE("a seek is followed by the next buffer, which says so") {
+TEST_CASE("a seek takes effect in the next buffer, which reports it") {
     SoundPlayer player(1000);
     player.play(ramp(1000, 100));
     mixed(player, 10);
@@ -93,7 +93,7 @@ TEST_CASE("a seek is followed by the next buffer, which says so") {
     CHECK(mixed(player, 1)[0] == 0.0f);
 }
 
-TEST_CASE("paused, nothing is heard and the position stands still") {
+TEST_CASE("while paused the output is silent and the position stays") {
     SoundPlayer player(1000);
     player.play(ramp(1000, 100));
     mixed(player, 10);
@@ -105,7 +105,7 @@ TEST_CASE("paused, nothing is heard and the position stands still") {
     CHECK(mixed(player, 1)[0] == 10.0f / 1024.0f);
 }
 
-TEST_CASE("the level is reached over one buffer without a step, and nothing leaves -1 .. 1") {
+TEST_CASE("a level change is ramped over one buffer, and samples are clamped to -1 .. 1") {
     auto sound = std::make_shared<Sound>(Sound{1000, 1, std::vector<float>(100, 0.8f)});
     SoundPlayer player(1000);
     player.play(sound);
@@ -114,7 +114,7 @@ TEST_CASE("the level is reached over one buffer without a step, and nothing leav
     CHECK(falling[0] == doctest::Approx(0.8));
     CHECK(falling[10] == doctest::Approx(0.8 * 0.75));
     CHECK(mixed(player, 10)[0] == doctest::Approx(0.4));
-    player.set_level(99.0);  // 2 is the most
+    player.set_level(99.0);  // the maximum is 2
     mixed(player, 10);
     CHECK(mixed(player, 10)[5] == 1.0f);
     player.set_level(std::nan(""));
@@ -122,7 +122,7 @@ TEST_CASE("the level is reached over one buffer without a step, and nothing leav
     CHECK(mixed(player, 10)[5] == 0.0f);
 }
 
-TEST_CASE("one channel is heard on both sides, of many the first two") {
+TEST_CASE("mono is played on both channels, and of more channels only the first two") {
     SoundPlayer player(1000);
     player.play(std::make_shared<Sound>(Sound{1000, 1, {0.5f}}));
     CHECK(mixed(player, 1) == std::vector<float>{0.5f, 0.5f});
@@ -130,7 +130,7 @@ TEST_CASE("one channel is heard on both sides, of many the first two") {
     CHECK(mixed(player, 1) == std::vector<float>{0.1f, 0.2f});
 }
 
-TEST_CASE("a sound of one sample loops at any speed; no sound and an empty one are silence") {
+TEST_CASE("a one-sample sound loops at any speed, and no sound or an empty one is silence") {
     SoundPlayer player(48000);
     player.set_loop(true);
     player.set_speed(4.0);
@@ -143,7 +143,7 @@ TEST_CASE("a sound of one sample loops at any speed; no sound and an empty one a
     CHECK(mixed(player, 4) == std::vector<float>(8, 0.0f));
 }
 
-TEST_CASE("a sound is let go of when another one plays, also while a device is mixing") {
+TEST_CASE("a sound is released when another one plays, also while the device is mixing") {
     SoundPlayer player(48000);
     std::atomic<bool> is_done = false;
     std::thread device([&] {

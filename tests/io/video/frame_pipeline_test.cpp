@@ -9,7 +9,7 @@ namespace {
 using PipedFrame = FramePipeline::Frame;
 using FromFrame = FramePipeline::Made;
 
-/// Holds back whoever waits until it is opened.
+/// Blocks waiting threads until it is opened.
 class Gate {
 public:
     void open() {
@@ -32,7 +32,7 @@ Result<FromFrame> named(const PipedFrame& frame) {
     return FromFrame{std::to_string(frame.number), {}};
 }
 
-// As many as are encoded at once, on this machine.
+// The number of frames that this machine encodes in parallel.
 int at_once() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u,
                                        static_cast<unsigned>(FramePipeline::most_frames - 2)));
@@ -49,7 +49,7 @@ void push_all(FramePipeline& pipeline, int count) {
 }
 }  // namespace
 
-TEST_CASE("frames are delivered whole and in their order, whichever is made first") {
+TEST_CASE("frames are delivered complete and in order, whichever is encoded first") {
     Gate second_is_made;
     std::string delivered;
     FramePipeline pipeline({[&](const PipedFrame& frame) {
@@ -69,7 +69,7 @@ TEST_CASE("frames are delivered whole and in their order, whichever is made firs
     CHECK(delivered == "0 1 2 3 4 5 6 7 8 9 10 11 ");
 }
 
-TEST_CASE("who draws waits while as many frames as may be are in memory") {
+TEST_CASE("the producer waits while the pipeline is full") {
     Gate all;
     std::atomic<int> given = 0;
     std::set<const PipedFrame*> frames;
@@ -86,7 +86,7 @@ TEST_CASE("who draws waits while as many frames as may be are in memory") {
             pipeline.push(frame);
         }
     });
-    // As long as nothing is done with, it comes as far as this and no further.
+    // While no frame is finished, the producer gets this far and no further.
     const auto in_a_moment = std::chrono::milliseconds(50);
     const int room = at_once() + 2;  // one that is drawn, and one that waits for an encoder
     while (given < room)
@@ -100,7 +100,7 @@ TEST_CASE("who draws waits while as many frames as may be are in memory") {
     CHECK(frames.size() <= FramePipeline::most_frames);
 }
 
-TEST_CASE("a frame that fails stops the rest and is named, the first of several") {
+TEST_CASE("the first failing frame stops the pipeline and is named") {
     for (const bool when_delivered : {false, true}) {
         CAPTURE(when_delivered);
         std::atomic<int> most = 0;
@@ -117,7 +117,7 @@ TEST_CASE("a frame that fails stops the rest and is named, the first of several"
                                 },
                                 [&](std::int64_t number, const FromFrame& frame) {
                                     CHECK(frame.bytes ==
-                                          std::to_string(number));  // never the same twice
+                                          std::to_string(number));  // each number is delivered once
                                     return failing(number);
                                 }});
         push_all(pipeline, 1000);
@@ -128,7 +128,7 @@ TEST_CASE("a frame that fails stops the rest and is named, the first of several"
     }
 }
 
-TEST_CASE("of two frames that fail the earlier one is named, whichever fails first") {
+TEST_CASE("of two failing frames the earlier one is named, whichever fails first") {
     if (at_once() < 2)
         return;
     for (const std::int64_t later : {0, 1}) {
@@ -147,7 +147,7 @@ TEST_CASE("of two frames that fail the earlier one is named, whichever fails fir
              },
              [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }});
         push_all(pipeline, 2);
-        while (pipeline.next()) {  // it gives none once something has failed
+        while (pipeline.next()) {  // gives null after a failure
         }
         one_has_failed.open();
         const auto done = pipeline.finish();
@@ -156,7 +156,7 @@ TEST_CASE("of two frames that fail the earlier one is named, whichever fails fir
     }
 }
 
-TEST_CASE("what is cancelled is left, and what was begun is whole") {
+TEST_CASE("cancelling drops waiting frames, and frames in progress are completed") {
     Gate begun;
     Gate goes_on;
     std::atomic<int> made = 0;
@@ -174,7 +174,7 @@ TEST_CASE("what is cancelled is left, and what was begun is whole") {
     push_all(pipeline, at_once() + 1);
     begun.wait();
     std::thread waking([&] {
-        while (pipeline.next()) {  // it gives none once all is cancelled
+        while (pipeline.next()) {  // gives null after cancelling
         }
         goes_on.open();
     });

@@ -9,8 +9,8 @@
 #include <cstdlib>
 
 namespace {
-// An uncompressed video: picture n is all luma 16 + 20 n, without colour. In limited range that is
-// a grey of 20 n / 219.
+// An uncompressed video: picture n has luma 16 + 20 n and no colour. In limited range that is a
+// grey of 20 n / 219.
 std::string steps(int count, const char* rate) {
     std::string video = std::string("YUV4MPEG2 W16 H8 F") + rate + " Ip A1:1 C444\n";
     for (int n = 0; n < count; ++n)
@@ -41,7 +41,7 @@ struct WithoutPrograms {
 };
 }  // namespace
 
-TEST_CASE("a video gives its pictures by number, forwards, again and backwards") {
+TEST_CASE("pictures of a video are read by number, forwards, repeatedly and backwards") {
     const TemporaryFolder folder;
     const auto reader = opened(folder.write("-steps.y4m", steps(5, "30000:1001")));
     CHECK(reader->rate() == doctest::Approx(29.97003).epsilon(1e-6));
@@ -53,7 +53,7 @@ TEST_CASE("a video gives its pictures by number, forwards, again and backwards")
     CHECK(std::abs(step_at(*reader, 1) - 1.0) < 0.06);
 }
 
-TEST_CASE("what is no video, is empty, missing or breaks off is told with its file") {
+TEST_CASE("invalid, empty, missing and truncated videos give an error with the file") {
     const TemporaryFolder folder;
     const auto refused = [&](const std::filesystem::path& file) {
         const auto reader = open_video(file);
@@ -67,12 +67,12 @@ TEST_CASE("what is no video, is empty, missing or breaks off is told with its fi
     const std::string whole = steps(3, "25:1");
     const auto cut = opened(folder.write("cut.y4m", whole.substr(0, whole.size() - 100)));
     CHECK(std::abs(step_at(*cut, 1) - 1.0) < 0.06);
-    (void)cut->read(2);  // told, or left out: as the program that reads it does
+    (void)cut->read(2);  // an error or a shorter video, depending on the version of FFmpeg
     CHECK(cut->count() == 2);
     CHECK(std::abs(step_at(*cut, 0)) < 0.06);
 }
 
-TEST_CASE("without the programs that read videos their package is named") {
+TEST_CASE("if FFmpeg is not installed, the error names its package") {
     const TemporaryFolder folder;
     const auto file = folder.write("steps.y4m", steps(1, "25:1"));
     const WithoutPrograms nothing;
@@ -84,7 +84,7 @@ TEST_CASE("without the programs that read videos their package is named") {
               "'ffprobe' isn't installed");
 }
 
-TEST_CASE("another program gives its output and its complaint, and ends with its owner") {
+TEST_CASE("a child process returns its output and errors, and ends with its owner") {
     auto echo = ChildProcess::start({"sh", "-c", "printf abc; echo oh no >&2; exit 3"});
     REQUIRE(echo.has_value());
     CHECK(echo->read_all(100) == "abc");

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <vector>
 
-TEST_CASE("y4m says size, rate and range in its first line") {
+TEST_CASE("a y4m header contains size, frame rate and range") {
     CHECK(y4m_header({320, 181}, {30000, 1001}) ==
           "YUV4MPEG2 W320 H181 F30000:1001 Ip A1:1 C444 XCOLORRANGE=LIMITED\n");
 }
 
-TEST_CASE("y4m has planes of the numbers of BT.709, to the nearest") {
+TEST_CASE("y4m planes are rounded values of BT.709") {
     std::vector<std::uint8_t> rgb;
     for (int r = 0; r < 256; r += 15)
         for (int g = 0; g < 256; g += 17)
@@ -41,7 +41,7 @@ TEST_CASE("y4m has planes of the numbers of BT.709, to the nearest") {
     CHECK(wrong == 0);
 }
 
-TEST_CASE("y4m has black at 16, white at 235, and grey without colour") {
+TEST_CASE("y4m black is 16, white is 235, and grey has neutral chroma") {
     const std::vector<std::uint8_t> rgb{0, 0, 0, 255, 255, 255, 128, 128, 128};
     const std::string frame = y4m_frame({3, 1}, rgb);
     CHECK(frame.substr(6) == std::string("\x10\xeb\x7e\x80\x80\x80\x80\x80\x80"));
