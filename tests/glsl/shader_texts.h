@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string>
 
-/// A stage whose every line lies in one file, as if it had been loaded.
+/// A stage whose lines are all from one file, as if it had been loaded.
 inline Stage stage_of(const std::string& file, const std::string& text) {
     Stage stage = builtin_stage(text);
     stage.file = file;
@@ -17,7 +17,7 @@ inline Stage stage_of(const std::string& file, const std::string& text) {
     return stage;
 }
 
-/// A fragment shader with these lines after its first.
+/// A fragment shader with these lines after its #version.
 inline Stage fragment_with(const std::string& lines, const std::string& file = "a.frag") {
     return stage_of(file, "#version 410 core\n" + lines +
                               "\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n");
@@ -31,7 +31,7 @@ inline Pass pass_of(const std::string& name, const Stage& fragment) {
     return pass;
 }
 
-/// A look of one pass with these uniforms.
+/// A look with one pass and these uniforms.
 inline Look look_with(const std::string& lines) {
     Look look;
     look.passes.push_back(pass_of("main", fragment_with(lines)));

@@ -36,7 +36,7 @@ std::vector<std::string> names_in(const std::string& text) {
 using Names = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("a comment behind a uniform says all about its control") {
+TEST_CASE("a comment after a uniform describes its control") {
     const Parameter decay = parameter_of(
         "uniform float decay = 0.92;  // @range 0.5 0.999 0.01 @limit 0 1 @label \"Glow kept\"\n"
         "  // @unit \"per 1/60 s\"  @group \"Phosphor\"\n"
@@ -56,14 +56,14 @@ TEST_CASE("a comment behind a uniform says all about its control") {
     CHECK(decay.declared == Location{"a.frag", 2});
 }
 
-TEST_CASE("former labels of items stand in the order of the items") {
+TEST_CASE("previous labels of items are in the order of the items") {
     const Parameter parameter = parameter_of(
         "uniform int a = 1;  // @items_was \"\" \"Soft\" @items \"Clamp\" \"Reinhard\" \"ACES\"");
     CHECK(parameter.items ==
           std::vector<Item>{{0, "Clamp", ""}, {1, "Reinhard", "Soft"}, {2, "ACES", ""}});
 }
 
-TEST_CASE("hints choose the control") {
+TEST_CASE("annotations select the control") {
     CHECK(parameter_of("uniform vec3 a = vec3(0.2, 1, 0.3);  // @color").control == Control::color);
     CHECK(parameter_of("uniform vec2 a;  // @point").control == Control::point);
     const Parameter angle = parameter_of("uniform float a;  // @angle");
@@ -78,10 +78,10 @@ TEST_CASE("hints choose the control") {
     CHECK(list.range == Range{0.0, 2.0, 1.0});
 }
 
-TEST_CASE("a vector's components have names: the author's, or those of axes") {
+TEST_CASE("components of a vector are named by the author or by axis") {
     const Parameter fade = parameter_of(
         "uniform vec3 fade_color = vec3(1.0);  // @range 0 4  @parts \"Red\" \"Green\" \"Blue\"");
-    CHECK(fade.control == Control::slider);  // though its name is a colour's
+    CHECK(fade.control == Control::slider);  // although its name suggests a colour
     CHECK(part_label(fade, 0) == "Red");
     CHECK(part_label(fade, 2) == "Blue");
     const Parameter offset = parameter_of("uniform vec4 shift;");
@@ -89,7 +89,7 @@ TEST_CASE("a vector's components have names: the author's, or those of axes") {
     CHECK(part_label(offset, 3) == "w");
 }
 
-TEST_CASE("a block comment and prose before the first hint are fine") {
+TEST_CASE("block comments and prose before the first annotation are allowed") {
     CHECK(parameter_of("uniform float a; /* how bright\n * @range 1 2\n * @unit px */").range ==
           Range{1.0, 2.0, 0.0});
     CHECK(parameter_of("uniform float a;  // it's 5\" wide, @range 1 2").range ==
@@ -98,7 +98,7 @@ TEST_CASE("a block comment and prose before the first hint are fine") {
           Range{1.0, 2.0, 0.0});
 }
 
-TEST_CASE("a comment on a line of its own belongs to a uniform only when it goes on with hints") {
+TEST_CASE("a comment on its own line belongs to the uniform only if it starts with an annotation") {
     const Parameter a = parameter_of(
         "// @range 5 6\nuniform float a;  // @range 1 2\n// the next part, not @hidden\n// @unit "
         "px");
@@ -107,7 +107,7 @@ TEST_CASE("a comment on a line of its own belongs to a uniform only when it goes
     CHECK_FALSE(a.is_hidden);
 }
 
-TEST_CASE("declarations are found in every spelling of GLSL") {
+TEST_CASE("declarations are found in every GLSL syntax") {
     CHECK(names_in("uniform float a = 1.0, b = f(2.0, 3.0),\n  c[3];") ==
           Names{"a:1", "b:1", "c:2"});
     CHECK(names_in("layout(location = 3) uniform highp vec3\n  a;") == Names{"a:2"});
@@ -120,7 +120,7 @@ TEST_CASE("declarations are found in every spelling of GLSL") {
     CHECK(names_in("uniform").empty());
 }
 
-TEST_CASE("a comment belongs to all that its line declares, up to the comment before") {
+TEST_CASE("a comment belongs to all declarations of its line, up to the previous comment") {
     const auto found = find_declarations(
         "uniform float a, b;  // one\n"
         "uniform float c; /* two */ uniform float d; // three\n"
@@ -136,7 +136,7 @@ TEST_CASE("a comment belongs to all that its line declares, up to the comment be
     }
 }
 
-TEST_CASE("every mistake in an annotation is told on its own line") {
+TEST_CASE("every error in an annotation is reported on its own line") {
     const auto error = [](const std::string& uniform, const std::string& message) {
         CHECK(error_of("\nuniform " + uniform) == "a.frag:3: error: " + message + "\n");
     };
@@ -189,12 +189,12 @@ TEST_CASE("every mistake in an annotation is told on its own line") {
     error("sampler2D a; // @range 0 1", "@range is only for numbers; 'a' is a sampler");
 }
 
-TEST_CASE("a mistake in a line that goes on is told on that line") {
+TEST_CASE("an error in a continuation line is reported on that line") {
     CHECK(error_of("uniform float a;  // @range 0 1\n// @label \"x\"\n// @unt px") ==
           "a.frag:4: error: unknown annotation '@unt' (did you mean '@unit'?)\n");
 }
 
-TEST_CASE("a uniform without hints gets a range from type, name and default") {
+TEST_CASE("a uniform without annotations gets a range from its type, name and default") {
     const auto range = [](const std::string& uniform) {
         return parameter_of("uniform " + uniform).range;
     };
@@ -216,7 +216,7 @@ TEST_CASE("a uniform without hints gets a range from type, name and default") {
     CHECK(range("float a = 1.0; // @limit 0.5 0.9e9").low == 0.5);
 }
 
-TEST_CASE("names tell colours, points and angles") {
+TEST_CASE("a name determines whether a uniform is a colour, point or angle") {
     const auto control = [](const std::string& uniform) {
         return parameter_of("uniform " + uniform).control;
     };

@@ -49,7 +49,7 @@ bool are_same(const Translation& one, const Translation& other) {
 }
 }  // namespace
 
-TEST_CASE("what was compiled in a former run is not compiled again, and says the same") {
+TEST_CASE("a result cached by a previous run is reused without compiling") {
     ByteMap kept;
     const Stage fragment =
         painted("uniform vec3 tint = vec3(1, 0.5, 0);\nuniform int n;\n", "vec4(tint, float(n))");
@@ -68,7 +68,7 @@ TEST_CASE("what was compiled in a former run is not compiled again, and says the
     CHECK(second.compilations() == 0);
 }
 
-TEST_CASE("another text, or the same at another place, is compiled") {
+TEST_CASE("another text, file or line map is compiled again") {
     ByteMap kept;
     const Stage fragment = painted("", "vec4(1)");
     static_cast<void>(CheckCache(&kept).check(fullscreen_vertex_stage(), fragment));
@@ -82,14 +82,14 @@ TEST_CASE("another text, or the same at another place, is compiled") {
     CHECK(cache.compilations() == 3);
 }
 
-TEST_CASE("a mistake is told anew in each run") {
+TEST_CASE("errors are not cached") {
     ByteMap kept;
     CHECK_FALSE(
         CheckCache(&kept).check(fullscreen_vertex_stage(), painted("", "oops")).has_value());
     CHECK(kept.answers.empty());
 }
 
-TEST_CASE("an answer that was spoiled is found anew, wherever it was") {
+TEST_CASE("a corrupt cache entry is recompiled and replaced") {
     ByteMap kept;
     static_cast<void>(CheckCache(&kept).translate(vulkan_vertex, vulkan_fragment));
     REQUIRE(kept.answers.size() == 1);
@@ -107,7 +107,7 @@ TEST_CASE("an answer that was spoiled is found anew, wherever it was") {
     }
 }
 
-TEST_CASE("no byte that is another makes an answer larger than its bytes") {
+TEST_CASE("a corrupt size never makes a result larger than its bytes") {
     const auto translation = translate_from_vulkan(vulkan_vertex, vulkan_fragment);
     REQUIRE(translation.has_value());
     const std::string good = packed(*translation);

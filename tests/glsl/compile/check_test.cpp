@@ -30,7 +30,7 @@ Uniform uniform_of(const std::string& declaration) {
 }
 }  // namespace
 
-TEST_CASE("glslang's message comes clean, at the author's line") {
+TEST_CASE("an error of glslang is cleaned up and located in the original file") {
     CHECK(first_error(stage_of(
               "a.frag", "#version 410 core\nout vec4 c;\nvoid main() {\n  c = vec4(foo);\n}\n")) ==
           "a.frag:4: error: 'foo' : undeclared identifier");
@@ -42,7 +42,7 @@ TEST_CASE("glslang's message comes clean, at the author's line") {
     CHECK(one.error().size() == 1);
 }
 
-TEST_CASE("a text in quotes is not taken for an extension") {
+TEST_CASE("a quoted text is reported as an invalid string, not as an extension") {
     CHECK(first_error(
               stage_of("a.frag", "#version 410 core\nvoid main() {\n  int x = \"x\";\n}\n")) ==
           "a.frag:3: error: GLSL has no strings");
@@ -59,12 +59,12 @@ TEST_CASE("errors of both stages are reported together") {
     CHECK(to_string(reflection.error()[1]) == "a.frag:3: error: 'left' : undeclared identifier");
 }
 
-TEST_CASE("#line of an author does not move messages") {
+TEST_CASE("#line directives do not change reported lines") {
     CHECK(first_error(stage_of("a.frag", "#version 410 core\n#line 900 7\nfloat a = b;\n")) ==
           "a.frag:3: error: 'b' : undeclared identifier");
 }
 
-TEST_CASE("a #version is asked for in words") {
+TEST_CASE("a missing or wrong #version gives a specific error") {
     CHECK(first_error(stage_of("a.frag", "// hello\n\nvoid main() {}\n")) ==
           "a.frag:3: error: the shader's first line must be '#version 410 core'");
     CHECK(first_error(stage_of("a.frag", "")).find("the shader is empty") != std::string::npos);
@@ -77,7 +77,7 @@ TEST_CASE("a #version is asked for in words") {
     CHECK(check(stage_of("a.frag", "#version 330\nvoid main() {}\n")).has_value());
 }
 
-TEST_CASE("stages that do not fit each other are reported in the fragment shader") {
+TEST_CASE("mismatches between stages are reported in the fragment shader") {
     const Stage vertex =
         stage_of("a.vert",
                  "#version 410 core\n"
@@ -103,7 +103,7 @@ TEST_CASE("stages that do not fit each other are reported in the fragment shader
           "a.frag:3: error: the vertex shader has no 'out float glow'\n");
 }
 
-TEST_CASE("what only linking finds still has a line") {
+TEST_CASE("link errors have a line") {
     CHECK(first_error(stage_of("a.frag", "#version 410 core\nfloat f;\n")) ==
           "a.frag:1: error: the shader has no main()");
     CHECK(first_error(stage_of("a.frag",
@@ -115,7 +115,7 @@ TEST_CASE("what only linking finds still has a line") {
               .starts_with("a.frag:2: error: Recursion detected: f() calling f()"));
 }
 
-TEST_CASE("defaults are read for every number type, as the author wrote them") {
+TEST_CASE("defaults of every number type are read as written") {
     CHECK(uniform_of("uniform float a = 0.92;").initial == Value(0.92));
     CHECK(uniform_of("uniform float a = 3;").initial == Value(3.0));
     CHECK(uniform_of("uniform vec3 a = vec3(0.2, 1, 0.3);").initial == Value({0.2, 1.0, 0.3}));
@@ -134,13 +134,13 @@ TEST_CASE("defaults are read for every number type, as the author wrote them") {
     CHECK_FALSE(uniform_of("uniform float a;").initial.has_value());
 }
 
-TEST_CASE("a default that no float holds is an error on its line") {
+TEST_CASE("a default outside the float range is an error on its line") {
     for (const std::string number : {"1e39", "1.0 / 0.0", "0.0 / 0.0"})
         CHECK(first_error(fragment_with("uniform float a = " + number + ";")) ==
               "a.frag:2: error: the default of 'a' is not a finite 32-bit number");
 }
 
-TEST_CASE("types are named as GLSL names them, and say why they have no control") {
+TEST_CASE("types have GLSL names, and unsupported types give a reason") {
     const Uniform matrix = uniform_of("uniform mat2x3 a;");
     CHECK(matrix.type == NumberType{Scalar::floating, 3, 2});
     CHECK(matrix.type_name == "mat2x3");
@@ -162,20 +162,20 @@ TEST_CASE("types are named as GLSL names them, and say why they have no control"
     }
 }
 
-TEST_CASE("a uniform's place is that of the branch that counts, also out of a macro") {
+TEST_CASE("a uniform is located in its active branch, also from a macro") {
     CHECK(uniform_of("#if 0\nuniform float a;\n#else\nuniform float a;\n#endif")
               .declared.front()
               .line == 5);
     CHECK(uniform_of("#define P(n) uniform float n\n\nP(a);").declared.front().line == 4);
 }
 
-TEST_CASE("what goes wrong in a line of the program's own is told of the author's file") {
+TEST_CASE("an error in a generated line is reported for the author's file") {
     Stage stage = stage_of("a.frag", "#version 410 core\nnothing here;\nvoid main() {}\n");
     stage.lines = {{{}, 1}, {{}, 1}, {"a.frag", 1}};
     CHECK(first_error(stage).starts_with("a.frag: error: "));
 }
 
-TEST_CASE("shaders that would break the compiler are refused with a line") {
+TEST_CASE("shaders that would overflow the compiler's stack are rejected with a line") {
     const std::string open = "void main() {\nfloat x = ";
     for (const std::string& text : {
              open + times(5000, "(") + "1.0" + times(5000, ")") + ";}",
@@ -195,7 +195,7 @@ TEST_CASE("shaders that would break the compiler are refused with a line") {
     }
 }
 
-TEST_CASE("macros that multiply are refused before they are expanded") {
+TEST_CASE("exponentially growing macros are rejected before expansion") {
     std::string plain = "#version 410 core\n#define M0 1.0\n";
     for (int i = 0; i < 40; ++i) {
         plain += fmt::format("#define M{} M{}+M{}\n", i + 1, i, i);
@@ -216,7 +216,7 @@ TEST_CASE("macros that multiply are refused before they are expanded") {
         check(stage_of("a.frag", call + "float x = G(F, F(1.0));\nvoid main() {}\n")).has_value());
 }
 
-TEST_CASE("a table may be as long as its variable, whose items are no deeper for it") {
+TEST_CASE("long array initialisers do not count as nesting") {
     const std::string table =
         "#define V(x) vec2(x, -x)\n#define TWO 2.0\nconst vec2 m[5001] = vec2[](" +
         times(5000, "V(TWO), ") +
@@ -230,14 +230,14 @@ TEST_CASE("a table may be as long as its variable, whose items are no deeper for
         check(stage_of("a.frag", "#version 410 core\n" + table + "void main() {}\n")).has_value());
 }
 
-TEST_CASE("a long but flat shader is none of that") {
+TEST_CASE("a long but flat shader is accepted") {
     const std::string table = "const float t[6000] = float[](" + times(5999, "0.5, ") + "0.5);\n";
     const std::string statements =
         "float f(float x) {\n" + times(5000, "x += t[3];\n") + "return x; }\n";
     CHECK(check(fragment_with(table + statements)).has_value());
 }
 
-TEST_CASE("a cache answers as the check does, per text and place, from several threads") {
+TEST_CASE("a cache returns the same results as the check, from several threads") {
     CheckCache cache;
     const Stage good = fragment_with("uniform float a = 0.5;");
     const Stage bad = fragment_with("float a = b;");
@@ -255,7 +255,7 @@ TEST_CASE("a cache answers as the check does, per text and place, from several t
 }
 
 namespace {
-// Numerical Recipes' linear congruential generator: the same mutations on every machine.
+// The linear congruential generator of Numerical Recipes: the same mutations on every machine.
 class Dice {
 public:
     std::size_t below(std::size_t end) {
@@ -285,7 +285,7 @@ std::string mutated(std::string text, Dice& dice) {
 }
 }  // namespace
 
-TEST_CASE("random damage gives a good result or errors with file and line, never a crash") {
+TEST_CASE("random mutations give a valid result or errors with file and line, never a crash") {
     const std::string valid =
         "#version 410 core\n"
         "uniform float decay = 0.92;  // @range 0.5 0.999  @label \"Decay\"\n"
@@ -316,7 +316,7 @@ TEST_CASE("random damage gives a good result or errors with file and line, never
     }
 }
 
-TEST_CASE("what only code reads that is never reached is not live") {
+TEST_CASE("uniforms read only in unreachable code are not live") {
     const auto reflection = check(stage_of("a.frag", R"(#version 410 core
 uniform sampler2D read; uniform sampler2D skipped; uniform float unused; uniform float called;
 const int part = 1;

@@ -39,7 +39,7 @@ std::vector<std::string> members(const Translation& translation) {
 }
 }  // namespace
 
-TEST_CASE("blocks and push constants become plain uniforms that differ by stage") {
+TEST_CASE("blocks and push constants become plain uniforms with a prefix per stage") {
     const auto made = translated(
         head +
         "layout(std140, binding = 0) uniform UBO { mat4 MVP; uint FrameCount; } global;\n"
@@ -61,7 +61,7 @@ TEST_CASE("blocks and push constants become plain uniforms that differ by stage"
     CHECK(frames->type == NumberType{Scalar::natural, 1, 1});
 }
 
-TEST_CASE("a sampler with a name that is no name in OpenGL is found under its new one") {
+TEST_CASE("a sampler whose name is invalid in OpenGL is found under its new name") {
     const auto made = translated(head +
                                  "layout(binding = 2) uniform sampler2D noise1;\n"
                                  "void main() { color = texture(noise1, other_name); }\n");
@@ -72,7 +72,7 @@ TEST_CASE("a sampler with a name that is no name in OpenGL is found under its ne
           std::string::npos);
 }
 
-TEST_CASE("what no code reads is not there") {
+TEST_CASE("unused samplers are removed") {
     const auto made = translated(head +
                                  "layout(binding = 2) uniform sampler2D Source;\n"
                                  "layout(binding = 3) uniform sampler2D Unused;\n"
@@ -82,7 +82,7 @@ TEST_CASE("what no code reads is not there") {
     CHECK(made->fragment.text->find("Unused") == std::string::npos);
 }
 
-TEST_CASE("the vertex stage takes its interpolation from the fragment stage") {
+TEST_CASE("a varying's interpolation is copied from the fragment to the vertex stage") {
     const auto made = translated(head +
                                  "layout(location = 1) flat in float size;\n"
                                  "void main() { color = vec4(size); }\n");
@@ -91,7 +91,8 @@ TEST_CASE("the vertex stage takes its interpolation from the fragment stage") {
     CHECK(made->vertex.text->find("flat out vec2") == std::string::npos);
 }
 
-TEST_CASE("functions that GLSL 4.10 lacks are asked for, and only by who calls them") {
+TEST_CASE(
+    "functions missing in GLSL 4.10 require an extension, only in the stage that calls them") {
     const std::string wanted = "#extension GL_ARB_shading_language_packing : require\n";
     const auto packing = translated(
         head + "void main() { color = unpackHalf2x16(packHalf2x16(other_name)).xyxy; }\n");
@@ -102,7 +103,7 @@ TEST_CASE("functions that GLSL 4.10 lacks are asked for, and only by who calls t
           std::ranges::count(*packing->fragment.text, '\n'));
 }
 
-TEST_CASE("errors stand at the author's lines") {
+TEST_CASE("errors are located at the original lines") {
     const auto made = translated(head + "void main() { color = vec4(missing); }\n");
     REQUIRE_FALSE(made);
     CHECK(made.error().front().file == "b.slang");
@@ -110,7 +111,7 @@ TEST_CASE("errors stand at the author's lines") {
     CHECK(made.error().front().message.find("missing") != std::string::npos);
 }
 
-TEST_CASE("lines of the translated text lead to the author's") {
+TEST_CASE("lines of the translated text map to the original lines") {
     const auto made = translated(head +
                                  "\n\nvoid main()\n{\n    vec4 a = vec4(other_name.x);\n"
                                  "    if (a.x > 0.5)\n        discard;\n    color = a;\n}\n");
@@ -125,7 +126,7 @@ TEST_CASE("lines of the translated text lead to the author's") {
     CHECK(at.line == 110);
 }
 
-TEST_CASE("what a pass cannot have is refused by name") {
+TEST_CASE("unsupported storage buffers and second uniform blocks are named in the error") {
     const auto storage = translated(head +
                                     "layout(std430, binding = 1) buffer Store { float x; } store;\n"
                                     "void main() { color = vec4(store.x); }\n");

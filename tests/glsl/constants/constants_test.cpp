@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// Name, number and what stands in the text there.
+// Name, type, number times 100 and the written text of each constant.
 std::string found_in(const std::string& text) {
     std::string all;
     for (const WrittenConstant& found : find_constants(text)) {
@@ -16,7 +16,7 @@ std::string found_in(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("a definition with a range is a constant of the type that its number has") {
+TEST_CASE("a #define with a range is a constant with the type of its number") {
     CHECK(found_in("#define STEPS 64  // @range 8 256 1\n") == "STEPS int 6400 [64]\n");
     CHECK(found_in("#define GLOW .35 // soft  @range 0 1\n") == "GLOW float 35 [.35]\n");
     CHECK(found_in("#define N 3u // @range 0 9\n") == "N uint 300 [3u]\n");
@@ -28,7 +28,7 @@ TEST_CASE("a definition with a range is a constant of the type that its number h
     CHECK(found_in("#define MODE 1 // @items \"A\" \"B\"\n") == "MODE int 100 [1]\n");
 }
 
-TEST_CASE("a const has the type that is declared, wherever it stands") {
+TEST_CASE("a const has its declared type in every scope") {
     CHECK(found_in("const float GLOW = 1;  // @range 0 2") == "GLOW float 100 [1]\n");
     CHECK(found_in("const highp float G = -1.5;  // @range -2 2") == "G float -150 [-1.5]\n");
     CHECK(found_in("const float A = 0.5, B = .25; // @range 0 1\n") ==
@@ -38,7 +38,7 @@ TEST_CASE("a const has the type that is declared, wherever it stands") {
     CHECK(found_in("const uint N = 4u; // @range 1 9") == "N uint 400 [4u]\n");
 }
 
-TEST_CASE("what no comment asks for, and what is not a constant, stays what it is") {
+TEST_CASE("definitions without annotation and non-constants are ignored") {
     CHECK(found_in("#define STEPS 64\n#define A 1 // by somebody@home\n").empty());
     CHECK(found_in("const float A = 1.0;\nuniform float b = 0.5;  // @range 0 1\n").empty());
     CHECK(found_in("#define F(x) 3 // @range 0 1\n#define EMPTY // @range 0 1\n").empty());
@@ -48,7 +48,7 @@ TEST_CASE("what no comment asks for, and what is not a constant, stays what it i
     CHECK(found_in("#undef A // @range 0 1\n").empty());
 }
 
-TEST_CASE("what is not one plain number is found without one") {
+TEST_CASE("a constant that is not one plain number is found without a value") {
     CHECK(found_in("#define A B // @range 0 1\n") == "A float none []\n");
     CHECK(found_in("#define A 1 + 2 // @range 0 1\n") == "A float none []\n");
     CHECK(found_in("const vec3 C = vec3(1.0, 2.0, 3.0);  // @range 0 1\n") == "C float none []\n");
@@ -57,7 +57,7 @@ TEST_CASE("what is not one plain number is found without one") {
     CHECK(found_in("#define A 4294967295 // @range 0 1\n") == "A float none []\n");
 }
 
-TEST_CASE("each definition is found where it is written, with its own comment alone") {
+TEST_CASE("each definition is found on its line, with only its own comment") {
     const auto found = find_constants(
         "#ifndef N\n"
         "#define N 3  // @range 1 9\n"
@@ -74,7 +74,7 @@ TEST_CASE("each definition is found where it is written, with its own comment al
     CHECK(found[1].comments.size() == 1);
 }
 
-TEST_CASE("numbers are written so that GLSL reads them as the same, with its type") {
+TEST_CASE("numbers are written so that GLSL parses the same value and type") {
     const NumberType real{Scalar::floating, 1, 1};
     const NumberType whole{Scalar::integer, 1, 1};
     CHECK(glsl_number(real, 2.0) == "2.0");

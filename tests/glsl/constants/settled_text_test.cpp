@@ -14,7 +14,7 @@ std::string settled_float(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("a uniform with a statement of its own becomes a variable of its value") {
+TEST_CASE("a uniform declared alone becomes a variable with its value") {
     CHECK(settled_float("uniform float gain;\n") == " float gain = 0.5;\n");
     CHECK(settled_float("uniform float gain = 2.0;  // @range 0 4\n") ==
           " float gain = 0.5;  // @range 0 4\n");
@@ -23,12 +23,12 @@ TEST_CASE("a uniform with a statement of its own becomes a variable of its value
           "vec2 f(float gain);\nuniform float other;\n float gain = 0.5;");
 }
 
-TEST_CASE("lines keep their numbers") {
+TEST_CASE("specialised text keeps its line numbers") {
     CHECK(settled_float("uniform float gain =\n  1.0 +\n  2.0;\nnext") ==
           " float gain = 0.5\n\n;\nnext");
 }
 
-TEST_CASE("every number type is written as GLSL writes it") {
+TEST_CASE("every number type is written in GLSL syntax") {
     const std::string text = settled_text(
         "uniform bool b; uniform int i; uniform uint u; uniform vec3 v; uniform ivec2 n; uniform "
         "mat2 m;",
@@ -43,7 +43,7 @@ TEST_CASE("every number type is written as GLSL writes it") {
           "n = ivec2(10, 8);  mat2 m = mat2(1.0, 2.0, 3.0, 4.0);");
 }
 
-TEST_CASE("what is of another form stays a uniform") {
+TEST_CASE("other forms of declarations stay uniforms") {
     for (const char* text :
          {"uniform float gain, other;", "uniform float gain[2];", "uniform vec2 gain;",
           "uniform float gain = 1.0, other;", "layout(location = 0) uniform float gain;",
@@ -57,13 +57,13 @@ TEST_CASE("what is of another form stays a uniform") {
     CHECK(settled_text(text, {{"gain", {one_float, Value(std::vector<double>{})}}}) == text);
 }
 
-TEST_CASE("a member of a block is written where it is read") {
+TEST_CASE("a block member is replaced by its value where it is read") {
     const std::map<std::string, SettledUniform> uniforms{{"push.gain", {one_float, Value(-0.5)}}};
     CHECK(settled_text("x = push.gain * push.other + a.push.gain;", uniforms) ==
           "x = (-0.5) * push.other + a.push.gain;");
 }
 
-TEST_CASE("an index that a settled value takes out of bounds compiles where it is not reached") {
+TEST_CASE("an out-of-bounds constant index compiles if it is not reached") {
     const std::string text =
         "#version 410 core\n"
         "uniform int tube = 1;\nout vec4 color;\n"

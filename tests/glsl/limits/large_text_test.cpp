@@ -26,7 +26,7 @@ std::string errors_of(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("a frame of stars around hints takes no time") {
+TEST_CASE("a very long row of stars in a comment is parsed fast") {
     const std::string comment = "\n" + times(500'000, "*") + "\n * @unit \"px\"";
     Hints hints;
     CHECK(is_done_in_a_moment([&] { hints = hints_of(comment); }));
@@ -35,14 +35,14 @@ TEST_CASE("a frame of stars around hints takes no time") {
     CHECK(hints[0].at.line == 3);
 }
 
-TEST_CASE("a hint's string may go on over very many lines") {
+TEST_CASE("an annotation text may continue over very many lines") {
     const std::string lines = times(300'000, "  all of this\n");
     Hints hints;
     CHECK(is_done_in_a_moment([&] { hints = hints_of("@help \"" + lines + "\""); }));
     CHECK((hints.at(0).words.at(0) == times(300'000, "all of this ")));
 }
 
-TEST_CASE("a comment is of at most 64 names of its line") {
+TEST_CASE("a comment applies to at most 64 names of its line") {
     const std::string text = "uniform float " + times(20'000, "a, ") + "b; // @range 0 1\n";
     const std::vector<Declaration> found = find_declarations(text);
     REQUIRE(found.size() == 20'001);
@@ -50,14 +50,15 @@ TEST_CASE("a comment is of at most 64 names of its line") {
     CHECK(found[64].comments.empty());
 }
 
-TEST_CASE("a string that no line of comments closes is looked through once") {
+TEST_CASE("an unclosed string in very many comment lines is scanned once") {
     const std::string text = "uniform float a; // @label \"x\n" + times(300'000, "//\n");
     std::vector<Declaration> found;
     CHECK(is_done_in_a_moment([&] { found = find_declarations(text); }));
     CHECK(found.at(0).comments.size() == 300'001);
 }
 
-TEST_CASE("macros with very many parameters or definitions are told to be too long") {
+TEST_CASE(
+    "macros with very many parameters or definitions are scanned fast, and rejected if too long") {
     const std::string many = "#define F(" + times(200'000, "a,") + "a) " + times(200'000, "G(a) ");
     std::optional<OutOfBounds> fault;
     CHECK(is_done_in_a_moment(
@@ -70,7 +71,7 @@ TEST_CASE("macros with very many parameters or definitions are told to be too lo
     CHECK_FALSE(fault.has_value());
 }
 
-TEST_CASE("includes of blanks end at a limit too") {
+TEST_CASE("includes of only whitespace also count towards the size limit") {
     const TemporaryFolder folder;
     folder.write("blank.glsl", std::string(std::size_t{3} << 20, ' '));
     const auto file = folder.write("a.frag", times(4000, "#include \"blank.glsl\"\n"));
@@ -80,7 +81,7 @@ TEST_CASE("includes of blanks end at a limit too") {
     CHECK(stage.error().front().message.find("larger than the limit") != std::string::npos);
 }
 
-TEST_CASE("of the compiler's messages the first are told") {
+TEST_CASE("only the first 256 errors of the compiler are listed") {
     std::string log = "WARNING: 0:1: 'a' : odd\n";
     for (int line = 1; line <= 300; ++line)
         log += fmt::format("ERROR: 0:{}: 'x' : wrong\n", line);
@@ -89,7 +90,7 @@ TEST_CASE("of the compiler's messages the first are told") {
     CHECK(messages.back().text == "more than 256 errors; only the first 256 are listed");
 }
 
-TEST_CASE("more varyings than a driver takes are refused") {
+TEST_CASE("more varyings than the limit are rejected") {
     std::string varyings = "#version 410 core\nout vec4 color;\n";
     for (int i = 0; i < 257; ++i)
         varyings += fmt::format("in float v{};\n", i);

@@ -15,7 +15,7 @@ Stage fragment(const std::string& before, const std::string& body) {
                                   "void main() {\n" + body + "color = vec4(uv, 0, 1);\n}\n");
 }
 
-// What is refused about a fragment shader; "" where nothing is.
+// The errors of a fragment shader; "": none.
 std::string refused(const Stage& stage, const ShaderLimits& limits = {}) {
     const auto checked = check_program(fullscreen_vertex_stage(), stage, limits);
     return checked ? std::string() : to_string(checked.error());
@@ -25,7 +25,7 @@ bool names(const std::string& message, const std::string& limit) {
     return message.find("--limit " + limit + "=") != std::string::npos;
 }
 
-// Functions of which each calls the one before it so many times.
+// Functions that each call the previous one `calls` times.
 std::string call_tree(int levels, int calls) {
     std::string text = "float f0(float x) { return x * 2.0; }\n";
     for (int i = 1; i < levels; ++i) {
@@ -37,7 +37,7 @@ std::string call_tree(int levels, int calls) {
     return text;
 }
 
-// Structs of which each holds so many of the one before it.
+// Structs that each contain the previous one `copies` times.
 std::string struct_tree(int levels, int copies) {
     std::string text = "struct S0 { float x; };\n";
     for (int i = 1; i < levels; ++i) {
@@ -64,8 +64,8 @@ std::string uniforms(int count) {
 }
 }  // namespace
 
-TEST_CASE("variables take at most a megabyte") {
-    // 4 bytes a float; 'uv' and 'color' take 24.
+TEST_CASE("variables take at most 1 MiB") {
+    // 4 bytes per float; 'uv' and 'color' take 24.
     constexpr int most = ((1 << 20) - 24) / 4;
     CHECK(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", most))) == "");
     CHECK(names(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", most + 1))),
@@ -80,7 +80,7 @@ TEST_CASE("variables take at most a megabyte") {
                 "variable-bytes"));
 }
 
-TEST_CASE("an array of a function takes its memory once a call") {
+TEST_CASE("an array in a function counts once per call") {
     const std::string text = "float f(float x) { float a[1000]; a[3] = x; return a[3]; }\n";
     std::string calls;
     for (int i = 0; i < 300; ++i)
@@ -89,7 +89,7 @@ TEST_CASE("an array of a function takes its memory once a call") {
     CHECK(refused(fragment(text, "color.x += f(uv.x);\n")) == "");
 }
 
-TEST_CASE("arrays with a computed index are limited by themselves") {
+TEST_CASE("arrays with a computed index have a lower limit") {
     const auto with = [](const std::string& type, int count, const std::string& value) {
         return fragment("", fmt::format("{} a[{}]; a[int(uv.x)] = {};\n", type, count, value));
     };
@@ -97,21 +97,21 @@ TEST_CASE("arrays with a computed index are limited by themselves") {
     CHECK(names(refused(with("float", 16385, "1.0")), "indexed-bytes"));
     CHECK(refused(with("vec4", 4096, "vec4(1.0)")) == "");
     CHECK(names(refused(with("vec4", 4097, "vec4(1.0)")), "indexed-bytes"));
-    // So is what each call of a function needs.
+    // The same limit applies to the arrays of all calls.
     const std::string text = "float f(float x) { float a[100]; a[int(x)] = x; return a[3]; }\n";
     std::string calls;
     for (int i = 0; i < 163; ++i)
         calls += "color.x += f(uv.x);\n";
     CHECK(refused(fragment(text, calls)) == "");
     CHECK(names(refused(fragment(text, calls + "color.x += f(uv.y);\n")), "indexed-bytes"));
-    // A uniform array is the driver's own memory.
+    // A uniform array is stored by the driver.
     CHECK(refused(fragment("uniform float u[5000];\n", "color.x = u[int(uv.x)];\n")) == "");
 }
 
 TEST_CASE("members of uniform structs count as uniforms") {
     CHECK(refused(fragment(uniforms(1024), "")) == "");
     CHECK(names(refused(fragment(uniforms(1025), "")), "uniforms"));
-    // An array of numbers is one uniform, one of structs has the members of each.
+    // An array of numbers is one uniform; an array of structs counts each member.
     CHECK(refused(fragment("uniform float u[2000];\n", "")) == "");
     const std::string members = "struct S { float a, b; }; uniform S s[{}];\n";
     CHECK(refused(fragment("struct S { float a, b; }; uniform S s[512];\n", "")) == "");
@@ -119,18 +119,18 @@ TEST_CASE("members of uniform structs count as uniforms") {
         names(refused(fragment("struct S { float a, b; }; uniform S s[513];\n", "")), "uniforms"));
 }
 
-TEST_CASE("calls are counted as if they were inlined") {
-    // A function of level n has 2 + 4 + ... + 2^n = 2^(n + 1) - 2 calls within it, main one more.
+TEST_CASE("calls are counted as if inlined") {
+    // A function of level n makes 2 + 4 + ... + 2^n = 2^(n + 1) - 2 calls; main adds one.
     CHECK(refused(fragment(call_tree(14, 2), "color.x = f13(uv.x);\n")) == "");  // 16,383
     CHECK(names(refused(fragment(call_tree(15, 2), "color.x = f14(uv.x);\n")), "inlined-calls"));
     CHECK(names(refused(fragment(call_tree(18, 2), "color.x = f17(uv.x);\n")), "inlined-calls"));
     CHECK(names(refused(fragment(call_tree(30, 2), "color.x = f29(uv.x);\n")), "inlined-calls"));
     CHECK(names(refused(fragment(call_tree(12, 3), "color.x = f11(uv.x);\n")), "inlined-calls"));
-    // Drivers inline within functions that main does not reach, too.
+    // Drivers also inline functions that main does not reach.
     CHECK(names(refused(fragment(call_tree(30, 2), "")), "inlined-calls"));
 }
 
-TEST_CASE("operations of called functions count once a call") {
+TEST_CASE("operations of a function count once per call") {
     std::string text = "float f(float x) {\n";
     for (int i = 0; i < 300; ++i)
         text += "x = x * 2.0;\n";  // a product and an assignment
@@ -138,11 +138,11 @@ TEST_CASE("operations of called functions count once a call") {
     std::string calls;
     for (int i = 0; i < 840; ++i)
         calls += "color.x += f(uv.x);\n";
-    CHECK(names(refused(fragment(text, calls)), "instructions"));  // 840 * 600 at least
+    CHECK(names(refused(fragment(text, calls)), "instructions"));  // at least 840 * 600
     CHECK(refused(fragment(text, calls.substr(0, calls.size() / 2))) == "");
 }
 
-TEST_CASE("a copy of an array counts for each element") {
+TEST_CASE("a copy of an array counts each element") {
     std::string copies = "float a[1000]; float b[1000]; a[0] = uv.x;\n";
     for (int i = 0; i < 505; ++i)
         copies += "b = a;\n";
@@ -155,7 +155,7 @@ TEST_CASE("a copy of an array counts for each element") {
                 "variable-bytes"));
 }
 
-TEST_CASE("arrays and structs are compared number by number, 4096 at most") {
+TEST_CASE("comparisons of arrays and structs count each number, up to 4096") {
     const std::string type = "struct S { vec4 v[250]; float f; };\n";  // 1001 numbers
     const auto comparing = [&](int count, const std::string& more) {
         std::string body = "S s; S t; s.f = uv.x; t.f = uv.y; float a[92]; float b[92];\n" + more;
@@ -177,13 +177,13 @@ TEST_CASE("arrays and structs are compared number by number, 4096 at most") {
     CHECK(names(refused(fragment(called, calls)), "compared-values"));
 }
 
-TEST_CASE("structs and calls are at most 64 levels deep") {
+TEST_CASE("structs and calls are nested at most 64 levels deep") {
     const auto structs = [](int levels) {
         return fragment(struct_tree(levels, 1), fmt::format("S{} s;\n", levels - 1));
     };
     CHECK(refused(structs(64)) == "");
     CHECK(names(refused(structs(65)), "depth"));
-    const auto calls = [](int levels) {  // main is a level of its own
+    const auto calls = [](int levels) {  // main is a level too
         return fragment(call_tree(levels, 1), fmt::format("color.x = f{}(uv.x);\n", levels - 1));
     };
     CHECK(refused(calls(63)) == "");
@@ -191,7 +191,7 @@ TEST_CASE("structs and calls are at most 64 levels deep") {
     CHECK(names(refused(calls(20'000)), "depth"));
 }
 
-TEST_CASE("a struct has at most 4096 members, those of its members included") {
+TEST_CASE("a struct has at most 4096 members, nested ones included") {
     CHECK(refused(fragment(struct_tree(13, 2), "S12 s;\n")) == "");  // 2^12
     bool is_refused = false;
     CHECK(is_done_in_a_moment([&] {
@@ -223,13 +223,13 @@ TEST_CASE("a switch has at most 1280 cases") {
     CHECK(names(refused(fragment(macro, body + "color.x = 1.0; break;\n}\n")), "switch-cases"));
 }
 
-TEST_CASE("a refusal names the author's line and the value that would do") {
+TEST_CASE("a limit error names the line and the value that would suffice") {
     CHECK(refused(fragment("", "\nfloat a[300000]; a[3] = 1.0;\n")) ==
           "a.frag:6: error: the shader has 1200024 bytes of variables; the limit is 1048576. "
           "Simplify it, or raise the limit with --limit variable-bytes=1200024\n");
 }
 
-TEST_CASE("a raised limit lets the same text pass, also beside a cache") {
+TEST_CASE("a raised limit accepts the same text, also with a cache") {
     const Stage stage = fragment("", cases(1281));
     ShaderLimits raised;
     REQUIRE(set_limit(raised, "switch-cases=1300").has_value());
@@ -240,7 +240,7 @@ TEST_CASE("a raised limit lets the same text pass, also beside a cache") {
     CHECK(other.check(fullscreen_vertex_stage(), stage).has_value());
 }
 
-TEST_CASE("shaders for Vulkan are held to the same limits") {
+TEST_CASE("Vulkan shaders have the same limits") {
     const Stage vertex = stage_of("a.slang",
                                   "#version 450\nlayout(location = 0) in vec4 Position;\n"
                                   "void main() { gl_Position = Position; }\n");

@@ -42,7 +42,7 @@ std::vector<std::string> names_of(const Result<std::vector<Parameter>>& paramete
 using Names = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("parameters come in order of declaration, vertex shader first") {
+TEST_CASE("parameters are in declaration order, vertex shader first") {
     Look look = two_passes("uniform float b, a;", "uniform float c, b;");
     look.passes[0].vertex =
         stage_of("one.vert",
@@ -50,7 +50,7 @@ TEST_CASE("parameters come in order of declaration, vertex shader first") {
     CHECK(names_of(parameters_of(look)) == Names{"z", "b", "a", "c"});
 }
 
-TEST_CASE("one uniform of several passes and stages is one parameter that drives them all") {
+TEST_CASE("a uniform of several passes and stages is one parameter") {
     Look look = two_passes("uniform float gain;", "uniform float gain = 0.5;  // @range 0 3");
     look.passes[0].vertex = stage_of("one.vert",
                                      "#version 410 core\nuniform float gain; // @unit dB\nvoid "
@@ -71,7 +71,7 @@ TEST_CASE("a uniform without a default starts at zero") {
           Value(std::vector<double>(6, 0.0)));
 }
 
-TEST_CASE("declarations that disagree are told on the second one's line") {
+TEST_CASE("conflicting declarations are reported at the second one") {
     CHECK(errors_of(two_passes("uniform float gain;", "\nuniform vec2 gain;")) ==
           "two.frag:3: error: 'gain' is a vec2 here but a float in another pass (at one.frag:2)\n");
     CHECK(errors_of(two_passes("uniform float gain = 1.0;", "uniform float gain = 2.0;")) ==
@@ -85,7 +85,7 @@ TEST_CASE("declarations that disagree are told on the second one's line") {
           Names{"gain"});
 }
 
-TEST_CASE("built-in uniforms are no parameters, and must have their type") {
+TEST_CASE("built-in uniforms are not parameters, and their type is checked") {
     CHECK(names_of(parameters_of(look_with(
               "uniform float u_time, u_time_delta;\nuniform int u_frame, u_samples;\n"
               "uniform vec2 u_resolution, u_output_resolution, u_source_resolution, u_mouse;\n"
@@ -96,7 +96,7 @@ TEST_CASE("built-in uniforms are no parameters, and must have their type") {
           "a.frag:2: error: Afterglow sets 'u_mouse', so it must be a vec2, got a vec2[2]\n");
 }
 
-TEST_CASE("what a pass sets has no slider there, but keeps it elsewhere") {
+TEST_CASE("a uniform set by a pass has no slider there, but keeps it elsewhere") {
     Look look = two_passes("uniform vec2 direction;", "uniform vec2 direction;");
     look.passes[0].set["direction"] = Value({1.0, 0.0});
     const auto parameters = parameters_of(look);
@@ -106,7 +106,7 @@ TEST_CASE("what a pass sets has no slider there, but keeps it elsewhere") {
     CHECK(names_of(parameters_of(look)).empty());
 }
 
-TEST_CASE("two passes of one shader differ by rename") {
+TEST_CASE("rename gives two passes of one shader separate parameters") {
     Look look = two_passes("uniform float sigma = 2.0;", "uniform float sigma = 2.0;");
     look.passes[1].rename["sigma"] = "wide_sigma";
     const auto parameters = parameters_of(look);
@@ -115,7 +115,7 @@ TEST_CASE("two passes of one shader differ by rename") {
     CHECK(parameters->back().label == "Wide sigma");
 }
 
-TEST_CASE("look.json cannot name what no shader of the pass declares") {
+TEST_CASE("look.json must not name anything that no shader of the pass declares") {
     Look look = look_with("uniform float decay;\nuniform sampler2D image;\nuniform float u_time;");
     look.passes[0].inputs.push_back(input_of("image"));
     Pass& pass = look.passes[0];
@@ -159,7 +159,7 @@ TEST_CASE("look.json cannot name what no shader of the pass declares") {
           "'enogh'\n");
 }
 
-TEST_CASE("the orbit is parameters of the matrices that shaders declare") {
+TEST_CASE("an orbit adds parameters for the matrices that shaders declare") {
     Look look = look_with("uniform mat4 u_view;\nuniform mat4 u_camera;\nuniform float mine;");
     CHECK(names_of(parameters_of(look)) == Names{"mine"});
     look.has_orbit = true;
@@ -177,7 +177,7 @@ TEST_CASE("the orbit is parameters of the matrices that shaders declare") {
           "u_view' or 'uniform mat4 u_camera'\n");
 }
 
-TEST_CASE("a sampler2D without an input is a picture to choose, any other sampler a mistake") {
+TEST_CASE("a sampler2D without input is an image parameter, and any other sampler is an error") {
     const auto parameters =
         parameters_of(look_with("uniform sampler2D paper;  // @label \"Paper\""));
     REQUIRE(names_of(parameters) == Names{"paper"});
@@ -189,7 +189,7 @@ TEST_CASE("a sampler2D without an input is a picture to choose, any other sample
           "parameter\n");
 }
 
-TEST_CASE("a uniform that cannot have a control is a warning with the reason, once") {
+TEST_CASE("a uniform without control gives one warning with the reason") {
     const std::string uniforms = "uniform float table[3];\nuniform double d;\nuniform float ok;";
     Look look = look_with(uniforms);
     look.passes.push_back(look.passes.front());
@@ -200,7 +200,7 @@ TEST_CASE("a uniform that cannot have a control is a warning with the reason, on
           "a.frag:3: warning: 'd' (double) is a double; use float to get a control\n");
 }
 
-TEST_CASE("a uniform in a branch that does not count has no control") {
+TEST_CASE("a uniform in an inactive branch has no control") {
     CHECK(names_of(parameters_of(look_with("#if 0\nuniform float gone;  // @nonsense\n#endif\n"
                                            "uniform float here;"))) == Names{"here"});
     const auto parameters =
@@ -210,7 +210,7 @@ TEST_CASE("a uniform in a branch that does not count has no control") {
     CHECK(parameters->front().range == Range{0.0, 2.0, 0.0});
 }
 
-TEST_CASE("errors of all passes come together, each once") {
+TEST_CASE("errors of all passes are reported together, each once") {
     Look look = two_passes("float x = y;", "uniform float a; // @rnage 0 1");
     look.passes.push_back(look.passes.back());
     CHECK(errors_of(look) ==
@@ -218,14 +218,14 @@ TEST_CASE("errors of all passes come together, each once") {
           "two.frag:2: error: unknown annotation '@rnage' (did you mean '@range'?)\n");
 }
 
-TEST_CASE("a pass of points needs a vertex shader") {
+TEST_CASE("a pass that draws points needs a vertex shader") {
     Look look = look_with("");
     look.passes[0].draw = Draw::points;
     CHECK(errors_of(look) ==
           "look.json:7: error: pass 'main' draws points and needs a vertex shader\n");
 }
 
-TEST_CASE("a cache changes nothing but the time") {
+TEST_CASE("a cache does not change the parameters") {
     CheckCache cache;
     Diagnostics warnings;
     const Look look = two_passes("uniform float a = 0.5;", "uniform float b; // @range 1 2");

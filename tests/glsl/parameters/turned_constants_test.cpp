@@ -37,7 +37,7 @@ TEST_CASE("a constant is a parameter whose default is the written number") {
     CHECK(look.constants == Values{{"STEPS", 64.0}});
 }
 
-TEST_CASE("a constant in capitals has a label that can be read") {
+TEST_CASE("a constant in capitals gets a readable label") {
     Look look =
         look_of_texts("#define MAX_STEPS 3  // @range 1 9\n#define softNess 0.5  // @range 0 1\n");
     REQUIRE(turn_constants(look, nullptr).empty());
@@ -45,7 +45,7 @@ TEST_CASE("a constant in capitals has a label that can be read") {
     CHECK(look.parameters[1].label == "SoftNess");
 }
 
-TEST_CASE("the value stands in the place of the number, and no line moves") {
+TEST_CASE("a value replaces the written number, and no line moves") {
     const std::string before = "#ifndef N\n#define N 3  // @range 1 9\n#endif\n#undef M\n";
     Look look = look_of_texts(before + "const float A = 0.5, B = 1.0;  // @range -1 1\n", before);
     const Look plain = look;
@@ -64,7 +64,7 @@ TEST_CASE("the value stands in the place of the number, and no line moves") {
     CHECK(find_parameter(look, "N")->initial == Value(3.0));
 }
 
-TEST_CASE("a value becomes one of the constant's type, and is found under its former name") {
+TEST_CASE("a value is converted to the constant's type, and found under its previous name") {
     Look look =
         look_of_texts("#define N 3  // @range 1 9 @was COUNT\n#define ON false // @label \"On\"\n");
     const Values values{{"COUNT", 6.6}, {"ON", 3.0}};
@@ -72,7 +72,7 @@ TEST_CASE("a value becomes one of the constant's type, and is found under its fo
     CHECK(look.constants == Values{{"N", 7.0}, {"ON", 1.0}});
 }
 
-TEST_CASE("mistakes in the annotations of constants are told as those of uniforms") {
+TEST_CASE("errors in annotations of constants are reported like those of uniforms") {
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 9 1\n")) ==
           "one.frag:2: error: @range: the minimum must be below the maximum, got 9 and 1\n");
     CHECK(mistakes_of(look_of_texts("#define N 3  // @range 0.5 9\n")) ==
@@ -88,7 +88,7 @@ TEST_CASE("mistakes in the annotations of constants are told as those of uniform
           "has another value\n");
 }
 
-TEST_CASE("one name is one number: definitions that disagree are told at the second one's line") {
+TEST_CASE("a constant with conflicting definitions is an error at the second one") {
     CHECK(
         mistakes_of(
             look_of_texts("#define N 3  // @range 1 9\n", "#define N 4  // @range 1 9\n")) ==

@@ -10,7 +10,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-/// look/ is the look's folder, include/ lies beside it, shared/ is the program's.
+/// look/ is the look's folder, include/ is next to it, shared/ belongs to the program.
 class Tree {
 public:
     Tree() {
@@ -48,7 +48,7 @@ std::string first_message(const Result<Stage>& stage) {
 }
 }  // namespace
 
-TEST_CASE("every line of an assembled shader knows its author's file and line") {
+TEST_CASE("every line of an assembled shader maps to its original file and line") {
     Tree tree;
     const fs::path top = tree.write("look/a.frag",
                                     "#version 410 core\n"
@@ -65,7 +65,7 @@ TEST_CASE("every line of an assembled shader knows its author's file and line") 
     CHECK(stage->lines == expected);
 }
 
-TEST_CASE("an include is looked for beside the file, in the look, beside the look, in the shared") {
+TEST_CASE("includes are searched next to the file, in the look, next to the look and in shared/") {
     Tree tree;
     tree.write("look/a.frag", "#include \"deep/b.glsl\"\n");
     tree.write("look/deep/b.glsl", "#include \"c.glsl\"\n");
@@ -81,13 +81,13 @@ TEST_CASE("an include is looked for beside the file, in the look, beside the loo
     CHECK(tree.load("look/a.frag")->text == "beside the file\n");
 }
 
-TEST_CASE("an include in a comment is none") {
+TEST_CASE("an include in a comment is ignored") {
     Tree tree;
     tree.write("look/a.frag", "// #include \"x\"\n/*\n#include \"y\"\n*/ int a;\n");
     REQUIRE(tree.load("look/a.frag").has_value());
 }
 
-TEST_CASE("a comment that ends or starts on an include's line is kept") {
+TEST_CASE("a comment that starts or ends on an include's line is kept") {
     Tree tree;
     tree.write("look/b.glsl", "int b;");
     tree.write("look/a.frag", "/* a\n*/ #include \"b.glsl\" /* c\n*/\nint a;\n");
@@ -96,7 +96,7 @@ TEST_CASE("a comment that ends or starts on an include's line is kept") {
     CHECK(stage->text == "/* a\n*/ \nint b;\n /* c\n*/\nint a;\n");
 }
 
-TEST_CASE("a missing include is reported where it is asked for, and watched") {
+TEST_CASE("a missing include is reported at its line and watched") {
     Tree tree;
     const fs::path top =
         tree.write("look/a.frag", "\n#include \"gone.glsl\"\n#include \"too.glsl\"\n");
@@ -112,7 +112,7 @@ TEST_CASE("a missing include is reported where it is asked for, and watched") {
     CHECK(tree.watches("shared/too.glsl"));
 }
 
-TEST_CASE("includes that go round in a circle show the circle") {
+TEST_CASE("circular includes are reported with their chain") {
     Tree tree;
     tree.write("look/a.frag", "#include \"b.glsl\"\n");
     tree.write("look/b.glsl", "int b;\n#include \"c.glsl\"\n");
@@ -123,7 +123,7 @@ TEST_CASE("includes that go round in a circle show the circle") {
     CHECK(stage.error()[0] == Diagnostic{last, 2, "circular #include: b.glsl -> c.glsl -> b.glsl"});
 }
 
-TEST_CASE("nothing outside of the opened folder and of the include folders is readable") {
+TEST_CASE("files outside the opened folder and the include folders are not readable") {
     Tree tree;
     const fs::path secret = tree.write("outside/secret.glsl", "secret\n");
     const std::vector<std::string> names{
@@ -138,7 +138,7 @@ TEST_CASE("nothing outside of the opened folder and of the include folders is re
     }
 }
 
-TEST_CASE("an include goes up within the opened tree and no further") {
+TEST_CASE("an include may go up only within the opened tree") {
     Tree tree;
     tree.write("outside/tint.glsl", "float tint;\n");
     tree.write("look/deep/a.frag", "#include \"../../outside/tint.glsl\"\n");
@@ -156,7 +156,8 @@ TEST_CASE("an include goes up within the opened tree and no further") {
     CHECK(tree.load("look/d.frag")->text == "float tint;\n");
 }
 
-TEST_CASE("of a single file the tree is the nearest folder with .git or look.json, else one up") {
+TEST_CASE(
+    "the tree of a single file is the nearest folder with .git or look.json, else its parent") {
     Tree tree;
     const auto opens = [&](const std::string& name) {
         return tree.load("look/deep/" + name).has_value();
@@ -178,7 +179,7 @@ TEST_CASE("of a single file the tree is the nearest folder with .git or look.jso
     CHECK_FALSE(opens("far.frag"));
 }
 
-TEST_CASE("a link counts where it stands: main file, include and include folder") {
+TEST_CASE("a link is resolved from its own location: main file, include and include folder") {
     Tree tree;
     tree.write("outside/lib/color.glsl", "#include \"../space.glsl\"\n");
     tree.write("outside/space.glsl", "float space;\n");
@@ -192,7 +193,7 @@ TEST_CASE("a link counts where it stands: main file, include and include folder"
     CHECK(tree.load("look/a.frag")->text == "float space;\n");
 }
 
-TEST_CASE("only files with an extension of shader text are included, also by links") {
+TEST_CASE("only files with a shader extension are included, also through links") {
     Tree tree;
     for (const char* name :
          {"a.glsl", "a.frag", "a.vert", "a.fs", "a.vs", "a.h", "a.inc", "a.slang", "A.GLSL"}) {
@@ -214,14 +215,14 @@ TEST_CASE("only files with an extension of shader text are included, also by lin
           std::string::npos);
 }
 
-TEST_CASE("a missing include whose name differs only in case is told") {
+TEST_CASE("a missing include that differs only in case gives a suggestion") {
     Tree tree;
     tree.write("look/deep/Noise.glsl", "int a;\n");
     tree.write("look/a.frag", "#include \"deep/noise.glsl\"\n");
     CHECK(first_message(tree.load("look/a.frag")).ends_with(" (did you mean 'Noise.glsl'?)"));
 }
 
-TEST_CASE("a file comes twice unless it says #pragma once") {
+TEST_CASE("a file is included twice unless it has #pragma once") {
     Tree tree;
     tree.write("look/a.frag", "#include \"b.glsl\"\n#include \"b.glsl\"\n");
     tree.write("look/b.glsl", "b\n");
@@ -230,7 +231,7 @@ TEST_CASE("a file comes twice unless it says #pragma once") {
     CHECK(tree.load("look/a.frag")->text == "            \nb\n");
 }
 
-TEST_CASE("an include that is not written as one says how it is written") {
+TEST_CASE("a malformed include gives the expected syntax") {
     Tree tree;
     for (const char* line :
          {"#include <a.glsl>", "#include", "#include a.glsl", "#include \"a.glsl"}) {
@@ -239,7 +240,7 @@ TEST_CASE("an include that is not written as one says how it is written") {
     }
 }
 
-TEST_CASE("#line is blanked out, so that lines stay the author's") {
+TEST_CASE("#line is replaced by spaces, so that line numbers stay") {
     Tree tree;
     tree.write("look/a.frag", "  # /* */ line 99 3 // far\nint a; // #line 5\n");
     const auto stage = tree.load("look/a.frag");
@@ -247,7 +248,7 @@ TEST_CASE("#line is blanked out, so that lines stay the author's") {
     CHECK(stage->text == std::string(20, ' ') + "// far\nint a; // #line 5\n");
 }
 
-TEST_CASE("files that are no text, or are not there, are one clear error") {
+TEST_CASE("missing, binary, huge and unclosed files give one clear error") {
     Tree tree;
     CHECK(first_message(tree.load("look/none.frag")) == "file not found");
     CHECK(first_message(tree.load("look/deep")) == "this is a folder, not a file");
@@ -264,7 +265,7 @@ TEST_CASE("files that are no text, or are not there, are one clear error") {
     CHECK(open.error().front().line == 2);
 }
 
-TEST_CASE("includes that multiply or go too deep end with an error") {
+TEST_CASE("includes that multiply or nest too deep are an error") {
     Tree tree;
     for (int i = 0; i < 100; ++i) {
         const std::string next = "#include \"" + std::to_string(i + 1) + ".glsl\"\n";
@@ -278,7 +279,7 @@ TEST_CASE("includes that multiply or go too deep end with an error") {
     CHECK(many.error().size() == 1);
 }
 
-TEST_CASE("the program's own vertex shader checks with a fragment shader that reads uv") {
+TEST_CASE("the built-in vertex shader links with a fragment shader that reads uv") {
     const Stage fragment = builtin_stage(
         "#version 410 core\nin vec2 uv;\nout vec4 color;\nvoid main() { color = vec4(uv, 0, 1); "
         "}\n");

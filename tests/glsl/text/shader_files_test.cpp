@@ -13,7 +13,7 @@ std::string text_of(ShaderFiles& files, const fs::path& file) {
 }
 }  // namespace
 
-TEST_CASE("a file is the same throughout one reading, and read again in the next") {
+TEST_CASE("a file stays the same during one reading, and is read again in the next") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("a.glsl", "float a;\r\n");
     const fs::path missing = folder / "b.glsl";
@@ -22,7 +22,7 @@ TEST_CASE("a file is the same throughout one reading, and read again in the next
     CHECK(text_of(files, file) == "float a;\n");
     CHECK_FALSE(files.exists(missing));
 
-    folder.write("a.glsl", "float b;\n");  // as long, within the same tick of the file's clock
+    folder.write("a.glsl", "float b;\n");  // the same size, within one tick of the file's clock
     folder.write("b.glsl", "float c;\n");
     CHECK(text_of(files, file) == "float a;\n");
     CHECK_FALSE(files.exists(missing));
@@ -37,7 +37,7 @@ TEST_CASE("a file is the same throughout one reading, and read again in the next
     CHECK(files.place_of(file).empty());
 }
 
-TEST_CASE("a link is followed where it leads at each reading") {
+TEST_CASE("a link is resolved again at each reading") {
     const TemporaryFolder folder;
     fs::create_directories(folder / "in");
     folder.write("in/a.glsl", "float a;\n");
@@ -54,7 +54,7 @@ TEST_CASE("a link is followed where it leads at each reading") {
     CHECK(files.read(link)->place == fs::canonical(folder / "b.glsl"));  // the text is the same
 }
 
-TEST_CASE("a file that nobody has written for a while is read once") {
+TEST_CASE("an unchanged file is read once") {
     const TemporaryFolder folder;
     const fs::path shaders = fs::path(AFTERGLOW_SOURCE_DIR) / "shaders/include";
     const fs::path link = folder / "link.glsl";
@@ -66,7 +66,7 @@ TEST_CASE("a file that nobody has written for a while is read once") {
 
     files.begin_reading();
     CHECK(files.place_of(link) == fs::canonical(shaders / "color.glsl"));
-    CHECK_FALSE(files.digest_of_read(link).has_value());  // nobody has asked for it
+    CHECK_FALSE(files.digest_of_read(link).has_value());  // not read yet in this reading
     CHECK(text_of(files, link) == color);
     CHECK(files.digest_of_read(link).has_value());
     CHECK(files.reads() == 1);
@@ -78,13 +78,13 @@ TEST_CASE("a file that nobody has written for a while is read once") {
     CHECK(text_of(files, link) != color);
     CHECK(files.reads() == 2);
 
-    files.begin_reading();  // nobody asks
+    files.begin_reading();  // nothing is read in this one
     files.begin_reading();
     CHECK(text_of(files, link) != color);
     CHECK(files.reads() == 3);
 }
 
-TEST_CASE("what directives ask for is known with the text") {
+TEST_CASE("directives of a file are parsed with its text") {
     const TemporaryFolder folder;
     ShaderFiles files;
     const auto& read = files.read(folder.write("a.glsl",

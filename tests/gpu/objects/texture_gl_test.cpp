@@ -44,7 +44,7 @@ TEST_CASE_FIXTURE(
 }
 
 TEST_CASE_FIXTURE(
-    Headless, "what is read for another thread is the same picture, in memory that is used again") {
+    Headless, "a raw picture read for another thread is the same picture, and reuses its memory") {
     Picture picture{{5, 3}, 4, Encoding::linear, {}};
     for (int i = 0; i < 5 * 3 * 4; ++i)
         picture.pixels.push_back(static_cast<float>(i * 37 % 61) / 60.0f);
