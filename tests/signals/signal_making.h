@@ -9,7 +9,7 @@
 #include <numbers>
 #include <string_view>
 
-/// The signal that a person's text asks for; the test fails when it is refused.
+/// The signal of a spec. The test fails when it is rejected.
 inline std::unique_ptr<Signal> signal_of(std::string_view text,
                                          std::shared_ptr<const Sound> sound = nullptr) {
     auto signal = make_signal(parse_spec(text).value(), {std::move(sound)});
@@ -31,7 +31,7 @@ inline double charge_of(const Beam& beam) {
     return sum;
 }
 
-/// A sound whose left and right are functions of the sample's number.
+/// A sound whose left and right channels are functions of the sample number.
 template <class Left, class Right>
 std::shared_ptr<const Sound> sound_of(int rate, int frames, const Left& left, const Right& right) {
     auto sound = std::make_shared<Sound>();
@@ -48,7 +48,7 @@ inline double sine_at(double hertz, double seconds) {
     return std::sin(2.0 * std::numbers::pi * hertz * seconds);
 }
 
-/// A sine on the left and, a quarter period later, on the right.
+/// A sine on the left and, a quarter period ahead, on the right.
 inline std::shared_ptr<const Sound> circle(int rate, int frames, double hertz) {
     return sound_of(
         rate, frames, [=](int i) { return 0.5 * sine_at(hertz, static_cast<double>(i) / rate); },

@@ -18,7 +18,7 @@ std::string spec_refusal(std::string_view text) {
 }
 }  // namespace
 
-TEST_CASE("a bare kind is completed with every default") {
+TEST_CASE("a spec with only a kind is completed with every default") {
     const auto spec = completed(parse_spec("lissajous").value());
     REQUIRE(spec.has_value());
     CHECK(Settings(*spec).number("x") == 3.0);
@@ -29,7 +29,7 @@ TEST_CASE("a bare kind is completed with every default") {
     CHECK(Settings(*spec).is("weighting", "constant"));
 }
 
-TEST_CASE("a completed spec is completed to itself, and its text reads back the same") {
+TEST_CASE("completing a spec is idempotent, and its text parses to the same spec") {
     for (const SignalKind& kind : signal_kinds()) {
         Spec spec{kind.kind, {}};
         if (!kind.file_setting.empty())
@@ -42,7 +42,7 @@ TEST_CASE("a completed spec is completed to itself, and its text reads back the 
     }
 }
 
-TEST_CASE("a bare word is the file, also when it looks like a number") {
+TEST_CASE("a bare word is the file, even if it looks like a number") {
     const auto spec = completed(parse_spec("audio:song.wav,mode=xy").value());
     REQUIRE(spec.has_value());
     CHECK(Settings(*spec).word("file") == "song.wav");
@@ -52,7 +52,7 @@ TEST_CASE("a bare word is the file, also when it looks like a number") {
     CHECK(file_of(parse_spec("lissajous").value()).empty());
 }
 
-TEST_CASE("a misspelt kind, key or word is refused with a suggestion") {
+TEST_CASE("a misspelt kind, key or word is an error with a suggestion") {
     CHECK(spec_refusal("lisajous") ==
           "error: unknown signal 'lisajous' (did you mean 'lissajous'?)\n");
     CHECK(spec_refusal("lissajous:phse=0") ==
@@ -63,7 +63,7 @@ TEST_CASE("a misspelt kind, key or word is refused with a suggestion") {
     CHECK(spec_refusal("theremin").find("use one of: lissajous, waveform") != std::string::npos);
 }
 
-TEST_CASE("numbers that cannot be meant are refused, all at once") {
+TEST_CASE("invalid numbers are errors, all reported at once") {
     CHECK(spec_refusal("lissajous:points=4096.5").find("whole number") != std::string::npos);
     CHECK(spec_refusal("lissajous:points=1e12").find("between 16 and 262144") != std::string::npos);
     CHECK(spec_refusal("audio:a.wav,upsample=0").find("between 1 and 16") != std::string::npos);
@@ -78,7 +78,7 @@ TEST_CASE("numbers that cannot be meant are refused, all at once") {
     CHECK_FALSE(completed(infinite).has_value());
 }
 
-TEST_CASE("the table says all that a control and a manual need") {
+TEST_CASE("the signal table has labels, help and valid ranges for every setting") {
     std::set<std::string> kinds;
     for (const SignalKind& kind : signal_kinds()) {
         INFO(kind.kind);

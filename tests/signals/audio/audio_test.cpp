@@ -14,7 +14,7 @@ float widest(const Beam& beam) {
 }
 }  // namespace
 
-TEST_CASE("xy: left goes across, right goes up, and a frame holds the samples of its time") {
+TEST_CASE("xy: left is x, right is y, and a frame has the samples of its time span") {
     const auto sound = sound_of(
         48000, 48000, [](int i) { return i * 1e-5; }, [](int i) { return -0.5 + i * 1e-5; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,upsample=1", sound), frame_span(31, 60.0));
@@ -24,7 +24,7 @@ TEST_CASE("xy: left goes across, right goes up, and a frame holds the samples of
     CHECK(std::abs(beam.back().age_seconds) < 1e-6);
 }
 
-TEST_CASE("xy: a constant level is not taken away, and one channel draws the diagonal") {
+TEST_CASE("xy: a constant level is kept, and mono draws the diagonal") {
     auto mono = std::make_shared<Sound>(Sound{48000, 1, std::vector<float>(4800, 0.4f)});
     for (const BeamPoint& point : beam_of(*signal_of("audio:a.wav", mono), frame_span(2, 60.0))) {
         REQUIRE(point.x == about(0.4, 1e-6));
@@ -32,7 +32,7 @@ TEST_CASE("xy: a constant level is not taken away, and one channel draws the dia
     }
 }
 
-TEST_CASE("the level is a factor") {
+TEST_CASE("the level multiplies the deflection") {
     const auto sound = circle(48000, 4800, 1000.0);
     const Beam plain = beam_of(*signal_of("audio:a.wav", sound), frame_span(3, 60.0));
     const Beam halved = beam_of(*signal_of("audio:a.wav,level=0.5", sound), frame_span(3, 60.0));
@@ -41,7 +41,7 @@ TEST_CASE("the level is a factor") {
         REQUIRE(halved[i].x == doctest::Approx(plain[i].x * 0.5));
 }
 
-TEST_CASE("a sound that does not loop ends, and each of its samples was drawn once") {
+TEST_CASE("a sound without loop ends, and each of its samples is drawn once") {
     const auto signal = signal_of("audio:a.wav,loop=off,upsample=3", circle(44100, 10000, 500.0));
     CHECK(signal->seconds() == doctest::Approx(10000.0 / 44100.0));
     std::size_t points = 0;
@@ -53,7 +53,7 @@ TEST_CASE("a sound that does not loop ends, and each of its samples was drawn on
     CHECK(std::isinf(signal_of("audio:a.wav", circle(44100, 100, 500.0))->seconds()));
 }
 
-TEST_CASE("the path goes on from the end of a loop to its start") {
+TEST_CASE("the path of a loop continues from its end to its start") {
     const auto signal = signal_of("audio:a.wav", circle(48000, 240, 1000.0));
     const Beam beam = beam_of(*signal, {0.0, 1.0});
     REQUIRE(beam.size() == 192000);
@@ -61,7 +61,7 @@ TEST_CASE("the path goes on from the end of a loop to its start") {
         REQUIRE(std::hypot(point.x, point.y) == about(0.5, 1e-3));
 }
 
-TEST_CASE("start is where time 0 is and where the loop begins again") {
+TEST_CASE("time 0 and the loop start at `start`") {
     const auto sound = sound_of(
         1000, 1000, [](int i) { return i * 1e-3; }, [](int) { return 0.0; });
     const auto signal = signal_of("audio:a.wav,start=0.6,upsample=1", sound);
@@ -70,7 +70,7 @@ TEST_CASE("start is where time 0 is and where the loop begins again") {
     CHECK(beam_of(*signal, {0.399, 0.4}).front().x == doctest::Approx(0.999));
 }
 
-TEST_CASE("automatic gain: the peak of the last second just fits, at most 40 dB are added") {
+TEST_CASE("automatic gain scales the peak of the last second to full scale, by at most 40 dB") {
     const auto loudness = [](double factor) {
         return sound_of(
             8000, 32000, [=](int i) { return factor * sine_at(440.0, i / 8000.0); },
@@ -82,7 +82,7 @@ TEST_CASE("automatic gain: the peak of the last second just fits, at most 40 dB 
     CHECK(widest(beam_of(*hushed, {1.0, 3.0})) == about(0.1, 0.01));
 }
 
-TEST_CASE("automatic gain: a burst fits from its first sample and is forgotten after a second") {
+TEST_CASE("automatic gain fits a burst from its first sample, and recovers after a second") {
     const auto sound = sound_of(
         8000, 40000, [](int i) { return (i / 8000 == 1 ? 0.8 : 0.1) * sine_at(440.0, i / 8000.0); },
         [](int) { return 0.0; });
@@ -93,8 +93,8 @@ TEST_CASE("automatic gain: a burst fits from its first sample and is forgotten a
     CHECK(widest(beam_of(*signal, {3.5, 4.5})) == about(1.0, 0.01));
 }
 
-TEST_CASE("automatic gain goes evenly from one tenth of a second's to the next one's") {
-    // From 1.0 s on it is 0.8, which the tenth before it makes room for.
+TEST_CASE("automatic gain is linear between tenths of a second") {
+    // The level is 0.8 from 1.0 s on; the gain falls during the tenth before it.
     const auto sound = sound_of(
         8000, 16000, [](int i) { return i < 8000 ? 0.1 : 0.8; }, [](int) { return 0.0; });
     const auto signal = signal_of("audio:a.wav,auto_gain=on,upsample=1,loop=off", sound);
@@ -108,7 +108,7 @@ TEST_CASE("automatic gain goes evenly from one tenth of a second's to the next o
     }
 }
 
-TEST_CASE("automatic gain of a sound that does not loop knows nothing of its end") {
+TEST_CASE("automatic gain looks across the end of a sound only in a loop") {
     const auto sound = sound_of(
         8000, 24000, [](int i) { return i < 16000 ? 0.1 : 0.8; }, [](int) { return 0.0; });
     const auto once = signal_of("audio:a.wav,auto_gain=on,upsample=1,loop=off", sound);
@@ -117,7 +117,7 @@ TEST_CASE("automatic gain of a sound that does not loop knows nothing of its end
     CHECK(widest(beam_of(*looped, {0.0, 0.5})) == about(0.125, 0.001));
 }
 
-TEST_CASE("waveform: a window goes across the screen, the mean of both channels up") {
+TEST_CASE("waveform: x is time, and y is the mean of both channels") {
     const auto sound = sound_of(
         8000, 8000, [](int) { return 0.2; }, [](int) { return 0.6; });
     const Beam beam =
@@ -131,7 +131,7 @@ TEST_CASE("waveform: a window goes across the screen, the mean of both channels 
     CHECK(beam_of(*right, {0.1, 0.2})[100].y == doctest::Approx(0.6));
 }
 
-TEST_CASE("a rising trigger begins every sweep at the same place of a wave") {
+TEST_CASE("a rising trigger starts every sweep at the same phase") {
     constexpr double hertz = 130.3;
     const auto sound = sound_of(
         48000, 96000, [](int i) { return 0.9 * sine_at(hertz, i / 48000.0 + 0.002); },
@@ -143,26 +143,26 @@ TEST_CASE("a rising trigger begins every sweep at the same place of a wave") {
     for (std::size_t i = 1; i < beam.size(); ++i) {
         if (beam[i].intensity == 0.0f || beam[i - 1].intensity != 0.0f)
             continue;
-        ++sweeps;  // this is its second point, at most two steps above 0
+        ++sweeps;  // the second point of a sweep, at most two steps above 0
         REQUIRE(beam[i].y > 0.0f);
         REQUIRE(beam[i].y < 2.1 * step);
     }
-    // 0.02 s hold 2.6 periods: each sweep begins three periods after the last one.
+    // 0.02 s have 2.6 periods: each sweep starts three periods after the previous one.
     CHECK(sweeps == about(1.9 * hertz / 3.0, 0.02));
 }
 
-TEST_CASE("a sound that never rises through 0 sweeps on without a trigger") {
+TEST_CASE("a sound that never crosses 0 sweeps without a trigger") {
     const auto sound = sound_of(
         8000, 8000, [](int) { return 0.5; }, [](int) { return 0.5; });
     const Beam beam =
         beam_of(*signal_of("audio:a.wav,mode=waveform,trigger=auto", sound), {0.0, 1.0});
     const auto dark = std::count_if(beam.begin(), beam.end(),
                                     [](const BeamPoint& point) { return point.intensity == 0.0f; });
-    CHECK(dark == 50);  // the ways back
+    CHECK(dark == 50);  // retraces
 }
 
-TEST_CASE("without a crossing the sweeps go on by themselves a tenth of a second after the last") {
-    // Crosses 0 upwards at 0.405 s for the last time; a sweep takes 0.02 s.
+TEST_CASE("without a crossing, free-running sweeps start 0.1 s after the last one") {
+    // The last rising crossing is at 0.405 s; a sweep takes 0.02 s.
     const auto sound = sound_of(
         8000, 8000, [](int i) { return i < 3600 ? sine_at(10.0, (i - 40) / 8000.0) : -0.2; },
         [](int) { return 0.0; });
@@ -180,7 +180,7 @@ TEST_CASE("without a crossing the sweeps go on by themselves a tenth of a second
     CHECK(light_in(0.506, 0.524) > 0.0);
 }
 
-TEST_CASE("a missing or useless sound is refused") {
+TEST_CASE("a missing, empty or too short sound is an error") {
     const Spec spec = parse_spec("audio:a.wav").value();
     CHECK_FALSE(make_signal(spec, {}).has_value());
     CHECK_FALSE(make_signal(spec, {std::make_shared<Sound>()}).has_value());

@@ -3,7 +3,7 @@
 #include "about.h"
 
 namespace {
-/// 1000 samples a second that come in as time goes by: quiet, and from sample 1050 on loud.
+/// A live sound with 1000 samples per second: quiet, and loud from sample 1050.
 class Incoming : public SampleStream {
 public:
     int rate() const override { return 1000; }
@@ -22,17 +22,18 @@ public:
 };
 }  // namespace
 
-TEST_CASE("the gain of a live sound looks only at tenths of a second that are whole") {
+TEST_CASE("the gain of a live sound uses only complete tenths of a second") {
     Incoming sound;
     const AutoGain gain(sound);
     const auto gain_at = [&](std::int64_t now) {
-        sound.heard = now;  // nothing later has come in yet
+        sound.heard = now;  // later samples do not exist yet
         return gain.at(static_cast<double>(now));
     };
     for (std::int64_t now = 0; now < 1100; now += 10)
         (void)gain_at(now);
-    CHECK(gain_at(1100) == about(1.0 / 0.1, 1e-3));  // not yet seen
+    CHECK(gain_at(1100) == about(1.0 / 0.1, 1e-3));  // not counted yet
     for (std::int64_t now = 1110; now < 1300; now += 10)
         (void)gain_at(now);
-    CHECK(gain_at(1300) == about(1.0 / 0.8, 1e-3));  // the tenth with its first half quiet is known
+    CHECK(gain_at(1300) ==
+          about(1.0 / 0.8, 1e-3));  // the block that becomes loud halfway is complete
 }

@@ -1,4 +1,4 @@
-// The channels of a sound as the beam's place, current and colour.
+// The channels of a sound as position, current and colour of the beam.
 #include "about.h"
 #include "signals/audio/audio.h"
 #include "signals/signal_making.h"
@@ -6,7 +6,7 @@
 namespace {
 constexpr int channels_rate = 6000;  // 100 samples in 1/60 s
 
-/// Of `channels` channels: channel c of sample i is value(c, i), c from 1.
+/// A sound with `channels` channels: channel c of sample i is value(c, i), c from 1.
 template <class Value>
 std::shared_ptr<const Sound> channels_of(int channels, int frames, const Value& value) {
     auto sound = std::make_shared<Sound>(Sound{channels_rate, channels, {}});
@@ -16,7 +16,7 @@ std::shared_ptr<const Sound> channels_of(int channels, int frames, const Value& 
     return sound;
 }
 
-// No two channels are alike anywhere.
+// All channels differ at every sample.
 double stair(int channel, int sample) {
     return 0.1 * channel + 0.0001 * sample;
 }
@@ -33,7 +33,7 @@ std::string channels_refusal(const std::string& text, std::shared_ptr<const Soun
 }
 }  // namespace
 
-TEST_CASE("each of x, y, red, green and blue is the channel that was chosen for it") {
+TEST_CASE("x, y, red, green and blue are taken from the chosen channels") {
     const Beam beam = second_frame("x=5,y=4,r=3,g=2,b=1", channels_of(5, 600, stair));
     REQUIRE(beam.size() == 100);
     REQUIRE(beam.tints.size() == 100);
@@ -46,7 +46,7 @@ TEST_CASE("each of x, y, red, green and blue is the channel that was chosen for 
     }
 }
 
-TEST_CASE("the intensity is a factor of the current, and blanks where it is negative") {
+TEST_CASE("the intensity channel multiplies the current, and negative values blank the beam") {
     const auto sound = channels_of(3, 600, [](int channel, int i) {
         return channel < 3 ? 0.5 : i % 2 == 0 ? 0.25 : -0.25;
     });
@@ -58,7 +58,7 @@ TEST_CASE("the intensity is a factor of the current, and blanks where it is nega
     CHECK(beam.tints.empty());
 }
 
-TEST_CASE("without a channel a place is in the middle, and a colour beside others dark") {
+TEST_CASE("without a channel a position is 0, and a colour is dark if another colour has one") {
     const auto sound = channels_of(4, 600, stair);
     for (const BeamPoint& point : second_frame("x=0,y=3", sound)) {
         REQUIRE(point.x == 0.0f);
@@ -73,16 +73,14 @@ TEST_CASE("without a channel a place is in the middle, and a colour beside other
     }
 }
 
-TEST_CASE("without channels for them there are no colours, and nothing else changes") {
+TEST_CASE("without colour channels there are no tints, and the beam is unchanged") {
     const auto sound = channels_of(2, 600, stair);
     const Beam plain = second_frame("mode=xy", sound);
     CHECK(plain.tints.empty());
     CHECK(plain == second_frame("x=1,y=2,intensity=0", sound));
 }
 
-TEST_CASE(
-    "current and colour go on in straight lines between the samples, and the level is not "
-    "theirs") {
+TEST_CASE("current and colour are interpolated linearly, and are not affected by the level") {
     const auto sound = channels_of(3, 600, [](int, int i) { return i * 0.001; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,upsample=4,level=2,intensity=3,r=3", sound),
                               frame_span(2, 60.0));
@@ -95,7 +93,8 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("any cut of time gives the same colours, also in a loop and where a sound has ended") {
+TEST_CASE(
+    "the colours do not depend on the division into frames, also in a loop and after the end") {
     const auto sound = channels_of(6, 250, stair);
     for (const char* loop : {"on", "off"}) {
         const auto signal =
@@ -111,7 +110,7 @@ TEST_CASE("any cut of time gives the same colours, also in a loop and where a so
     }
 }
 
-TEST_CASE("a channel that the sound does not have is told; one channel alone is x and y") {
+TEST_CASE("a channel number beyond the sound is an error, and mono is x and y") {
     const auto stereo = channels_of(2, 600, stair);
     CHECK(channels_refusal("audio:a.wav,r=5", stereo) ==
           "'r' is channel 5, but the sound has only 2 channels");
@@ -123,7 +122,7 @@ TEST_CASE("a channel that the sound does not have is told; one channel alone is 
     CHECK(make_signal(parse_spec("audio:a.wav,mode=spectrum,r=5").value(), {stereo}).has_value());
 }
 
-TEST_CASE("a live sound's channels are chosen in the same way") {
+TEST_CASE("channels of a live sound are selected the same way") {
     auto live = std::make_shared<LiveSound>(channels_rate, 4);
     std::vector<float> samples;
     for (int i = 0; i < 200; ++i)

@@ -1,4 +1,4 @@
-// A live sound is drawn by the same code as a sound file.
+// Live sound and sound files are drawn by the same code.
 #include "signals/audio/audio.h"
 #include "signals/signal_making.h"
 
@@ -10,7 +10,7 @@ std::shared_ptr<const Sound> three_seconds() {
 }
 }  // namespace
 
-TEST_CASE("a microphone shows what a file with the same samples shows") {
+TEST_CASE("a microphone draws the same as a file with the same samples") {
     const auto sound = three_seconds();
     for (const std::string knobs :
          {"mode=xy", "mode=xy,coupling1=ac", "mode=waveform,channel=both,sdiv=0.01",
@@ -18,14 +18,14 @@ TEST_CASE("a microphone shows what a file with the same samples shows") {
           "mode=radial"}) {
         INFO(knobs);
         const auto file = signal_of("audio:a.wav,loop=off," + knobs, sound);
-        // The device was open for a second before time 0.
+        // The device was opened one second before time 0.
         auto live = std::make_shared<LiveSound>(8000);
         live->write(std::vector<float>(16000, 0.0f), 2);
         const auto made = make_signal(parse_spec("microphone:" + knobs).value(),
                                       {.live = live, .live_first = 8000});
         REQUIRE(made.has_value());
         for (std::int64_t frame = 1; frame <= 120; ++frame) {
-            // Comes in 0.05 s before it is drawn.
+            // Samples arrive 0.05 s before they are drawn.
             const auto end = static_cast<std::size_t>(frame * 8000 / 60 + 400) * 2;
             const auto have = static_cast<std::size_t>(live->frame_count() - 8000) * 2;
             live->write(std::span(sound->samples).subspan(have, end - have), 2);
@@ -35,7 +35,7 @@ TEST_CASE("a microphone shows what a file with the same samples shows") {
     }
 }
 
-TEST_CASE("automatic gain of a live sound settles on its peak") {
+TEST_CASE("automatic gain of a live sound adjusts to its peak") {
     auto live = std::make_shared<LiveSound>(8000);
     const auto sound = three_seconds();
     live->write(sound->samples, 2);
@@ -46,7 +46,7 @@ TEST_CASE("automatic gain of a live sound settles on its peak") {
     CHECK(widest == doctest::Approx(1.0).epsilon(0.01));
 }
 
-TEST_CASE("without a device a microphone says what to do") {
+TEST_CASE("a microphone without a device gives an error with a suggestion") {
     const auto made = make_signal(parse_spec("microphone:mode=xy").value(), {});
     REQUIRE_FALSE(made.has_value());
     CHECK(to_string(made.error()) ==

@@ -7,12 +7,12 @@ namespace {
 constexpr double attack = 0.05;
 constexpr double release = 0.4;
 
-/// 0.8 for the first second, then silence.
+/// 0.8 in the first second, then silence.
 double step_peak(std::int64_t stretch) {
     return stretch < 100 ? 0.8 : 0.0;
 }
 
-/// Bursts of 60 Hz for 30 ms every half second, over a quiet hum.
+/// Bursts of 60 Hz for 30 ms every half second, over quiet hum.
 std::shared_ptr<const Sound> clicks() {
     constexpr int rate = 8000;
     const auto left = [](int i) {
@@ -24,7 +24,7 @@ std::shared_ptr<const Sound> clicks() {
 }
 }  // namespace
 
-TEST_CASE("an envelope goes up and down with its time constants") {
+TEST_CASE("an envelope rises and falls with its time constants") {
     const Envelopes envelopes(step_peak);
     CHECK(envelopes.at(0.0, attack, release) == 0.0);
     for (const double t : {0.01, 0.05, 0.2, 0.99})
@@ -35,7 +35,7 @@ TEST_CASE("an envelope goes up and down with its time constants") {
             is_near(envelopes.at(t, attack, release), top * std::exp(-(t - 1.0) / release), 1e-9));
 }
 
-TEST_CASE("an envelope is the same at the same time, whatever was asked before") {
+TEST_CASE("an envelope depends only on the time, not on earlier calls") {
     const auto hum = [](std::int64_t stretch) {
         return 0.5 + 0.5 * std::sin(static_cast<double>(stretch));
     };
@@ -49,14 +49,14 @@ TEST_CASE("an envelope is the same at the same time, whatever was asked before")
         CHECK(Envelopes(hum).at(seconds, attack, release) == level);
         CHECK(at_144.at(seconds, attack, release) == level);
     }
-    // Begun anew each second, it is what one that never forgets would be.
+    // It restarts each second, and still equals an envelope with unlimited memory.
     double whole = 0.0;
     for (int i = 0; i < 1999; ++i)
         whole += (hum(i) - whole) * (1.0 - std::exp(-0.01 / (hum(i) > whole ? attack : release)));
     CHECK(is_near(at_30.at(19.99, attack, release), whole, 1e-5));
 }
 
-TEST_CASE("the level of a sound is its peak, on either side, 1 for full scale") {
+TEST_CASE("the level of a sound is the peak of both channels, 1 for full scale") {
     const auto sound = sound_of(
         48000, 48000, [](int) { return 0.0; },
         [](int i) { return i < 24000 ? 0.5 * sine_at(1000.0, i / 48000.0) : 0.0; });
@@ -67,18 +67,18 @@ TEST_CASE("the level of a sound is its peak, on either side, 1 for full scale") 
     CHECK(later.envelope(0.5, 0.001, release) == 0.0);
 }
 
-TEST_CASE("the level of a beam is how far it goes from the middle; it has no beats") {
+TEST_CASE("the level of a beam is its distance from the centre, and it has no beats") {
     const BeamLoudness loudness(signal_of("lissajous:x=50,y=40,amplitude=0.6"));
     CHECK(is_near(loudness.envelope(1.0, 0.001, 1.0), 0.6, 0.002));
     CHECK_FALSE(loudness.seconds_since_beat(1.0, 1.0).has_value());
 }
 
-TEST_CASE("beats are told by the time since the last one") {
+TEST_CASE("beats are reported as the time since the last one") {
     const SoundLoudness loudness(stream_of(clicks(), {}));
     for (const double seconds : {1.3, 1.9, 3.2}) {
         const auto since = loudness.seconds_since_beat(seconds, 2.0);
         REQUIRE(since.has_value());
-        // It is known 10 to 20 ms after its burst began.
+        // A beat is detected 10 to 20 ms after the start of its burst.
         CHECK(*since < std::fmod(seconds, 0.5));
         CHECK(*since > std::fmod(seconds, 0.5) - 0.0201);
     }

@@ -25,7 +25,7 @@ double level_at(const std::shared_ptr<const Sound>& sound, std::size_t at) {
     return decibels(Spectrum(input, 2048, 0.0).amplitudes(60)[at]);
 }
 
-/// Bursts of 60 Hz for 30 ms, `gap` seconds apart, over a quiet hum.
+/// Bursts of 60 Hz for 30 ms, `gap` seconds apart, over quiet hum.
 std::shared_ptr<const Sound> clicks(double gap) {
     return sound_of(
         spectrum_rate, 5 * spectrum_rate,
@@ -45,18 +45,18 @@ double ring_radius(const Signal& signal, std::int64_t hop) {
 }
 }  // namespace
 
-TEST_CASE("a sine of full scale in the middle of a bin reads 0 dB, between two 1.42 dB less") {
+TEST_CASE("a full-scale sine at a bin centre reads 0 dB, and 1.42 dB less between bins") {
     CHECK(std::abs(level_at(sines(100 * bin_hertz, 1.0), 100)) < 0.01);
     CHECK(std::abs(level_at(sines(100 * bin_hertz, 0.1), 100) + 20.0) < 0.01);
-    // Hann's window half a bin off: sin(pi / 2) / (pi / 2) / (1 - 1 / 4) = 8 / (3 pi).
+    // Hann window half a bin off: sin(pi / 2) / (pi / 2) / (1 - 1 / 4) = 8 / (3 pi).
     const double scallop = 20.0 * std::log10(8.0 / (3.0 * std::numbers::pi));
     CHECK(std::abs(level_at(sines(100.5 * bin_hertz, 1.0), 100) - scallop) < 0.01);
-    // Hann's first neighbours are half as high, those further away are nothing.
+    // The Hann window's first neighbours have half the height, further ones none.
     CHECK(std::abs(level_at(sines(100 * bin_hertz, 1.0), 101) + 6.02) < 0.01);
     CHECK(level_at(sines(100 * bin_hertz, 1.0), 110) < -90.0);
 }
 
-TEST_CASE("smoothing: 63 % of the way after its time constant, whatever the frame rate") {
+TEST_CASE("smoothing reaches 63 % after its time constant, at any frame rate") {
     const auto sound = sound_of(
         spectrum_rate, 3 * spectrum_rate,
         [](int i) { return i < spectrum_rate ? 0.0 : sine_at(100 * bin_hertz, i / 48000.0); },
@@ -71,7 +71,7 @@ TEST_CASE("smoothing: 63 % of the way after its time constant, whatever the fram
     CHECK(std::abs(spectrum.amplitudes(60 + 30)[bin] / settled - (1.0 - std::exp(-2.0))) < 0.01);
 }
 
-TEST_CASE("two tones stand at their places on the logarithmic scale, at their heights") {
+TEST_CASE("two tones have the right position on the log scale, and the right height") {
     const auto sound = sines(20 * bin_hertz, 0.5, 300 * bin_hertz, 0.05);
     const auto signal = signal_of(
         "audio:a.wav,mode=spectrum,channel=left,smoothing=0,low=100,high=10000,floor=-60", sound);
@@ -92,10 +92,10 @@ TEST_CASE("two tones stand at their places on the logarithmic scale, at their he
         CHECK(std::abs(best->x - x) < 0.002);
         CHECK(std::abs(best->y - y) < 0.002);
     }
-    CHECK(beam[2000].y == -1.0f);  // between them lies the floor
+    CHECK(beam[2000].y == -1.0f);  // between them is the floor
 }
 
-TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and ceiling") {
+TEST_CASE("FFT size, smoothing, floor and ceiling affect the spectrum") {
     const auto highest_at = [](const Signal& signal, double seconds, double hertz) {
         float highest = -1.0f;
         for (const BeamPoint& point : beam_of(signal, {seconds, seconds + 1.0 / 60.0}))
@@ -104,19 +104,19 @@ TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and c
         return highest;
     };
     const std::string spectrum = "audio:a.wav,mode=spectrum,channel=left,low=100,high=10000,";
-    // Two tones 59 Hz apart: 10 bins of 8192 samples, little more than one of 1024.
+    // Two tones 59 Hz apart: 10 bins of 8192 samples, little more than one bin of 1024.
     const auto two = sines(171 * 0.25 * bin_hertz, 0.5, 181 * 0.25 * bin_hertz, 0.5);
     const auto fine = signal_of(spectrum + "smoothing=0,floor=-60,fft=8192", two);
     const auto coarse = signal_of(spectrum + "smoothing=0,floor=-60,fft=1024", two);
     CHECK(highest_at(*fine, 1.0, 1030.0) == -1.0f);
     CHECK(highest_at(*coarse, 1.0, 1030.0) > 0.0f);
-    // At -20 dB, half-way from -40 to 0 and at the very top of -60 to -20.
+    // -20 dB is in the middle of -40 to 0, and at the top of -60 to -20.
     const auto tone = sines(64 * bin_hertz, 0.1);
     const auto at_middle = signal_of(spectrum + "smoothing=0,floor=-40,ceiling=0", tone);
     const auto at_top = signal_of(spectrum + "smoothing=0,floor=-60,ceiling=-20", tone);
     CHECK(std::abs(highest_at(*at_middle, 1.0, 64 * bin_hertz)) < 0.01f);
     CHECK(std::abs(highest_at(*at_top, 1.0, 64 * bin_hertz) - 1.0f) < 0.01f);
-    // Half a second after it began a tone has 1 - e^-1 of its amplitude: 3.99 dB less.
+    // 0.5 s after its start a tone has 1 - e^-1 of its amplitude: 3.99 dB less.
     const auto late = sound_of(
         spectrum_rate, 3 * spectrum_rate,
         [](int i) { return i < spectrum_rate ? 0.0 : sine_at(64 * bin_hertz, i / 48000.0); },
@@ -128,7 +128,7 @@ TEST_CASE("the settings of a spectrum reach it: FFT size, smoothing, floor and c
     CHECK(std::abs(missing + 20.0 * std::log10(1.0 - std::exp(-1.0))) < 0.1);
 }
 
-TEST_CASE("what lies above half the sound's rate is at the floor, and a bad range is refused") {
+TEST_CASE("frequencies above half the rate are at the floor, and an empty range is an error") {
     const auto sound = sound_of(
         8000, 8000, [](int i) { return i % 2 == 0 ? 0.9 : -0.9; }, [](int) { return 0.0; });
     const Beam beam = beam_of(*signal_of("audio:a.wav,mode=spectrum,low=4100,high=20000", sound),
@@ -140,7 +140,7 @@ TEST_CASE("what lies above half the sound's rate is at the floor, and a bad rang
         CHECK_FALSE(make_signal(parse_spec(text).value(), {sound}).has_value());
 }
 
-TEST_CASE("a click track of 120 beats a minute has a beat each half second, and no other") {
+TEST_CASE("a click track of 120 BPM has one beat every half second") {
     const auto sound = clicks(0.5);
     const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     const BeatFinder beats(input, 2.0);
@@ -159,7 +159,7 @@ TEST_CASE("a click track of 120 beats a minute has a beat each half second, and 
     CHECK_FALSE(deaf.last_beat(4.0).has_value());
 }
 
-TEST_CASE("silence and an even tone have no beat") {
+TEST_CASE("silence and a steady tone have no beats") {
     for (const double amplitude : {0.0, 0.5}) {
         const auto sound = sines(60.0, amplitude);
         const SoundInput input(stream_of(sound, {.loops = true}),
@@ -168,11 +168,11 @@ TEST_CASE("silence and an even tone have no beat") {
     }
 }
 
-TEST_CASE("radial: the ring jumps on a beat and comes back with its time constant") {
+TEST_CASE("radial: the ring pulses on a beat and decays with its time constant") {
     const auto signal = signal_of(
         "audio:a.wav,mode=radial,channel=left,radius=0.4,pulse=0.5,beat_decay=0.1,floor=-20",
         clicks(0.5));
-    const double before = ring_radius(*signal, 149);  // the last one before the beat at 2.5 s
+    const double before = ring_radius(*signal, 149);  // the last frame before the beat at 2.5 s
     const double after = ring_radius(*signal, 152);
     const double later = ring_radius(*signal, 158);
     const auto deaf =
@@ -183,12 +183,13 @@ TEST_CASE("radial: the ring jumps on a beat and comes back with its time constan
     CHECK(after > 0.5);
     CHECK((later - 0.4) / (after - 0.4) == doctest::Approx(std::exp(-1.0)).epsilon(0.02));
     const Beam ring = beam_of(*signal, frame_span(150, 60.0));
-    CHECK(std::abs(ring.front().x) < 0.002);  // it begins on top
+    CHECK(std::abs(ring.front().x) < 0.002);  // it starts at the top
     CHECK(ring.front().y > 0.39f);
-    CHECK(ring[1024].x == doctest::Approx(-ring[3070].x).epsilon(1e-3));  // both sides are alike
+    CHECK(ring[1024].x ==
+          doctest::Approx(-ring[3070].x).epsilon(1e-3));  // both sides are symmetric
 }
 
-TEST_CASE("the spectrum of a quiet sound rises with automatic gain, at most by 40 dB") {
+TEST_CASE("automatic gain raises the spectrum of a quiet sound by at most 40 dB") {
     const auto peak = [](const std::string& gain, double amplitude) {
         const auto signal =
             signal_of("audio:a.wav,mode=spectrum,floor=-100,ceiling=0,smoothing=0," + gain,
@@ -201,6 +202,7 @@ TEST_CASE("the spectrum of a quiet sound rises with automatic gain, at most by 4
                 1.0);
     };
     CHECK(std::abs(peak("auto_gain=off", 0.05) - 20.0 * std::log10(0.05)) < 0.05);
-    CHECK(std::abs(peak("auto_gain=on", 0.05) + 6.02) < 0.1);  // left alone: the mean is half
+    CHECK(std::abs(peak("auto_gain=on", 0.05) + 6.02) <
+          0.1);  // only the left channel has sound: the mean is half
     CHECK(std::abs(peak("auto_gain=on", 0.0005) - 20.0 * std::log10(0.05)) < 0.1);
 }

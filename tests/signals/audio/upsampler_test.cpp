@@ -20,7 +20,7 @@ std::vector<StereoSample> read(const Upsampler& upsampler, std::int64_t first, s
 }
 }  // namespace
 
-TEST_CASE("every factor's path goes through all of the sound's own samples") {
+TEST_CASE("every upsampling factor keeps the original samples") {
     const auto sound = noise_sound(1000);
     for (int factor = 1; factor <= 16; ++factor) {
         const Upsampler upsampler(stream_of(sound, {}), factor);
@@ -32,7 +32,7 @@ TEST_CASE("every factor's path goes through all of the sound's own samples") {
     }
 }
 
-TEST_CASE("a sine of 1 kHz is met between its samples too") {
+TEST_CASE("a 1 kHz sine is interpolated to within 1e-3") {
     for (const int factor : {2, 4, 16}) {
         const Upsampler upsampler(stream_of(circle(48000, 2000, 1000.0), {}), factor);
         const auto path = read(upsampler, 0, 2000 * static_cast<std::size_t>(factor));
@@ -43,7 +43,7 @@ TEST_CASE("a sine of 1 kHz is met between its samples too") {
     }
 }
 
-TEST_CASE("a level that never changes stays what it is") {
+TEST_CASE("a constant level stays constant") {
     const auto sound = sound_of(
         44100, 500, [](int) { return 0.3; }, [](int) { return -0.7; });
     const Upsampler upsampler(stream_of(sound, {.loops = true}), 7);
@@ -53,7 +53,7 @@ TEST_CASE("a level that never changes stays what it is") {
     }
 }
 
-TEST_CASE("a loop of whole periods has no seam") {
+TEST_CASE("a loop of whole periods is seamless") {
     const Upsampler upsampler(stream_of(circle(48000, 240, 1000.0), {.loops = true}), 4);
     const auto path = read(upsampler, -480, 3 * 960);
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -62,7 +62,7 @@ TEST_CASE("a loop of whole periods has no seam") {
     }
 }
 
-TEST_CASE("where it is read from makes no difference") {
+TEST_CASE("the result does not depend on where reading starts") {
     const Upsampler upsampler(stream_of(noise_sound(700), {.first = 13, .loops = true}), 5);
     const auto whole = read(upsampler, -100, 6000);
     for (const std::size_t start : {1u, 4u, 101u, 640u, 3499u})
@@ -71,7 +71,7 @@ TEST_CASE("where it is read from makes no difference") {
             read(upsampler, static_cast<std::int64_t>(start) - 100, 6000 - start).begin()));
 }
 
-TEST_CASE("before and behind a sound that does not loop there is silence") {
+TEST_CASE("a sound without loop is silent before its start and after its end") {
     const Upsampler upsampler(stream_of(noise_sound(50), {}), 3);
     for (const StereoSample& sample : read(upsampler, -300, 150))
         REQUIRE(sample == StereoSample{});
@@ -79,7 +79,7 @@ TEST_CASE("before and behind a sound that does not loop there is silence") {
         REQUIRE(sample == StereoSample{});
 }
 
-TEST_CASE("one channel is on both sides, and of many the first two count") {
+TEST_CASE("mono is copied to both channels, and only the first two channels are used") {
     auto mono = std::make_shared<Sound>(Sound{8000, 1, {0.25f, 0.5f}});
     CHECK(read(Upsampler(stream_of(mono, {}), 1), 1, 1).front() == StereoSample{0.5f, 0.5f});
     auto many = std::make_shared<Sound>(Sound{8000, 3, {0.1f, 0.2f, 0.3f, 0.4f, 0.5f, 0.6f}});

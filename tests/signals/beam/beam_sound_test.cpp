@@ -2,8 +2,8 @@
 
 #include "signals/signal_making.h"
 
-TEST_CASE("the beam as sound is where the beam is at each sample's instant") {
-    // Sine across 3 times and up twice in 1/60 s, a quarter turn apart.
+TEST_CASE("the sound of a beam has its position at each sample's time") {
+    // x has 3 and y 2 periods of a sine in 1/60 s, a quarter turn apart.
     const auto signal = signal_of("lissajous:x=3,y=2,phase=0.25,amplitude=0.8");
     const Sound sound = beam_sound(*signal, {.seconds = 0.1, .rate = 48000, .channels = 3});
     REQUIRE(sound.channels == 3);
@@ -17,7 +17,7 @@ TEST_CASE("the beam as sound is where the beam is at each sample's instant") {
     }
 }
 
-TEST_CASE("two channels hold no current, and a blanked way has none") {
+TEST_CASE("a third channel has the current, which is 0 during blanked moves") {
     const auto signal = signal_of("text:I I,beam_speed=400");
     const Sound sound = beam_sound(*signal, {.seconds = 0.05, .rate = 48000, .channels = 3});
     std::size_t dark = 0;

@@ -23,7 +23,7 @@ void append_float(std::string& bytes, float value) {
 }
 }  // namespace
 
-TEST_CASE("lines are read the same however they are cut") {
+TEST_CASE("text lines are parsed the same for any chunk size") {
     const std::string text = "# a dot\n0.5 -0.25 1 0.01\r\n\n 1\t2 0\n-1 1e-1 0.5 2";
     const std::vector<SentPoint> expected{
         {0.5f, -0.25f, 1.0f, 0.01}, {1.0f, 2.0f, 0.0f, 1.0 / 245760.0}, {-1.0f, 0.1f, 0.5f, 2.0}};
@@ -31,7 +31,7 @@ TEST_CASE("lines are read the same however they are cut") {
         REQUIRE(read_text(text, piece) == expected);
 }
 
-TEST_CASE("the first bad line is told with its number, and the rest is read") {
+TEST_CASE("the first invalid line is reported with its number, and valid lines are read") {
     SentReader reader({}, "stdin");
     std::vector<SentPoint> points;
     const std::string huge(5000000, '7');
@@ -44,7 +44,7 @@ TEST_CASE("the first bad line is told with its number, and the rest is read") {
     CHECK(to_string(*reader.problem()) == "stdin:2: error: 'y' must be a number, got 'nan'");
 }
 
-TEST_CASE("raw points are read the same however they are cut, and those that are NaN passed over") {
+TEST_CASE("raw points are parsed the same for any chunk size, and NaN points are skipped") {
     std::string bytes;
     for (const float value : {0.5f, -0.5f, 1.0f, 0.0f, std::nanf(""), 1.0f, -1.0f, 0.25f, 0.0f})
         append_float(bytes, value);
@@ -60,7 +60,7 @@ TEST_CASE("raw points are read the same however they are cut, and those that are
     }
 }
 
-TEST_CASE("a line may end with a colour, and a raw point's channels are chosen freely") {
+TEST_CASE("a line may end with a colour, and channels of raw points can be reassigned") {
     CHECK(read_text("0.5 0.25 1 0.01 0.2 0.4 0.8", 5) ==
           std::vector<SentPoint>{{0.5f, 0.25f, 1.0f, 0.01, BeamTint{0.2f, 0.4f, 0.8f}}});
     std::string bytes;
@@ -75,13 +75,13 @@ TEST_CASE("a line may end with a colour, and a raw point's channels are chosen f
     };
     CHECK(read_raw({.x = 5, .y = 4, .r = 3, .g = 2, .b = 1}) ==
           SentPoint{0.5f, 0.4f, 1.0f, 0.01, BeamTint{0.3f, 0.2f, 0.1f}});
-    // What a point does not have is none: full current, and dark beside another colour.
+    // Missing channels: full current, and a dark colour if another colour has a channel.
     CHECK(read_raw({.x = 1, .y = 0, .intensity = 9, .r = 2, .b = 6}) ==
           SentPoint{0.1f, 0.0f, 1.0f, 0.01, BeamTint{0.2f, 0.0f, 0.0f}});
     CHECK_FALSE(read_raw({.r = 6, .g = 7}).tint.has_value());
 }
 
-TEST_CASE("the way to a point has the point's colour, and a beam without any has none") {
+TEST_CASE("a segment has the colour of its end point, and a beam without colours has no tints") {
     SentBeam sent(SentBeam::Pace::waiting);
     const std::vector<SentPoint> points{{0.0f, 0.0f, 1.0f, 0.001, BeamTint{1.0f, 0.0f, 0.5f}},
                                         {1.0f, 0.0f, 1.0f, 0.001}};
@@ -101,7 +101,7 @@ TEST_CASE("the way to a point has the point's colour, and a beam without any has
     CHECK(plain.tints.empty());
 }
 
-TEST_CASE("a way's light is laid down evenly, each part in one frame") {
+TEST_CASE("the light of a segment is uniform in time and split over frames without overlap") {
     SentBeam sent(SentBeam::Pace::waiting);
     const std::vector<SentPoint> points{{0.0f, 0.0f, 0.0f, 0.01}, {1.0f, 0.5f, 0.5f, 0.1}};
     sent.append(points);
@@ -121,7 +121,7 @@ TEST_CASE("a way's light is laid down evenly, each part in one frame") {
     CHECK(after.empty());
 }
 
-TEST_CASE("what comes late is drawn when it comes") {
+TEST_CASE("late points are drawn when they arrive") {
     SentBeam sent(SentBeam::Pace::live);
     Beam beam;
     sent.trace({0.0, 5.0}, beam);

@@ -38,7 +38,7 @@ std::string refused_signal(const std::string& text) {
     return signal.error().front().message;
 }
 
-// The smallest and the largest x that is lit.
+// The smallest and the largest x with light.
 std::array<float, 2> reach_of(const Beam& beam) {
     std::array<float, 2> reach{9.0f, -9.0f};
     for (const BeamPoint& point : beam)
@@ -48,7 +48,7 @@ std::array<float, 2> reach_of(const Beam& beam) {
 }
 }  // namespace
 
-TEST_CASE("a drawing's text reads back as the same drawing") {
+TEST_CASE("a drawing's text parses to the same drawing") {
     const Drawing drawing{{{square(1.0), {{{-0.5, 0.25}, {0.1234, -1.5}, {0.0, 0.0}}, true, false}},
                            {},
                            {square(0.5)}}};
@@ -61,7 +61,7 @@ TEST_CASE("a drawing's text reads back as the same drawing") {
     CHECK(to_string(parse_spec(spec).value()) == spec);
 }
 
-TEST_CASE("a drawing's text with a mistake is told, with its place") {
+TEST_CASE("an error in a drawing's text gives its stroke and keyframe") {
     CHECK(drawing_refusal("") == "expected at least one keyframe, such as the empty one []");
     CHECK(drawing_refusal("L0 0 1 1") == "each keyframe must be enclosed in [ and ]");
     CHECK(drawing_refusal("[L0 0 1 1") == "each keyframe must be enclosed in [ and ]");
@@ -79,7 +79,7 @@ TEST_CASE("a drawing's text with a mistake is told, with its place") {
     CHECK(drawing_refusal(to_text(huge)) == "too many points; the limit is 20000");
 }
 
-TEST_CASE("another program's drawing is fitted, one to scale stays") {
+TEST_CASE("an imported drawing is fitted to the screen, and a drawing to scale is unchanged") {
     Drawing drawing{{{{{{10.0, 20.0}, {30.0, 20.0}, {30.0, 25.0}}}}}};
     CHECK(to_scale(drawing, 1.6) == drawing);
     drawing.is_to_scale = false;
@@ -90,7 +90,7 @@ TEST_CASE("another program's drawing is fitted, one to scale stays") {
     CHECK(is_at(points[2], 0.8, 0.2));
 }
 
-TEST_CASE("a smooth stroke goes through all its points") {
+TEST_CASE("a smooth stroke passes through all its points") {
     Stroke stroke{{{-0.7, 0.1}, {-0.5, 0.6}, {-0.45, 0.6}, {0.2, -0.8}, {0.9, 0.0}}, true};
     for (const bool is_closed : {false, true}) {
         stroke.is_closed = is_closed;
@@ -102,17 +102,17 @@ TEST_CASE("a smooth stroke goes through all its points") {
     }
 }
 
-TEST_CASE("between points at even distances the curve is Catmull and Rom's") {
+TEST_CASE("between equidistant points the curve is a Catmull-Rom spline") {
     const Stroke stroke{{{-0.6, 0.0}, {-0.2, 0.3}, {0.2, 0.0}, {0.6, 0.3}}, true};
     const CurveSpan middle = curve_of(stroke)[1];
-    // Half-way (-p0 + 9 p1 + 9 p2 - p3) / 16, with the slope (p2 - p0) / 2 at p1.
+    // Halfway the curve is (-p0 + 9 p1 + 9 p2 - p3) / 16; its slope at p1 is (p2 - p0) / 2.
     const double x = (middle[0][0] + 3.0 * middle[1][0] + 3.0 * middle[2][0] + middle[3][0]) / 8.0;
     const double y = (middle[0][1] + 3.0 * middle[1][1] + 3.0 * middle[2][1] + middle[3][1]) / 8.0;
     CHECK(is_at({x, y}, 0.0, (9.0 * 0.3 - 0.3) / 16.0));
     CHECK(is_at(middle[1], -0.2 + 0.8 / 6.0, 0.3));
 }
 
-TEST_CASE("where points come unevenly the curve makes no loops between them") {
+TEST_CASE("the curve has no loops between unevenly spaced points") {
     const Stroke stroke{{{-0.9, 0.0}, {0.0, 0.0}, {0.02, 0.01}, {0.02, 0.9}}, true};
     const auto line = line_of(stroke);
     for (std::size_t i = 1; i < line.size(); ++i) {
@@ -121,7 +121,7 @@ TEST_CASE("where points come unevenly the curve makes no loops between them") {
     }
 }
 
-TEST_CASE("places on each other, or only one, are no trouble") {
+TEST_CASE("duplicate points and single points are valid strokes") {
     CHECK(line_of({{{0.1, 0.1}, {0.1, 0.1}, {0.3, 0.1}}, true}).size() > 2);
     CHECK(line_of({{{0.1, 0.1}}, true}) == std::vector<BeamPlace>{{0.1, 0.1}});
     CHECK(line_of({{{0.1, 0.1}, {0.1, 0.1}}, false, true}).size() == 1);
@@ -130,7 +130,7 @@ TEST_CASE("places on each other, or only one, are no trouble") {
     CHECK(morph_of({{{0.1, 0.1}}}, square(1.0)).at(0.0).size() > 3);
 }
 
-TEST_CASE("a line keeps only the points that it needs") {
+TEST_CASE("simplification removes points within the tolerance") {
     std::vector<BeamPlace> corner;
     for (int i = 0; i <= 100; ++i)
         corner.push_back({std::min(i, 60) / 100.0, 0.001 * (i % 2) + std::max(i - 60, 0) / 100.0});
@@ -141,7 +141,7 @@ TEST_CASE("a line keeps only the points that it needs") {
     CHECK(simplified(corner, 1e-6).size() > 60);
 }
 
-TEST_CASE("half-way from a square to another is their mean, with four corners") {
+TEST_CASE("halfway between two squares is their mean, with four corners") {
     const auto half = morph_of(square(0.4, {-0.2, 0.0}), square(1.2, {0.2, 0.4})).at(0.5);
     REQUIRE(half.size() == 5);
     const std::vector<BeamPlace> expected = line_of(square(0.8, {0.0, 0.2}));
@@ -149,7 +149,7 @@ TEST_CASE("half-way from a square to another is their mean, with four corners") 
         CHECK(is_at(half[i], expected[i][0], expected[i][1]));
 }
 
-TEST_CASE("points belong together by their share of the length, and no corner is lost") {
+TEST_CASE("a morph matches points by arc length and keeps every corner") {
     const Stroke bent{{{0.0, 0.0}, {0.3, 0.0}, {0.3, 0.1}}};                // its corner is at 3/4
     const Stroke zigzag{{{0.0, 0.5}, {0.1, 0.5}, {0.1, 0.6}, {0.3, 0.6}}};  // at 1/4 and 1/2
     const LineMorph morph = morph_of(bent, zigzag);
@@ -162,7 +162,7 @@ TEST_CASE("points belong together by their share of the length, and no corner is
     CHECK(is_at(morph.at(0.25)[3], 0.275, 0.15));
 }
 
-TEST_CASE("a closed stroke does not turn inside out where the other begins elsewhere") {
+TEST_CASE("closed strokes are aligned before a morph, also with reversed points") {
     Stroke other = square(1.0);
     std::rotate(other.points.begin(), other.points.begin() + 2, other.points.end());
     std::reverse(other.points.begin(), other.points.end());
@@ -170,7 +170,7 @@ TEST_CASE("a closed stroke does not turn inside out where the other begins elsew
     CHECK(std::abs(length_of(half) - 4.0 * 0.75) < 1e-9);
 }
 
-TEST_CASE("a stroke without a counterpart grows out of its middle") {
+TEST_CASE("a stroke without a counterpart grows from its centre") {
     const Keyframe one{square(0.4)};
     const Keyframe two{square(0.4), {{{0.2, 0.5}, {0.8, 0.7}}}};
     const auto morphs = morphs_of(one, two);
@@ -182,7 +182,7 @@ TEST_CASE("a stroke without a counterpart grows out of its middle") {
     CHECK(morphs_of(two, one)[1].at(1.0)[0] == morphs[1].at(0.0)[0]);
 }
 
-TEST_CASE("a stroke that is deleted in a copy is the one that shrinks; the others stay") {
+TEST_CASE("a stroke deleted in a copy shrinks, and the others stay unchanged") {
     const Keyframe all{{{{-0.5, 0.5}, {0.5, 0.5}}}, square(0.4), {{{-0.5, -0.5}, {0.5, -0.5}}}};
     for (std::size_t gone = 0; gone < all.size(); ++gone) {
         Keyframe fewer = all;
@@ -199,7 +199,7 @@ TEST_CASE("a stroke that is deleted in a copy is the one that shrinks; the other
     }
 }
 
-TEST_CASE("keyframes are held, change, and come round as asked") {
+TEST_CASE("keyframes are held and morphed in the order of the play mode") {
     const auto order = [](KeyframePlay play) {
         KeyframeOrder made = order_of(play, 3, 1);
         made.hold_seconds = 1.0;
@@ -231,8 +231,8 @@ TEST_CASE("keyframes are held, change, and come round as asked") {
     CHECK(std::abs(even.at(1.5).share - 0.25) < 1e-12);
 }
 
-TEST_CASE("the beam draws keyframes and what lies between them") {
-    // A line of 0.4, half a second long, becomes one of 1.2 within a second.
+TEST_CASE("the beam draws keyframes and their morphs") {
+    // A line with length 0.4, held for 0.5 s, grows to 1.2 within a second.
     const auto signal = signal_of(
         "drawing:strokes=[L-0.2 0.1 0.2 0.1][L-0.6 0.1 0.6 0.1],hold=0.5,morph=1,ease=even,"
         "beam_speed=200,refresh=50");
@@ -242,26 +242,26 @@ TEST_CASE("the beam draws keyframes and what lies between them") {
     CHECK(std::abs(reach_of(at(1.0))[0] + 0.4f) < 0.01f);
     CHECK(std::abs(reach_of(at(1.6))[1] - 0.6f) < 1e-5f);
     CHECK(std::abs(reach_of(at(2.5))[1] - 0.4f) < 1e-5f);  // on the way back
-    // 0.8 half screens at 200 a second are 4 ms of full current.
+    // 0.8 half screens at 200 per second take 4 ms of full current.
     CHECK(std::abs(charge_of(at(1.0)) / (0.004 * 4096.0 * 60.0) - 1.0) < 1e-4);
 }
 
-TEST_CASE("an empty keyframe is dark, and strokes grow out of it") {
+TEST_CASE("an empty keyframe is dark, and strokes grow from it") {
     const auto signal = signal_of("drawing:strokes=[][L-0.6 0 0.6 0],hold=0.5,morph=1,ease=even");
     CHECK(charge_of(beam_of(*signal, {0.1, 0.4})) == 0.0);
     CHECK(std::abs(reach_of(beam_of(*signal, {1.0, 1.0 + 1.0 / 60.0}))[1] - 0.3f) < 0.01f);
     CHECK(beam_of(*signal_of("drawing:strokes=[]"), {0.0, 1.0}).empty());
 }
 
-TEST_CASE("a long drawing is drawn less often, to its end") {
+TEST_CASE("a long drawing is drawn completely at a lower refresh rate") {
     const auto signal =
         signal_of("drawing:strokes=[L-0.9 0 0.9 0 -0.9 0.1 0.9 0.1],beam_speed=20,play=still");
-    // 1.8 + 1.8028 + 1.8 at 20 a second take 0.27 s.
+    // 1.8 + 1.8028 + 1.8 at 20 per second take 0.27 s.
     const Beam beam = beam_of(*signal, {0.0, 0.2701});
     CHECK(std::abs(charge_of(beam) / (0.270139 * 4096.0 * 60.0) - 1.0) < 1e-3);
 }
 
-TEST_CASE("a drawing without strokes or a file, or with both, is told") {
+TEST_CASE("a drawing needs either strokes or a file") {
     CHECK(refused_signal("drawing").find("expected a file") != std::string::npos);
     CHECK(refused_signal("drawing:a.svg,strokes=[]") ==
           "drawing: 'file' and 'strokes' can't be used together");

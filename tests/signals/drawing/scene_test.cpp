@@ -39,12 +39,12 @@ double length_of(const std::vector<ScenePath>& paths) {
 }
 }  // namespace
 
-TEST_CASE("a line is drawn at the beam's speed, with full current, once a refresh") {
+TEST_CASE("a line is drawn at the beam speed with full current, once per refresh") {
     const auto signal = signal_of({.items = {line({-0.5, 0.25}, {0.5, 0.25})},
                                    .beam_speed = 200.0,
                                    .move_speed = 1000.0,
                                    .refresh = 50.0});
-    // One half screen at 200 a second takes 5 ms; 4096 * 60 of charge a second.
+    // One half screen at 200 per second takes 5 ms; the charge is 4096 * 60 per second.
     const double expected = 0.005 * scene_rate;
     CHECK(std::abs(charge_of(traced(*signal, 0.0, 0.02)) / expected - 1.0) < 1e-5);
     CHECK(std::abs(charge_of(traced(*signal, 0.0, 0.1)) / expected - 5.0) < 1e-4);
@@ -55,7 +55,7 @@ TEST_CASE("a line is drawn at the beam's speed, with full current, once a refres
         CHECK(point.intensity == 0.0f);
 }
 
-TEST_CASE("a scene's points fall into adjoining spans exactly as into one") {
+TEST_CASE("adjoining time spans give the same points as one span") {
     BeamScene scene{.items = {line({-0.3, 0.1}, {0.7, 0.2}), {.paths = polygon_paths(0.4, 5, 2)}}};
     scene.items[1].spin = {10.0, 20.0, 30.0};
     scene.items[1].dwell_seconds = 1e-4;
@@ -73,12 +73,12 @@ TEST_CASE("a scene's points fall into adjoining spans exactly as into one") {
                parts[i].intensity == whole[i].intensity));
 }
 
-TEST_CASE("between two paths the beam is blanked, or lit where moves are visible") {
+TEST_CASE("moves between paths are blanked, or lit if moves are visible") {
     BeamScene scene{.items = {line({-0.5, 0.0}, {-0.4, 0.0}), line({0.4, 0.0}, {0.5, 0.0})},
                     .beam_speed = 100.0,
                     .move_speed = 100.0,
                     .refresh = 0.0};
-    // 0.1 + 0.1 are drawn, 0.8 and 1 back are moved.
+    // 0.1 + 0.1 are drawn; 0.8 and 1 back are moves.
     CHECK(std::abs(charge_of(traced(*signal_of(scene), 0.0, 0.02)) / (0.002 * scene_rate) - 1.0) <
           1e-4);
     scene.move_current = 0.5;
@@ -86,7 +86,7 @@ TEST_CASE("between two paths the beam is blanked, or lit where moves are visible
           1e-4);
 }
 
-TEST_CASE("a corner on which the beam dwells gets the light of that time") {
+TEST_CASE("a corner with dwell gets the light of its dwell time") {
     BeamScene scene{.items = {line({0.0, 0.0}, {0.1, 0.0})}, .beam_speed = 100.0};
     const double without = charge_of(traced(*signal_of(scene), 0.0, 1.0 / 60.0));
     scene.items[0].dwell_seconds = 0.002;
@@ -94,15 +94,15 @@ TEST_CASE("a corner on which the beam dwells gets the light of that time") {
     CHECK(std::abs((with - without) / (2.0 * 0.002 * scene_rate) - 1.0) < 1e-4);
 }
 
-TEST_CASE("a turned and spun item lies where it should, as from afar or near") {
+TEST_CASE("a rotated, spun or perspective item has the expected position") {
     SceneItem item = line({0.5, 0.0}, {0.5, 0.0001});
     item.at = {0.1, 0.2};
     item.turn = {0.0, 0.0, 90.0};
     CHECK(std::abs(traced(*signal_of({.items = {item}}), 0.0, 0.01).front().y - 0.7f) < 1e-3f);
-    item.turn = {0.0, 90.0, 0.0};  // about y: right goes away from the eye
+    item.turn = {0.0, 90.0, 0.0};  // about y: right moves away from the eye
     CHECK(std::abs(traced(*signal_of({.items = {item}}), 0.0, 0.01).front().x - 0.1f) < 1e-3f);
     item.turn = {};
-    item.spin = {0.0, 0.0, 180.0};  // half a turn a second, seen after one
+    item.spin = {0.0, 0.0, 180.0};  // half a turn per second, after one second
     const Beam later = traced(*signal_of({.items = {item}}), 1.0, 1.005);
     CHECK(std::abs(later.front().x + 0.4f) < 1e-3f);
     SceneItem near = line({0.2, 0.0, 1.0}, {0.2, 0.0001, 1.0});
@@ -110,12 +110,12 @@ TEST_CASE("a turned and spun item lies where it should, as from afar or near") {
     CHECK(std::abs(traced(*signal_of({.items = {near}}), 0.0, 0.01).front().x - 0.4f) < 1e-3f);
 }
 
-TEST_CASE("shapes have the lengths that geometry gives them") {
+TEST_CASE("shapes have the lengths of their geometry") {
     const double pi = std::acos(-1.0);
     CHECK(std::abs(length_of({arc_path(0.5, 0.0, 360.0)}) - pi) < 1e-3);
     CHECK(std::abs(length_of({arc_path(0.5, 30.0, -60.0)}) - pi / 4.0) < 1e-3);
     CHECK(std::abs(length_of(polygon_paths(1.0, 6, 1)) - 6.0) < 1e-9);
-    CHECK(polygon_paths(1.0, 6, 2).size() == 2);  // a hexagram is two triangles
+    CHECK(polygon_paths(1.0, 6, 2).size() == 2);  // a hexagram has two triangles
     CHECK(std::abs(length_of(polygon_paths(1.0, 6, 2)) - 6.0 * std::sqrt(3.0)) < 1e-9);
     CHECK(std::abs(length_of(grid_paths(2.0, 1.0, 4, 2)) - (5 * 1.0 + 3 * 2.0)) < 1e-9);
     // A cube has 12 edges; each is drawn once.
@@ -133,7 +133,7 @@ TEST_CASE("shapes have the lengths that geometry gives them") {
     CHECK(drawn == 12);
 }
 
-TEST_CASE("a raster's current is the picture's light") {
+TEST_CASE("the current of a raster is the light of its picture") {
     const Picture picture{{2, 2}, 1, Encoding::linear, {0.0f, 1.0f, 0.5f, 0.25f}};
     const auto paths = raster_paths(picture, 1.0, 2);
     REQUIRE(paths.size() == 2);
@@ -145,7 +145,7 @@ TEST_CASE("a raster's current is the picture's light") {
     CHECK(paths[1].points[2].current == 0.25);
 }
 
-TEST_CASE("every printable character of the font is drawn, and no two look the same") {
+TEST_CASE("every printable character has a glyph, and all glyphs differ") {
     std::set<std::vector<double>> seen;
     for (char character = '!'; character <= '_'; ++character) {
         CAPTURE(character);
@@ -166,7 +166,7 @@ TEST_CASE("every printable character of the font is drawn, and no two look the s
     CHECK(text_paths("A\nA", 1.0, TextAlign::left).size() == 4);
 }
 
-TEST_CASE("a scene that draws nothing or far too much is refused") {
+TEST_CASE("a scene that draws nothing or too much is an error") {
     const auto refused = [](BeamScene scene) {
         return !make_scene_signal(std::make_shared<const BeamScene>(std::move(scene)), scene_rate)
                     .has_value();

@@ -9,7 +9,7 @@ std::vector<ScenePath> letter(std::string_view text) {
     return text_paths(text, 6.0, TextAlign::middle);
 }
 
-// The strokes of `whole` that `part` has not.
+// The number of strokes of `whole` that are not in `part`.
 std::size_t strokes_besides(const std::vector<ScenePath>& whole,
                             const std::vector<ScenePath>& part) {
     return static_cast<std::size_t>(std::ranges::count_if(
@@ -25,7 +25,7 @@ double highest(const std::vector<ScenePath>& paths) {
 }
 }  // namespace
 
-TEST_CASE("a letter with a mark is the letter and the mark above or below it") {
+TEST_CASE("an accented letter is its base letter plus the accent") {
     struct Case {
         const char* marked;
         const char* plain;
@@ -42,7 +42,7 @@ TEST_CASE("a letter with a mark is the letter and the mark above or below it") {
     CHECK(highest(letter("ç")) == highest(letter("c")));
 }
 
-TEST_CASE("every letter of Latin-1 and Latin Extended-A has a glyph of its own") {
+TEST_CASE("every letter of Latin-1 and Latin Extended-A has its own glyph") {
     const auto box = letter("\xe4\xb8\xad");
     for (unsigned code = 0xc0; code < 0x180; ++code) {
         const std::string text{static_cast<char>(0xc0u | code >> 6),
@@ -53,12 +53,12 @@ TEST_CASE("every letter of Latin-1 and Latin Extended-A has a glyph of its own")
     }
 }
 
-TEST_CASE("a mark that follows its letter, as file systems write it, is the same") {
+TEST_CASE("a combining accent gives the same glyph as the precomposed letter") {
     CHECK(letter("e\xcc\x81") == letter("é"));
     CHECK(letter("A\xcc\x8a") == letter("Å"));
 }
 
-TEST_CASE("letters that the font lacks are told once each") {
+TEST_CASE("letters missing in the font are listed once each") {
     CHECK(missing_letters("Ж и Ж, ok") == "Ж и");
     CHECK(missing_letters("Hello, Wörld!\n").empty());
 }

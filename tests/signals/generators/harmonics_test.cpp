@@ -22,14 +22,14 @@ TEST_CASE("one harmonic is a sine") {
                 1e-5);
 }
 
-TEST_CASE("whatever the harmonics, the peak is the amplitude") {
+TEST_CASE("the peak equals the amplitude for any harmonics") {
     for (const char* text :
          {"harmonics:count=64,falloff=0,amplitude=0.7", "harmonics:count=2,amplitude=0.7",
           "harmonics:shape=square,amplitude=0.7"})
         CHECK(peak(beam_of(*signal_of(text), frame_span(1, 60.0))) == about(0.7, 1e-3));
 }
 
-TEST_CASE("odd harmonics with signs in turn and fall-off 2 make the triangle's Fourier series") {
+TEST_CASE("odd alternating harmonics with fall-off 2 are the Fourier series of a triangle") {
     const Beam beam =
         beam_of(*signal_of("harmonics:base=1,count=63,falloff=2,shape=triangle,amplitude=1"),
                 frame_span(1, 60.0));
@@ -40,7 +40,7 @@ TEST_CASE("odd harmonics with signs in turn and fall-off 2 make the triangle's F
     }
 }
 
-TEST_CASE("odd harmonics with fall-off 1 make the square wave's Fourier series") {
+TEST_CASE("odd harmonics with fall-off 1 are the Fourier series of a square wave") {
     const Beam beam =
         beam_of(*signal_of("harmonics:base=1,count=5,falloff=1,shape=square,amplitude=1"),
                 frame_span(1, 60.0));

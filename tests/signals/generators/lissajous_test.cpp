@@ -5,7 +5,7 @@
 #include "signals/signal_making.h"
 
 namespace {
-// How often a closed path comes near the largest value of a coordinate.
+// How often a closed path reaches the maximum of a coordinate.
 int touches(const Beam& beam, float BeamPoint::*coordinate, float edge) {
     int count = 0;
     bool was_near = beam.back().*coordinate > edge;
@@ -25,14 +25,14 @@ TEST_CASE("a 2:3 figure touches the right edge twice and the top edge three time
     CHECK(touches(beam, &BeamPoint::y, 0.7999f) == 3);
 }
 
-TEST_CASE("1:1 a quarter turn apart is a circle") {
+TEST_CASE("1:1 with a quarter turn is a circle") {
     const Beam beam =
         beam_of(*signal_of("lissajous:x=1,y=1,phase=0.25,amplitude=0.5"), frame_span(7, 60.0));
     for (const BeamPoint& point : beam)
         REQUIRE(std::hypot(point.x, point.y) == about(0.5, 1e-6));
 }
 
-TEST_CASE("a figure of whole numbers is the same in every 1/60 s, also after an hour") {
+TEST_CASE("a figure with integer ratios is the same in every 1/60 s, also after an hour") {
     const auto signal = signal_of("lissajous:x=3,y=2");
     const Beam first = beam_of(*signal, frame_span(1, 60.0));
     const Beam late = beam_of(*signal, frame_span(216001, 60.0));
@@ -43,7 +43,7 @@ TEST_CASE("a figure of whole numbers is the same in every 1/60 s, also after an 
     }
 }
 
-TEST_CASE("x = 1.5 closes after two turns, not after one") {
+TEST_CASE("x = 1.5 closes after two periods") {
     const auto signal = signal_of("lissajous:x=1.5,y=1,phase=0");
     const Beam first = beam_of(*signal, frame_span(1, 60.0));
     const Beam second = beam_of(*signal, frame_span(2, 60.0));
@@ -53,7 +53,7 @@ TEST_CASE("x = 1.5 closes after two turns, not after one") {
     CHECK(first[100].y == doctest::Approx(second[100].y));
 }
 
-TEST_CASE("the phase drifts by `speed` turns a second") {
+TEST_CASE("the phase drifts by `speed` turns per second") {
     const auto drifting = signal_of("lissajous:x=3,y=2,phase=0,speed=0.5");
     const auto still = signal_of("lissajous:x=3,y=2,phase=0.5");
     const BeamPoint after_a_second = beam_of(*drifting, frame_span(60, 60.0)).back();
@@ -62,14 +62,14 @@ TEST_CASE("the phase drifts by `speed` turns a second") {
     CHECK(after_a_second.y == doctest::Approx(half_a_turn_on.y).epsilon(1e-6));
 }
 
-TEST_CASE("ages run from almost a whole frame down to none") {
+TEST_CASE("ages decrease from almost one frame to zero") {
     const Beam beam = beam_of(*signal_of("lissajous"), frame_span(1000, 60.0));
     CHECK(beam.front().age_seconds == about(4095.0 / 4096.0 / 60.0, 1e-5));
     CHECK(std::abs(beam.back().age_seconds) < 1e-9);
 }
 
-TEST_CASE("weighted by speed, a resting beam has its full current and the fastest the least") {
-    // x = sin alone: it rests at its ends and is fastest in the middle, where s = 1.
+TEST_CASE("weighted by speed, a resting beam has full current and the fastest has the least") {
+    // x is a sine: at rest at its ends, fastest in the middle, where s = 1.
     const Beam beam = beam_of(*signal_of("lissajous:x=1,y=0,phase=0,amplitude=1,weighting=speed"),
                               frame_span(1, 60.0));
     CHECK(beam[1023].x == doctest::Approx(1.0));
@@ -78,7 +78,7 @@ TEST_CASE("weighted by speed, a resting beam has its full current and the fastes
     CHECK(beam[2047].intensity == doctest::Approx(0.3 + 0.7 * 0.05 / 1.05));
 }
 
-TEST_CASE("the sine in turns is the library's sine") {
+TEST_CASE("the fast sine in turns matches the standard library") {
     for (int i = -5000; i <= 5000; ++i) {
         const double turns = i * 0.00137;
         REQUIRE(std::abs(sine(turns) - sine_at(1.0, turns)) < 2e-11);

@@ -14,7 +14,7 @@ int rising_crossings(const Beam& beam) {
 }
 }  // namespace
 
-TEST_CASE("am: the envelope goes from (1 - d) / (1 + d) to 1 of the amplitude") {
+TEST_CASE("am: the envelope ranges from (1 - d) / (1 + d) to 1 of the amplitude") {
     const Beam beam = beam_of(*signal_of("am:carrier=64,modulator=1,depth=0.5,amplitude=0.9"),
                               frame_span(1, 60.0));
     const auto highest_around = [&](std::size_t place) {
@@ -27,8 +27,7 @@ TEST_CASE("am: the envelope goes from (1 - d) / (1 + d) to 1 of the amplitude") 
     CHECK(highest_around(3072) == about(0.9 / 3.0, 0.01));
 }
 
-TEST_CASE(
-    "fm: without an index it is the carrier, with one its frequency swings by index * modulator") {
+TEST_CASE("fm: index 0 is the plain carrier; otherwise the frequency swings by index * modulator") {
     const Beam plain =
         beam_of(*signal_of("fm:carrier=10,modulator=1,index=0,amplitude=1"), frame_span(1, 60.0));
     for (std::size_t i = 0; i < plain.size(); ++i)
@@ -42,7 +41,7 @@ TEST_CASE(
     CHECK(rising_crossings(middle) <= 2);
 }
 
-TEST_CASE("in xy a carrier alone is a circle") {
+TEST_CASE("in xy an unmodulated carrier is a circle") {
     const Beam beam = beam_of(*signal_of("am:carrier=8,modulator=1,depth=0,amplitude=0.5,mode=xy"),
                               frame_span(4, 60.0));
     for (const BeamPoint& point : beam)

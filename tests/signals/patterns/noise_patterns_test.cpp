@@ -22,7 +22,7 @@ double mean_of(const Picture& picture) {
 }
 }  // namespace
 
-TEST_CASE("Bayer's matrix is the published one") {
+TEST_CASE("the Bayer matrix matches the published one") {
     const Picture matrix = pattern("bayer");
     constexpr std::array rows{std::array{0, 32, 8, 40, 2, 34, 10, 42},
                               std::array{48, 16, 56, 24, 50, 18, 58, 26}};
@@ -32,7 +32,7 @@ TEST_CASE("Bayer's matrix is the published one") {
                   rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)]);
 }
 
-TEST_CASE("noise has the mean and the spread of even chance, each channel by itself") {
+TEST_CASE("noise has the mean and variance of a uniform distribution, independent per channel") {
     const Picture noise = pattern("noise");
     CHECK(noise.channels == 4);
     CHECK(mean_of(noise) == doctest::Approx(0.5).epsilon(0.01));
@@ -43,11 +43,12 @@ TEST_CASE("noise has the mean and the spread of even chance, each channel by its
         together += (noise.pixels[i] - 0.5) * (noise.pixels[i + 1] - 0.5);
     }
     const double texels = static_cast<double>(noise.pixels.size()) / 4.0;
-    CHECK(spread / texels == doctest::Approx(1.0 / 12.0).epsilon(0.02));  // of an even share
+    CHECK(spread / texels ==
+          doctest::Approx(1.0 / 12.0).epsilon(0.02));  // of a uniform distribution
     CHECK(std::abs(together / texels) < 0.002);
 }
 
-TEST_CASE("tiled noise goes on where it began") {
+TEST_CASE("tiled noise is continuous at its edges") {
     for (const double y : {0.1, 0.37, 0.8}) {
         CHECK(tiled_noise({0.0, y, 0.2}, 4, 1) ==
               doctest::Approx(tiled_noise({1.0, y, 0.2}, 4, 1)).epsilon(1e-9));
@@ -57,7 +58,7 @@ TEST_CASE("tiled noise goes on where it began") {
     CHECK(tiled_noise({0.3, 0.3, 0.3}, 4, 1) != tiled_noise({0.3, 0.3, 0.3}, 4, 2));
 }
 
-TEST_CASE("solids have the rows of their faces or slices, and others are refused by name") {
+TEST_CASE("solid patterns have rows of faces or slices, and an unknown name is an error") {
     const auto sky = make_solid("sky");
     REQUIRE(sky.has_value());
     CHECK(sky->extent.height == 6 * sky->extent.width);

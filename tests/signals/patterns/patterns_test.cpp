@@ -14,7 +14,7 @@ std::vector<float> pixel_of(const Picture& picture, int x, int y) {
 }
 }  // namespace
 
-TEST_CASE("the SMPTE bars stand in their order at 75 %") {
+TEST_CASE("the SMPTE bars have the standard order at 75 %") {
     const auto bars = make_pattern("smpte,size=700x480");
     REQUIRE(bars.has_value());
     const std::vector<std::vector<float>> expected{
@@ -25,7 +25,7 @@ TEST_CASE("the SMPTE bars stand in their order at 75 %") {
     CHECK(pixel_of(*bars, 50, 340) == expected[6]);  // reversed blue bars
     CHECK(pixel_of(*bars, 150, 340) == std::vector<float>{0, 0, 0});
     CHECK(pixel_of(*bars, 180, 460) == std::vector<float>{1, 1, 1});
-    // -I and +Q as 8-bit codes, and 4 % of black's step between the sixth bar's thirds.
+    // -I and +Q as 8-bit codes, and PLUGE steps of 4 % around black between the sixth bar's thirds.
     const auto codes = [&bars](int x) {
         std::vector<int> values;
         for (const float part : pixel_of(*bars, x, 460))
@@ -43,20 +43,20 @@ TEST_CASE("the SMPTE bars stand in their order at 75 %") {
     CHECK(pixel_of(*bars, 650, 340) == expected[0]);
 }
 
-TEST_CASE("a ramp of 256 px holds each 8-bit code at its place") {
+TEST_CASE("a 256 px ramp has each 8-bit code at its position") {
     const auto ramp = make_pattern("ramp,size=256x2");
     REQUIRE(ramp.has_value());
     for (int x : {0, 100, 255})
         CHECK(pixel_of(*ramp, x, 1)[0] == doctest::Approx((x + 0.5) / 256.0));
 }
 
-TEST_CASE("the checkerboard is half white") {
+TEST_CASE("half of the checkerboard is white") {
     const auto board = make_pattern("checker,size=64x32");
     REQUIRE(board.has_value());
     CHECK(std::count(board->pixels.begin(), board->pixels.end(), 1.0f) == 64 * 32 * 3 / 2);
 }
 
-TEST_CASE("a pattern's mistakes are named") {
+TEST_CASE("an invalid pattern gives a specific error") {
     CHECK(make_pattern("smpt").error().front().message ==
           "unknown pattern 'smpt' (did you mean 'smpte'?)");
     for (const char* text :
@@ -64,7 +64,7 @@ TEST_CASE("a pattern's mistakes are named") {
         CHECK_FALSE(make_pattern(text).has_value());
 }
 
-TEST_CASE("every pattern that is listed can be made, and no two are the same") {
+TEST_CASE("every listed pattern can be made, and all differ") {
     std::set<std::vector<float>> seen;
     for (const PatternFacts& facts : all_patterns()) {
         CAPTURE(facts.name);
@@ -76,7 +76,7 @@ TEST_CASE("every pattern that is listed can be made, and no two are the same") {
     }
 }
 
-TEST_CASE("a moving pattern is the same at the same time, and another later; the others stand") {
+TEST_CASE("a moving pattern depends only on the time, and the others do not move") {
     for (const PatternFacts& facts : all_patterns()) {
         CAPTURE(facts.name);
         const std::string text = facts.name + ",size=96x72";
@@ -88,7 +88,7 @@ TEST_CASE("a moving pattern is the same at the same time, and another later; the
     CHECK_FALSE(is_moving_pattern("glyph-rian"));
 }
 
-TEST_CASE("the glyph rain is linear light whose heads stand above 1") {
+TEST_CASE("the glyph rain is linear light with heads above 1") {
     const auto rain = make_pattern("glyph-rain,size=320x180", 3.0);
     REQUIRE(rain.has_value());
     CHECK(rain->encoding == Encoding::linear);
@@ -98,7 +98,7 @@ TEST_CASE("the glyph rain is linear light whose heads stand above 1") {
     CHECK(*std::min_element(rain->pixels.begin(), rain->pixels.end()) >= 0.0f);
 }
 
-TEST_CASE("the harbour has 320 x 240 pixels in sixteen colours, and grows by whole pixels") {
+TEST_CASE("the pixel-art harbour has 320 x 240 pixels in 16 colours, and scales by whole pixels") {
     const auto harbour = make_pattern("harbour");
     REQUIRE(harbour.has_value());
     REQUIRE(harbour->extent == Extent{320, 240});
@@ -112,18 +112,18 @@ TEST_CASE("the harbour has 320 x 240 pixels in sixteen colours, and grows by who
         CHECK(pixel_of(*twice, 3 * i, 2 * i) == pixel_of(*harbour, 3 * i / 2, i));
 }
 
-TEST_CASE("the zone plate's rings are r / width periods a pixel, the finest at its sides") {
+TEST_CASE("the zone plate has r / width periods per pixel, finest at its sides") {
     const auto plate = make_pattern("zone-plate,size=256x256");
     REQUIRE(plate.has_value());
     CHECK(pixel_of(*plate, 128, 128)[0] == doctest::Approx(1.0));
-    // pi r^2 / 256 is a whole number of half turns where r^2 is one of 256.
+    // pi r^2 / 256 is a whole number of half turns where r^2 is a multiple of 256.
     CHECK(pixel_of(*plate, 128 + 16, 128)[0] == doctest::Approx(0.0));
     CHECK(pixel_of(*plate, 128 + 32, 128)[0] == doctest::Approx(1.0));
     CHECK(pixel_of(*plate, 0, 128)[0] == doctest::Approx(1.0));
     CHECK(pixel_of(*plate, 1, 128)[0] < 0.01f);
 }
 
-TEST_CASE("one dot is lit, and the circle of the grid touches top and bottom") {
+TEST_CASE("the dot pattern has one lit pixel, and the grid's circle touches top and bottom") {
     const auto dot = make_pattern("dot,size=64x48");
     CHECK(std::count(dot->pixels.begin(), dot->pixels.end(), 1.0f) == 3);
     CHECK(pixel_of(*dot, 32, 24)[0] == 1.0f);
@@ -133,17 +133,17 @@ TEST_CASE("one dot is lit, and the circle of the grid touches top and bottom") {
     CHECK(pixel_of(*grid, 320 - 239, 240)[0] == doctest::Approx(1.0));
 }
 
-TEST_CASE("the terminal page has 80 x 25 characters of 8 x 16 pixels") {
+TEST_CASE("the terminal pattern has 80 x 25 characters of 8 x 16 pixels") {
     const auto page = make_pattern("terminal");
     REQUIRE(page.has_value());
     CHECK(page->extent == Extent{640, 400});
-    // The 'A' of the first line, its bar four dots down: the font's own dots.
+    // The 'A' in the first line: pixels of the font, with its bar four rows down.
     CHECK(pixel_of(*page, 2 * 8 + 1, 2 * 4)[1] > 0.8f);
     CHECK(pixel_of(*page, 2 * 8 + 3, 0)[1] > 0.8f);
     CHECK(pixel_of(*page, 0, 0)[1] == 0.0f);
 }
 
-TEST_CASE("an interlaced pattern has the rows of its latest field over those of the one before") {
+TEST_CASE("an interlaced pattern interleaves the latest field with the previous one") {
     constexpr int height = 48;
     const auto at = [](int field) {
         return make_pattern("glyph-rain,size=64x48", std::max(field, 0) / 60.0).value();

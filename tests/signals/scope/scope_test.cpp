@@ -7,7 +7,7 @@
 namespace {
 constexpr double pixel_width = 2.0 / 1280.0;  // of a picture as wide as the signal's -1..1
 
-/// Where a trace rises through 0, by straight lines between its points.
+/// The positions where a trace rises through 0, linearly interpolated.
 std::vector<double> rising_places(const Beam& beam) {
     std::vector<double> places;
     for (std::size_t i = 1; i < beam.size(); ++i) {
@@ -19,7 +19,7 @@ std::vector<double> rising_places(const Beam& beam) {
     return places;
 }
 
-/// The seconds, within a beam that ends at 0 s of age, at which its sweeps begin.
+/// The start times of the sweeps, in seconds, of a beam that ends at age 0.
 std::vector<double> sweep_times(const Beam& beam, double seconds) {
     std::vector<double> times;
     for (std::size_t i = 1; i < beam.size(); ++i)
@@ -40,13 +40,13 @@ std::shared_ptr<const Sound> tone(double hertz, double amplitude, double mean = 
         [=](int i) { return 0.5 * sine_at(2.0 * hertz, i / 48000.0); });
 }
 
-/// The largest deflection in the second after the first, when couplings have settled.
+/// The largest deflection from 1 s to 2 s, after couplings have settled.
 double amplitude_of(const std::string& text, const std::shared_ptr<const Sound>& sound) {
     return highest(beam_of(*signal_of(text, sound), {1.0, 2.0}));
 }
 }  // namespace
 
-TEST_CASE("a sine of 1 kHz at 1 ms/div has one period a division") {
+TEST_CASE("a 1 kHz sine at 1 ms/div has one period per division") {
     const auto generator = signal_of("waveform:ch2=off,ch1=sine,f1=1000,per=second,sdiv=0.001");
     const auto sound =
         signal_of("audio:a.wav,mode=waveform,channel=left,sdiv=0.001", tone(1000.0, 0.5));
@@ -60,7 +60,7 @@ TEST_CASE("a sine of 1 kHz at 1 ms/div has one period a division") {
     }
 }
 
-TEST_CASE("a division up is a quarter of half the height, and V/div counts them") {
+TEST_CASE("a vertical division is a quarter of half the height, scaled by V/div") {
     const auto at = [](const std::string& knobs) {
         return highest(beam_of(*signal_of("waveform:ch2=off,f1=2,a1=1," + knobs), {0.0, 0.1}));
     };
@@ -73,7 +73,7 @@ TEST_CASE("a division up is a quarter of half the height, and V/div counts them"
     CHECK(at("v1=1,d1=2,invert1=on") == doctest::Approx(-0.25));
 }
 
-TEST_CASE("channel 2 has knobs of its own, in xy upwards") {
+TEST_CASE("channel 2 has its own settings, and is vertical in xy") {
     const auto at = [](const std::string& knobs) {
         return highest(
             beam_of(*signal_of("waveform:ch1=off,ch2=sine,f2=2,a2=1," + knobs), {0.0, 0.1}));
@@ -90,7 +90,7 @@ TEST_CASE("channel 2 has knobs of its own, in xy upwards") {
     CHECK(xy.front().y == doctest::Approx(0.5));
 }
 
-TEST_CASE("split traces have half of the screen each, overlaid ones all of it") {
+TEST_CASE("split traces use half of the screen each, and overlaid traces all of it") {
     const std::string waves = "waveform:ch1=square,a1=1,ch2=square,a2=0.5,layout=";
     const Beam split = beam_of(*signal_of(waves + "split"), frame_span(1, 60.0));
     const Beam overlaid = beam_of(*signal_of(waves + "overlaid"), frame_span(1, 60.0));
@@ -100,7 +100,7 @@ TEST_CASE("split traces have half of the screen each, overlaid ones all of it") 
     CHECK(overlaid[2048 + 5].y == doctest::Approx(0.5));
 }
 
-TEST_CASE("two traces are lit alike, whatever the time base") {
+TEST_CASE("two traces have the same brightness at any time base") {
     const auto sound = tone(441.0, 0.5);
     for (const std::string time_base : {"0.0005", "0.002", "0.0123", "0.1"}) {
         INFO(time_base);
@@ -116,7 +116,7 @@ TEST_CASE("two traces are lit alike, whatever the time base") {
     }
 }
 
-TEST_CASE("ac coupling takes what is slow: 3 dB at 5 Hz, nothing at 100 Hz, all at 0 Hz") {
+TEST_CASE("ac coupling attenuates 5 Hz by 3 dB, passes 100 Hz, and blocks 0 Hz") {
     const std::string xy = "audio:a.wav,upsample=1,coupling1=ac,swap=on,coupling2=ac";
     CHECK(amplitude_of(xy, tone(5.0, 0.8)) ==
           doctest::Approx(0.8 / std::numbers::sqrt2).epsilon(0.005));
@@ -126,8 +126,7 @@ TEST_CASE("ac coupling takes what is slow: 3 dB at 5 Hz, nothing at 100 Hz, all 
           doctest::Approx(0.9).epsilon(0.005));
 }
 
-TEST_CASE(
-    "a sweep begins at the level on the slope of the source, with less jitter than a sample") {
+TEST_CASE("a sweep starts at the trigger level and slope, with sub-sample jitter") {
     constexpr double hertz = 130.3;
     const auto sound = tone(hertz, 0.8);
     struct Case {
@@ -154,7 +153,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("the generators' trigger: its own phase is hidden, the other channel's is not") {
+TEST_CASE("a generator's trigger hides its own phase, but not the other channel's") {
     for (const std::string shape : {"sine", "triangle", "square", "saw"}) {
         INFO(shape);
         const auto signal = signal_of("waveform:ch1=" + shape +
@@ -169,8 +168,8 @@ TEST_CASE("the generators' trigger: its own phase is hidden, the other channel's
     CHECK(beam_of(*watched, {0.0, 0.1})[1536 + 1].y == doctest::Approx(-1.0).epsilon(1e-3));
 }
 
-TEST_CASE("a sound's trigger may watch the channel that is not shown as the first") {
-    // The right one is as slow as the left one, and a quarter period ahead of it.
+TEST_CASE("the trigger of a sound may use the second channel") {
+    // The right channel has the same frequency, a quarter period ahead.
     const auto signal = signal_of(
         "audio:a.wav,mode=waveform,channel=both,layout=overlaid,v2=1000,trigger_source=2,sdiv=0."
         "001",
@@ -186,7 +185,7 @@ TEST_CASE("a sound's trigger may watch the channel that is not shown as the firs
     CHECK(sweeps > 20);
 }
 
-TEST_CASE("hold-off keeps sweeps apart") {
+TEST_CASE("hold-off delays the next sweep") {
     for (const std::string what : {"waveform:ch2=off,f1=2,", "audio:a.wav,mode=waveform,"}) {
         INFO(what);
         const auto signal = signal_of(what + "sdiv=0.001,holdoff=0.05", tone(100.0, 0.5));
@@ -194,12 +193,12 @@ TEST_CASE("hold-off keeps sweeps apart") {
         REQUIRE(times.size() > 10);
         for (std::size_t i = 1; i < times.size(); ++i) {
             CHECK(times[i] - times[i - 1] >= 0.06 - 1e-4);
-            CHECK(times[i] - times[i - 1] <= 0.06 + 0.01 + 1e-4);  // at most a period of waiting
+            CHECK(times[i] - times[i - 1] <= 0.06 + 0.01 + 1e-4);  // waits for at most one period
         }
     }
 }
 
-TEST_CASE("without a trigger auto sweeps on, normal stays dark; single sweeps once") {
+TEST_CASE("without a trigger, auto free-runs and normal stays dark; single sweeps once") {
     const auto sweeps = [](const std::string& text, const std::shared_ptr<const Sound>& sound) {
         return sweep_times(beam_of(*signal_of(text, sound), {0.0, 1.0}), 1.0).size();
     };
@@ -215,7 +214,7 @@ TEST_CASE("without a trigger auto sweeps on, normal stays dark; single sweeps on
     }
 }
 
-TEST_CASE("a burst after silence is swept from its trigger on") {
+TEST_CASE("a burst after silence is swept from its trigger") {
     const auto sound = sound_of(
         8000, 32000, [](int i) { return i < 12000 ? 0.0 : 0.5 * sine_at(50.0, i / 8000.0); },
         [](int) { return 0.0; });
@@ -227,7 +226,7 @@ TEST_CASE("a burst after silence is swept from its trigger on") {
           doctest::Approx(1.5 + std::asin(0.2) / (100.0 * std::numbers::pi)).epsilon(2e-4));
 }
 
-TEST_CASE("swap exchanges the inputs, not the knobs") {
+TEST_CASE("swap exchanges the inputs, but not the settings") {
     const auto sound = tone(100.0, 0.5);
     const Beam plain = beam_of(*signal_of("audio:a.wav,v1=0.5", sound), {0.0, 0.1});
     const Beam swapped = beam_of(*signal_of("audio:a.wav,v1=0.5,swap=on", sound), {0.0, 0.1});
@@ -248,7 +247,7 @@ TEST_CASE("two sines a quarter turn apart draw a circle to half a pixel") {
         REQUIRE(std::abs(std::hypot(point.x, point.y) - 0.5) < 0.5 * pixel_width);
 }
 
-TEST_CASE("a Lissajous figure of 2 to 3 touches the side 2 times and the top 3 times") {
+TEST_CASE("a 2:3 Lissajous figure touches the side twice and the top three times") {
     const Beam beam = beam_of(*signal_of("lissajous:x=2,y=3,phase=0.1"), frame_span(1, 60.0));
     const auto peaks = [&](float BeamPoint::*axis) {
         int count = 0;

@@ -4,14 +4,14 @@
 
 #include <cmath>
 
-TEST_CASE("even sweeps hold the same samples where their period differs by rounding") {
+TEST_CASE("even sweeps contain the same samples despite rounding of their period") {
     const double period = 300.0;
     for (const double rounded :
          {period, std::nextafter(period, 0.0), std::nextafter(period, 1e9)}) {
         const EvenSweeps sweeps(0.0, rounded, rounded);
         for (const std::int64_t number : {0, 1, 7, 100000, 20000000}) {
             CAPTURE(number);
-            // Sample k has the instant k + 1; a sweep covers (start, start + length].
+            // Sample k is at time k + 1; a sweep covers (start, start + length].
             const std::int64_t first = number * 300;
             for (const std::int64_t sample : {first, first + 299}) {
                 const auto sweep = sweeps.latest(sample);
@@ -23,7 +23,7 @@ TEST_CASE("even sweeps hold the same samples where their period differs by round
     }
 }
 
-TEST_CASE("before the first sweep there is none, and one that is alone comes once") {
+TEST_CASE("there is no sweep before the first one, and a single sweep occurs once") {
     const EvenSweeps sweeps(50.0, EvenSweeps::once, 100.0);
     CHECK_FALSE(sweeps.latest(49).has_value());
     CHECK(sweeps.latest(50)->first() == 50);

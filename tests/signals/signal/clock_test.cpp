@@ -11,17 +11,17 @@ TEST_CASE("frame n covers the time from (n - 1) / fps to n / fps") {
     CHECK(frame_span(90, 30.0).seconds() == doctest::Approx(1.0 / 30.0));
 }
 
-TEST_CASE("sample k has the instant (k + 1) / rate, and a span holds its end but not its start") {
+TEST_CASE("sample k is at (k + 1) / rate, and a span includes its end but not its start") {
     const Instants first = instants_in({0.0, 0.5}, 10.0);
     CHECK(first.first == 0);
     CHECK(first.end == 5);  // 0.1 .. 0.5
     const Instants next = instants_in({0.5, 0.59}, 10.0);
     CHECK(next.first == 5);
-    CHECK(next.count() == 0);  // 0.6 comes later
+    CHECK(next.count() == 0);  // 0.6 is later
     CHECK(instants_in({-1.0, 0.05}, 10.0).count() == 0);
 }
 
-TEST_CASE("every frame of an hour holds the same number of samples and none is lost between") {
+TEST_CASE("every frame of an hour has the same number of samples, without gaps") {
     constexpr std::int64_t frames_of_an_hour = 216000;
     for (const double rate : {44100.0 * 4.0, 48000.0 * 16.0, 4096.0 * 60.0}) {
         const auto each = static_cast<std::int64_t>(rate / 60.0);
@@ -37,7 +37,7 @@ TEST_CASE("every frame of an hour holds the same number of samples and none is l
     }
 }
 
-TEST_CASE("days later the frames still hold as many samples") {
+TEST_CASE("frames have the same number of samples after days") {
     constexpr double rate = 48000.0 * 4.0;
     constexpr std::int64_t frames_of_a_week = 7LL * 24 * 216000;
     std::int64_t uneven = 0;
@@ -46,7 +46,7 @@ TEST_CASE("days later the frames still hold as many samples") {
     CHECK(uneven == 0);
 }
 
-TEST_CASE("a time that was added up holds the same samples as one that was divided") {
+TEST_CASE("accumulated and divided frame times give the same samples") {
     double added = 0.0;
     std::int64_t different = 0;
     for (std::int64_t n = 1; n <= 600; ++n) {
@@ -59,7 +59,7 @@ TEST_CASE("a time that was added up holds the same samples as one that was divid
     CHECK(different == 0);
 }
 
-TEST_CASE("times that are no numbers hold nothing") {
+TEST_CASE("non-finite and reversed spans are empty") {
     CHECK(instants_in({0.0, std::nan("")}, 48000.0).count() == 0);
     CHECK(instants_in({5.0, 1.0}, 48000.0).count() == 0);
 }

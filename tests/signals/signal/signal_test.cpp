@@ -61,7 +61,7 @@ bool is_same_point(const BeamPoint& a, const BeamPoint& b) {
 }
 }  // namespace
 
-TEST_CASE("however time is cut into frames, every point comes exactly once") {
+TEST_CASE("every point occurs exactly once for any division of time into frames") {
     const auto sound = test_sound();
     for (const std::string& text : every_way_to_draw) {
         INFO(text);
@@ -85,7 +85,7 @@ TEST_CASE("however time is cut into frames, every point comes exactly once") {
     }
 }
 
-TEST_CASE("a full current lays down the same light, however finely the path is cut") {
+TEST_CASE("a full current gives the same light for any number of points") {
     const auto sound = test_sound();
     for (const std::string& text : every_way_to_draw) {
         if (text.find("weighting") != std::string::npos ||
@@ -102,7 +102,7 @@ TEST_CASE("a full current lays down the same light, however finely the path is c
     }
 }
 
-TEST_CASE("points are appended, and stay on the screen") {
+TEST_CASE("points are appended and lie on the screen") {
     const auto sound = test_sound();
     for (const std::string& text : every_way_to_draw) {
         INFO(text);
@@ -110,7 +110,7 @@ TEST_CASE("points are appended, and stay on the screen") {
         signal_of(text, sound)->trace(frame_span(1, 60.0), beam);
         REQUIRE(beam.size() > 1);
         CHECK(beam.front().x == 9.0f);
-        // Between samples a noise goes further than on them.
+        // Interpolated noise exceeds its samples.
         const float edge = text.starts_with("audio") ? 3.0f : 1.0f;
         CHECK(std::all_of(beam.begin() + 1, beam.end(), [=](const BeamPoint& point) {
             return std::abs(point.x) <= edge && std::abs(point.y) <= edge &&
@@ -119,7 +119,7 @@ TEST_CASE("points are appended, and stay on the screen") {
     }
 }
 
-TEST_CASE("no kind breaks at the ends of its settings") {
+TEST_CASE("every signal stays finite at the limits of its settings") {
     const auto sound = test_sound();
     for (const SignalKind& kind : signal_kinds()) {
         for (const SettingFacts& setting : kind.settings) {
@@ -132,7 +132,7 @@ TEST_CASE("no kind breaks at the ends of its settings") {
                     spec.settings[kind.file_setting] = std::string("a.wav");
                 const auto signal = make_signal(spec, {sound});
                 if (!signal)
-                    continue;  // such as a start behind the sound's end
+                    continue;  // such as a start after the end of the sound
                 for (const BeamPoint& point : beam_of(**signal, frame_span(7, 60.0)))
                     REQUIRE(std::isfinite(point.x + point.y + point.intensity));
             }
