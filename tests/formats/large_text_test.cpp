@@ -8,7 +8,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
-TEST_CASE("keys that are there very often are read in a moment") {
+TEST_CASE("very many duplicate keys are parsed fast") {
     std::string text = "{";
     for (int i = 0; i < 80'000; ++i)
         text += fmt::format("\"k{}\": 1, \"a\": {},\n", i, i);
@@ -26,7 +26,7 @@ TEST_CASE("keys that are there very often are read in a moment") {
     CHECK(refused.error().size() == 257);
 }
 
-TEST_CASE("a free name is found once for all places of a word") {
+TEST_CASE("a free name is searched once for all occurrences of a word") {
     std::string text = "sample_ sample_x ";
     for (int i = 2; i < 20'000; ++i)
         text += fmt::format("sample_x{} ", i);
@@ -35,7 +35,7 @@ TEST_CASE("a free name is found once for all places of a word") {
     CHECK((modern == text + times(200'000, "sample_x20000 ")));
 }
 
-TEST_CASE("very many varyings are found in a moment, each once") {
+TEST_CASE("very many varyings are found fast, each once") {
     std::string names;
     for (int i = 0; i < 300'000; ++i)
         names += fmt::format(", a{}", i);
@@ -50,7 +50,7 @@ TEST_CASE("very many varyings are found in a moment, each once") {
     CHECK(warnings.size() == 1);
 }
 
-TEST_CASE("an ISF header may have so many passes, inputs and values, and no more") {
+TEST_CASE("the numbers of passes, inputs, values and imports in an ISF header are limited") {
     const auto refusal = [](const std::string& json) {
         const auto header = read_isf_header("/*{\n" + json + "}*/\n", "a.fs");
         return header ? std::string() : to_string(header.error());
@@ -74,7 +74,7 @@ TEST_CASE("an ISF header may have so many passes, inputs and values, and no more
           "a.fs:2: error: 'VALUES' has 1025 numbers; the limit is 1024\n");
 }
 
-TEST_CASE("a number that no shader can have is told at its line") {
+TEST_CASE("a number out of range for GLSL is an error at its line") {
     const auto refusal = [](const std::string& type, const std::string& number) {
         const auto header = read_isf_header("/*{\"INPUTS\": [{\"NAME\": \"a\", \"TYPE\": \"" +
                                                 type + "\",\n\"MAX\": " + number + "}]}*/\n",

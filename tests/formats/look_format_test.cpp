@@ -47,7 +47,7 @@ public:
         return load_look(folder / name, folder / "shared");
     }
 
-    // All errors, with the folder's name cut off.
+    // All errors, with paths relative to the folder.
     std::string errors() {
         const LoadedLook loaded = load();
         REQUIRE_FALSE(loaded.look.has_value());
@@ -67,7 +67,7 @@ bool contains(const std::vector<fs::path>& files, const fs::path& file) {
 }
 }  // namespace
 
-TEST_CASE("a look is read whole: passes, complete shaders and parameters") {
+TEST_CASE("a look is loaded with passes, complete shaders and parameters") {
     SmallLook small;
     const LoadedLook loaded = small.load();
     REQUIRE(loaded.look.has_value());
@@ -90,7 +90,7 @@ TEST_CASE("a look is read whole: passes, complete shaders and parameters") {
     CHECK(loaded.warnings.empty());
 }
 
-TEST_CASE("a look is found by its folder or its manifest, also through a cache") {
+TEST_CASE("a look is found by its folder or its manifest, also with a cache") {
     SmallLook small;
     const LoadedLook by_folder = small.load();
     CHECK(small.load("small/look.json").look == by_folder.look);
@@ -100,12 +100,12 @@ TEST_CASE("a look is found by its folder or its manifest, also through a cache")
               by_folder.look);
 }
 
-TEST_CASE("a missing file is watched for, and named where it is asked for") {
+TEST_CASE("a missing file is watched, and reported where it is used") {
     SmallLook small;
     fs::remove(small.folder / "shared/light.glsl");
     const LoadedLook loaded = small.load();
     REQUIRE_FALSE(loaded.look.has_value());
-    CHECK(loaded.look.error().size() == 1);  // once, though two passes use the file
+    CHECK(loaded.look.error().size() == 1);  // once, although two passes use the file
     CHECK(loaded.look.error().front().file == small.folder / "small/fill.frag");
     CHECK(loaded.look.error().front().line == 2);
     CHECK(contains(loaded.files, small.folder / "shared/light.glsl"));
@@ -119,7 +119,7 @@ TEST_CASE("a missing file is watched for, and named where it is asked for") {
     CHECK(none.files == std::vector<fs::path>{small.folder / "none"});
 }
 
-TEST_CASE("mistakes in shaders stand at their own file and line") {
+TEST_CASE("shader errors are reported in their own file and line") {
     SmallLook small;
     std::string broken(fragment);
     broken.replace(broken.find("void main"), 9, "void mian");
@@ -131,7 +131,7 @@ TEST_CASE("mistakes in shaders stand at their own file and line") {
     CHECK(small.errors().starts_with("small/fill.frag:3: error: "));
 }
 
-TEST_CASE("sizes and repeats that speak of no parameter are told at their pass") {
+TEST_CASE("unknown parameters in sizes and repeats are errors at their pass") {
     SmallLook small;
     std::string text(small_manifest);
     text.replace(text.find("$lines"), 6, "$linse");
@@ -144,7 +144,7 @@ TEST_CASE("sizes and repeats that speak of no parameter are told at their pass")
     CHECK(small.errors().starts_with("small/look.json:5: error: "));
 }
 
-TEST_CASE("parameters are listed by the look's own order of headings; one without any is told") {
+TEST_CASE("parameters are in the order of the look's groups, and an empty group gives a warning") {
     SmallLook small;
     small.folder.write("small/fill.frag",
                        "#version 410 core\n"
@@ -171,7 +171,7 @@ TEST_CASE("parameters are listed by the look's own order of headings; one withou
     CHECK(loaded.warnings[0].message == "the group 'Too' has no parameters");
 }
 
-TEST_CASE("every look that comes with the program is read without a word") {
+TEST_CASE("every built-in look loads without errors or warnings") {
     int count = 0;
     for (const auto& entry : fs::directory_iterator(source_tree / "shaders")) {
         if (!fs::exists(entry.path() / "look.json"))
@@ -184,7 +184,7 @@ TEST_CASE("every look that comes with the program is read without a word") {
     CHECK(count > 0);
 }
 
-TEST_CASE("every preset that comes with the program fits its look and is written as it is read") {
+TEST_CASE("every built-in preset fits its look and is written as it is read") {
     for (const auto& folder : fs::directory_iterator(source_tree / "presets")) {
         Stack stack;
         for (const std::string& id : look_ids(folder.path().filename().string()))
@@ -193,7 +193,7 @@ TEST_CASE("every preset that comes with the program fits its look and is written
         REQUIRE(loaded.look.has_value());
         for (const auto& entry : fs::directory_iterator(folder)) {
             if (entry.is_directory())
-                continue;  // what the presets draw
+                continue;  // content that the presets use
             const auto preset = load_preset(entry.path());
             REQUIRE_MESSAGE(preset.has_value(), problems_of(preset));
             const auto values = fitted_values(*loaded.look, *preset, entry.path());
@@ -206,7 +206,7 @@ TEST_CASE("every preset that comes with the program fits its look and is written
     }
 }
 
-TEST_CASE("a look of another program is called after its file, without the signs of stacks") {
+TEST_CASE("a foreign look is named after its file, with the separators of stacks escaped") {
     CHECK(foreign_look_id("aa/fxaa+linear.slangp") == "fxaa%2Blinear.slangp");
     CHECK(foreign_file_name("fxaa%2Blinear.slangp") == "fxaa+linear.slangp");
     CHECK(look_id_at("crt/a#1.slang") == "a%231.slang");

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-/// "a.fs:2: error: ...", one a line, with paths from `folder` on.
+/// "a.fs:2: error: ...", one per line, with paths relative to `folder`.
 inline std::string told_in(const std::filesystem::path& folder, const Diagnostics& diagnostics) {
     std::string text = to_string(diagnostics);
     const std::string start = folder.string() + "/";

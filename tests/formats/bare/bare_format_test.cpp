@@ -29,7 +29,7 @@ std::string names_in(const Look& look) {
 }
 }  // namespace
 
-TEST_CASE("a shader of The Book of Shaders opens with its time, size and mouse") {
+TEST_CASE("a shader of The Book of Shaders opens with time, resolution and mouse") {
     const Look look = bare_look(
         "#ifdef GL_ES\nprecision mediump float;\n#endif\n"
         "uniform vec2 u_resolution;\nuniform vec2 u_mouse;\nuniform float u_time;\n"
@@ -41,7 +41,7 @@ TEST_CASE("a shader of The Book of Shaders opens with its time, size and mouse")
     CHECK(look.passes[0].built_ins.size() == 3);
 }
 
-TEST_CASE("a shader of GameMaker works on the source, seen upright") {
+TEST_CASE("a GameMaker shader processes the source") {
     const Look look = bare_look(
         "varying vec2 v_vTexcoord;\nvarying vec4 v_vColour;\nuniform float strength;\n"
         "uniform sampler2D gm_BaseTexture;\n"
@@ -53,7 +53,7 @@ TEST_CASE("a shader of GameMaker works on the source, seen upright") {
     CHECK(names_in(look) == "strength");
 }
 
-TEST_CASE("GLSL ES 3.00 and desktop versions keep their own outputs and inputs") {
+TEST_CASE("GLSL ES 3.00 and desktop versions keep their own inputs and outputs") {
     bare_look(
         "#version 300 es\nprecision highp float;\nin vec2 vUv;\nout vec4 fragColor;\n"
         "uniform sampler2D tDiffuse;\n"
@@ -66,7 +66,7 @@ TEST_CASE("GLSL ES 3.00 and desktop versions keep their own outputs and inputs")
         "void main() { c = vec4(uv, 0.0, 1.0); }\n");
 }
 
-TEST_CASE("other uniforms are parameters with their hints, other samplers pictures") {
+TEST_CASE("other uniforms are parameters with their annotations, and other samplers are images") {
     const Look look = bare_look(
         "uniform float glow; // @range 0 3\nuniform sampler2D u_tex0;\nuniform vec2 "
         "u_tex0Resolution;\n"
@@ -80,13 +80,13 @@ TEST_CASE("other uniforms are parameters with their hints, other samplers pictur
     CHECK(look.parameters[2].initial.path == "pattern:noise");
 }
 
-TEST_CASE("a varying that only a vertex shader could know is named with its line") {
+TEST_CASE("a varying that the built-in vertex shader does not set gives a warning with its line") {
     bare_look(
         "uniform float a;\nvarying float fog;\nvoid main() { gl_FragColor = vec4(fog * a); }\n",
         "a.frag:2: warning: no vertex shader sets 'fog'; float(0) is used");
 }
 
-TEST_CASE("varyings are found in every way to write them") {
+TEST_CASE("varyings are found in every syntax") {
     const auto found = find_varyings(
         "precision highp float;\nvarying highp vec2 a, b;\nlayout(location = 2) flat in ivec2 c;\n"
         "void f(in vec3 no) { int in_it; }\nin vec4 d;\nuniform float e;\n");
@@ -100,7 +100,7 @@ TEST_CASE("varyings are found in every way to write them") {
     CHECK(found[3].line == 5);
 }
 
-TEST_CASE("more varyings than a driver takes are refused at the line of the first too many") {
+TEST_CASE("varyings beyond the limit are an error at the first excess line") {
     const TemporaryFolder folder;
     std::string text = "#version 100\n";
     for (int i = 0; i < 257; ++i)
@@ -112,7 +112,7 @@ TEST_CASE("more varyings than a driver takes are refused at the line of the firs
           file.string() + ":258: error: the shader has 257 varyings; the limit is 256\n");
 }
 
-TEST_CASE("what GameMaker declares for an author need not be declared") {
+TEST_CASE("built-ins of GameMaker need no declaration") {
     const Look look = bare_look(
         "varying vec2 v_vTexcoord;\nvarying LOWPREC vec4 v_vColour;\n"
         "void main() {\n"
@@ -126,7 +126,7 @@ TEST_CASE("what GameMaker declares for an author need not be declared") {
     CHECK(look.parameters.empty());
 }
 
-TEST_CASE("what three.js declares and includes for an author need not be there") {
+TEST_CASE("built-ins and includes of three.js need no declaration") {
     const Look look = bare_look(
         "#include <common>\n#include <packing>\nvarying vec2 vUv;\n"
         "void main() {\n"
@@ -137,7 +137,7 @@ TEST_CASE("what three.js declares and includes for an author need not be there")
     CHECK(look.parameters.empty());
 }
 
-TEST_CASE("names that an author declares are not declared for him") {
+TEST_CASE("names declared by the author are not declared again") {
     bare_look(
         "#include <common>\n#define PI 3.0\nfloat rand(vec2 at) { return at.x; }\n"
         "vec3 other, cameraPosition;\n"
@@ -145,7 +145,7 @@ TEST_CASE("names that an author declares are not declared for him") {
         "    gl_FragColor = vec4(cameraPosition, rand(vec2(0.5))) * viewMatrix;\n}\n");
 }
 
-TEST_CASE("a piece of three.js that is not here is named at its line") {
+TEST_CASE("an unknown include of three.js is an error at its line") {
     const TemporaryFolder folder;
     const auto file =
         folder.write("a.frag", "#include <common>\n#include <lights_pars_begin>\nvoid main() {}\n");
@@ -157,7 +157,7 @@ TEST_CASE("a piece of three.js that is not here is named at its line") {
               "\"file.glsl\"\n");
 }
 
-TEST_CASE("numbers of inputs and uniforms and what came after 4.10 are understood") {
+TEST_CASE("layout locations, bindings and syntax after GLSL 4.10 are accepted") {
     const Look look = bare_look(
         "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) in vec4 tint;\n"
         "layout(location = 0) out vec4 color;\n"
@@ -170,7 +170,7 @@ TEST_CASE("numbers of inputs and uniforms and what came after 4.10 are understoo
     CHECK(look.passes[0].fragment.text->find("layout(location = 0) out vec4") != std::string::npos);
 }
 
-TEST_CASE("what a layout says besides numbers stays") {
+TEST_CASE("layout qualifiers other than numbers are kept") {
     const Look look = bare_look(
         "#version 450\nlayout(std140,\n    binding = 1) uniform Block { vec4 tint; };\n"
         "layout(origin_upper_left) in vec4 gl_FragCoord;\nout vec4 color;\n"
@@ -181,19 +181,19 @@ TEST_CASE("what a layout says besides numbers stays") {
     CHECK(look.passes[0].fragment.text->find("layout(origin_upper_left)") != std::string::npos);
 }
 
-TEST_CASE("what versions before 1.30 have of a vertex shader is there") {
+TEST_CASE("legacy vertex shader outputs of GLSL before 1.30 are available") {
     bare_look(
         "#version 120\nuniform sampler2D texture0;\n"
         "void main() { gl_FragColor = texture2D(texture0, gl_TexCoord[0].xy) * gl_Color; }\n");
 }
 
-TEST_CASE("several outputs may be written, the first is the picture") {
+TEST_CASE("with several outputs the first one is the picture") {
     bare_look(
         "#extension GL_EXT_draw_buffers : require\nprecision highp float;\n"
         "void main() { gl_FragData[0] = vec4(1.0); gl_FragData[1] = vec4(0.0); }\n");
 }
 
-TEST_CASE("words that are free in GLSL ES 1.00 may be names") {
+TEST_CASE("words not reserved in GLSL ES 1.00 may be names") {
     bare_look(
         "precision mediump float;\nuniform sampler2D filter;\nuniform float active;\n"
         "varying vec2 uv;\n"
@@ -206,7 +206,7 @@ TEST_CASE("words that are free in GLSL ES 1.00 may be names") {
         "        float(partition) * patch * buffer;\n}\n");
 }
 
-TEST_CASE("what stands under GL_ES counts in GLSL ES, and not in desktop versions") {
+TEST_CASE("GL_ES is defined in GLSL ES, but not in desktop versions") {
     const Look look = bare_look(
         "#ifdef GL_ES\nprecision mediump float;\nvarying vec2 vUv;\n#endif\n"
         "void main() { gl_FragColor = vec4(vUv, 0.0, 1.0); }\n");
@@ -216,7 +216,7 @@ TEST_CASE("what stands under GL_ES counts in GLSL ES, and not in desktop version
         "void main() { c = vec4(1.0); }\n");
 }
 
-TEST_CASE("arrays, blocks and macros bring varyings as well") {
+TEST_CASE("arrays, blocks and macros may declare varyings") {
     const Look arrays = bare_look(
         "precision mediump float;\n#define TAPS 5\nvarying vec2 blurCoord[TAPS];\n"
         "void main() { gl_FragColor = vec4(blurCoord[0], blurCoord[4].x, 1.0); }\n");
@@ -233,7 +233,7 @@ TEST_CASE("arrays, blocks and macros bring varyings as well") {
         "void main() { c = vec4(uv, 0.0, 1.0); }\n");
 }
 
-TEST_CASE("a cube and a volume are pictures to be chosen, with solids of the program's own") {
+TEST_CASE("a cube map and a volume are image parameters with built-in defaults") {
     const Look look = bare_look(
         "#version 300 es\nprecision highp float;\nuniform samplerCube envMap;\n"
         "uniform highp sampler3D fog;\nout vec4 c;\n"
@@ -244,7 +244,7 @@ TEST_CASE("a cube and a volume are pictures to be chosen, with solids of the pro
     CHECK(look.images.size() == 2);
 }
 
-TEST_CASE("the buffers of glslViewer are drawn as passes, each with its word defined") {
+TEST_CASE("buffers of glslViewer are drawn as passes, each with its macro defined") {
     const Look look = bare_look(
         "uniform vec2 u_resolution;\nuniform sampler2D u_buffer0;\n"
         "uniform sampler2D u_doubleBuffer0;\n"
@@ -269,7 +269,7 @@ TEST_CASE("the buffers of glslViewer are drawn as passes, each with its word def
     CHECK(look.parameters.empty());
 }
 
-TEST_CASE("what glslViewer draws of a scene is named as not being here") {
+TEST_CASE("scenes of glslViewer give a warning that they are not available") {
     bare_look(
         "uniform float a;\nuniform sampler2D u_scene;\n"
         "void main() { gl_FragColor = texture2D(u_scene, vec2(0.5)) * a; }\n",
@@ -277,7 +277,7 @@ TEST_CASE("what glslViewer draws of a scene is named as not being here") {
         "here. Choose a picture for it.");
 }
 
-TEST_CASE("glslang's errors are at the author's line") {
+TEST_CASE("errors of glslang are reported at the author's line") {
     const TemporaryFolder folder;
     const LoadedLook loaded = load_bare_look(
         folder.write("a.frag", "#version 100\nvoid main() {\n    gl_FragColor = nothing;\n}\n"), {},
@@ -286,7 +286,7 @@ TEST_CASE("glslang's errors are at the author's line") {
     CHECK(loaded.look.error().front().line == 3);
 }
 
-TEST_CASE("a varying of no type that there is, is told at the author's line by both stages") {
+TEST_CASE("a varying with an unknown type is an error at its line in both stages") {
     const TemporaryFolder folder;
     const auto file = folder.write("a.frag", "#version 100\nvarying vect at;\nvoid main() { }\n");
     const LoadedLook loaded = load_bare_look(file, {}, {});
@@ -297,14 +297,14 @@ TEST_CASE("a varying of no type that there is, is told at the author's line by b
     }
 }
 
-TEST_CASE("a bare shader is told by its main()") {
+TEST_CASE("a bare shader is recognised by its main()") {
     const TemporaryFolder folder;
     CHECK(is_bare_file(folder.write("a.glsl", "void main() {}")));
     CHECK_FALSE(is_bare_file(folder.write("b.glsl", "float helper() { return 1.0; } // main()")));
     CHECK_FALSE(is_bare_file(folder.write("a.txt", "void main() {}")));
 }
 
-TEST_CASE("a constant with a range is a parameter, and an error keeps its line") {
+TEST_CASE("a constant with a range is a parameter, and errors keep their line") {
     const TemporaryFolder folder;
     const auto file = folder.write("a.frag",
                                    "precision mediump float;\n"
@@ -322,7 +322,7 @@ TEST_CASE("a constant with a range is a parameter, and an error keeps its line")
     CHECK(empty.look.error().front().line == 4);
 }
 
-TEST_CASE("a fragment shader includes what lies above its folder, as lygia is included") {
+TEST_CASE("a fragment shader may include files above its folder, as with lygia") {
     const std::filesystem::path inputs =
         std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs";
     const LoadedLook loaded = load_bare_look(inputs / "bare/sub/up.frag", {}, {});

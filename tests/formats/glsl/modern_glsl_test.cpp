@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("names that GLSL 4.10 takes for itself get others, in comments they stay") {
+TEST_CASE("identifiers reserved in GLSL 4.10 are renamed, except in comments") {
     CHECK(modern_glsl("float sample = 1.0; // a sample\nfloat b = sample;") ==
           "float sample_ = 1.0; // a sample\nfloat b = sample_;");
     CHECK(modern_glsl("float sample, sample_;") == "float sample_x, sample_;");
@@ -11,7 +11,7 @@ TEST_CASE("names that GLSL 4.10 takes for itself get others, in comments they st
     CHECK(modern_glsl("float resampled;") == "float resampled;");
 }
 
-TEST_CASE("a word is left to those whose version has it") {
+TEST_CASE("a word stays if it is a keyword in the version of the text") {
     constexpr GlslVersion newest{450, false};
     CHECK(modern_glsl("double sample; sample in vec2 a;", {}, newest) ==
           "double sample; sample in vec2 a;");
@@ -22,7 +22,7 @@ TEST_CASE("a word is left to those whose version has it") {
           "smooth in vec2 a; float filter_;");
 }
 
-TEST_CASE("the version of a text is what its #version says, else that of GLSL ES 1.00") {
+TEST_CASE("the version is that of #version, else GLSL ES 1.00") {
     const auto told = [](std::string_view text) {
         const GlslVersion version = glsl_version_of(text);
         return std::pair(version.words, version.is_es);
@@ -34,13 +34,13 @@ TEST_CASE("the version of a text is what its #version says, else that of GLSL ES
     CHECK(told("#version 450 core\n") == std::pair(450, false));
 }
 
-TEST_CASE("GL_ES is defined for ES alone, under a name that may be") {
+TEST_CASE("GL_ES is defined only for ES, under a valid name") {
     CHECK(modern_glsl("#ifdef GL_ES\n") == "#ifdef afterglow_es\n");
     CHECK(modern_glsl("#ifdef GL_ES\n", {}, {330, false}) == "#ifdef GL_ES\n");
     CHECK(modern_glsl_start({"GL_ES"}) == "#version 410 core\n#define afterglow_es 1\n");
 }
 
-TEST_CASE("the old names of texture functions are the new ones") {
+TEST_CASE("old texture functions get their modern names") {
     CHECK(modern_glsl("texture2D(a, b) + textureCubeLodEXT(c, d, 1.0)") ==
           "texture(a, b) + textureLod(c, d, 1.0)");
     CHECK(modern_glsl("uniform sampler2D texture; x = texture2D(texture, uv);") ==
@@ -48,28 +48,28 @@ TEST_CASE("the old names of texture functions are the new ones") {
     CHECK(modern_glsl("#define T texture\nT(a, b)") == "#define T texture\nT(a, b)");
 }
 
-TEST_CASE("joined lines become one and keep the lines behind them where they were") {
+TEST_CASE("continued lines are joined, and later lines keep their numbers") {
     CHECK(modern_glsl("#define A(x) \\\n  (x + \\\n  1.0)\nfloat b;") ==
           "#define A(x)   (x +   1.0)\n\n\nfloat b;");
 }
 
-TEST_CASE("a sign in a macro keeps clear of the sign of what is put in") {
+TEST_CASE("a minus sign in a macro is separated from the sign of its argument") {
     CHECK(modern_glsl("#define D(a, b) (a-b)\nx-y") == "#define D(a, b) (a- b)\nx-y");
 }
 
-TEST_CASE("what says the version or counts lines is blanked out") {
+TEST_CASE("#version, #extension and #line are blanked out") {
     CHECK(modern_glsl("#version 300 es\nfloat a;") == "  \nfloat a;");
     CHECK(modern_glsl("# extension GL_X : enable // why\nfloat a;").find("GL_X") ==
           std::string::npos);
     CHECK(modern_glsl("#define version 3\n#line 7\n") == "#define version 3\n \n");
 }
 
-TEST_CASE("other words are changed as asked, where they are whole words of code") {
+TEST_CASE("additional replacements apply to whole words of code") {
     CHECK(modern_glsl("varying vec2 varyings; // varying", {{"varying", "in"}}) ==
           "in vec2 varyings; // varying");
 }
 
-TEST_CASE("an extension is asked for where its functions are used") {
+TEST_CASE("an extension is enabled if its functions are used") {
     const auto start_of = [](std::string_view text) {
         GlslWords words;
         add_words(text, words);

@@ -10,7 +10,7 @@ std::string fragment_body(const std::string& code) {
 }
 }  // namespace
 
-TEST_CASE("names that went out of use are those of GLSL 4.10") {
+TEST_CASE("deprecated names are replaced by those of GLSL 4.10") {
     CHECK(fragment_body("gl_FragColor = texture2D(a, vv_FragNormCoord);") ==
           "isf_FragColor = texture(a, isf_FragNormCoord);");
     CHECK(fragment_body("texture2DRect(a, p) + textureCube(b, q);") ==
@@ -20,26 +20,27 @@ TEST_CASE("names that went out of use are those of GLSL 4.10") {
     CHECK(isf_body("vv_vertShaderInit();", IsfStage::vertex, {}) == "isf_vertShaderInit();");
 }
 
-TEST_CASE("words that became reserved are other words, also in macros, but not parts of words") {
+TEST_CASE(
+    "identifiers that became reserved are renamed, also in macros, but not as parts of words") {
     CHECK(fragment_body("float sample = buffer;") == "float isf_own_sample = isf_own_buffer;");
     CHECK(fragment_body("#define sample 1\nint i = sample;") ==
           "#define isf_own_sample 1\nint i = isf_own_sample;");
     CHECK(fragment_body("float samples; // sample") == "float samples; // sample");
 }
 
-TEST_CASE("a function of the author's own that became built in is theirs; the built-in one stays") {
+TEST_CASE("a user function named like a new built-in is renamed, and other built-ins stay") {
     CHECK(fragment_body("float noise1(float x) { return x; } float y = noise1(2.0);") ==
           "float isf_own_noise1(float x) { return x; } float y = isf_own_noise1(2.0);");
     CHECK(fragment_body("float y = ldexp(x, 2);") == "float y = ldexp(x, 2);");
     CHECK(fragment_body("return fma(a, b, c);") == "return fma(a, b, c);");
 }
 
-TEST_CASE("what the program declares is blanked out where an author declares it again") {
+TEST_CASE("redeclared built-in uniforms and inputs are blanked out") {
     CHECK(fragment_body("uniform float TIME;\nuniform highp float speed;\nuniform float own;") ==
           "                   \n                          \nuniform float own;");
 }
 
-TEST_CASE("a version and extensions are blanked out, and lines stay where they were") {
+TEST_CASE("#version and #extension are blanked out, and line numbers stay") {
     const std::string body =
         fragment_body("#version 120\n#extension GL_EXT_x : enable\n#define A \\\n  2\nfloat x;\n");
     CHECK(std::count(body.begin(), body.end(), '\n') == 5);
@@ -48,7 +49,7 @@ TEST_CASE("a version and extensions are blanked out, and lines stay where they w
     CHECK(body.find("#define A \\\n  2\nfloat x;\n") != std::string::npos);
 }
 
-TEST_CASE("an input that is called as something of the language is another word, unless called") {
+TEST_CASE("an input named like a GLSL function or keyword is renamed, but calls are not") {
     CHECK(fragment_body("texture2D(texture, p) * smooth;") ==
           "texture(isf_own_texture, p) * isf_own_smooth;");
     CHECK(fragment_body("switch (x) { default: a.texture; }") ==

@@ -17,7 +17,7 @@ Parameter control_of(Type type, std::vector<double> initial = {}, std::vector<do
 }
 }  // namespace
 
-TEST_CASE("a float is a slider over its range, from 0 to 1 where an end is missing") {
+TEST_CASE("a float is a slider over its range, or 0 to 1 if an end is missing") {
     const Parameter whole = control_of(Type::floating, {3.0}, {2.0}, {6.0});
     CHECK(whole.control == Control::slider);
     CHECK(whole.range == Range{2.0, 6.0, 0.0});
@@ -26,13 +26,13 @@ TEST_CASE("a float is a slider over its range, from 0 to 1 where an end is missi
     CHECK(control_of(Type::floating, {}, {}, {2.0}).range == Range{0.0, 1.0, 0.0});
 }
 
-TEST_CASE("a float without a default is in the middle, one outside is brought into the range") {
+TEST_CASE("a float without a default starts in the middle, and an outside default is clamped") {
     CHECK(control_of(Type::floating, {}, {2.0}, {6.0}).initial == Value(4.0));
     CHECK(control_of(Type::floating, {9.0}, {2.0}, {6.0}).initial == Value(6.0));
     CHECK(control_of(Type::floating, {3.0}, {6.0}, {2.0}).range == Range{2.0, 6.0, 0.0});
 }
 
-TEST_CASE("a bool without a default is on, an event off") {
+TEST_CASE("a bool without a default is on, and an event is off") {
     const Parameter on = control_of(Type::boolean);
     CHECK(on.type.scalar == Scalar::boolean);
     CHECK(on.initial == Value(1.0));
@@ -41,7 +41,7 @@ TEST_CASE("a bool without a default is on, an event off") {
     CHECK(control_of(Type::event).initial == Value(0.0));
 }
 
-TEST_CASE("a long is a list of its values, else a slider of whole numbers") {
+TEST_CASE("a long is a list of its values, else an integer slider") {
     IsfInput input;
     input.type = Type::integer;
     input.values = {10.0, 20.0, 30.0};
@@ -59,7 +59,7 @@ TEST_CASE("a long is a list of its values, else a slider of whole numbers") {
     CHECK(slider.range == Range{0.0, 9.0, 1.0});
 }
 
-TEST_CASE("each axis of a point has its own range, and one range holds both") {
+TEST_CASE("each axis of a point has its own range, and the common range contains both") {
     const Parameter point = control_of(Type::point, {64.0, 36.0}, {1.5, 1.0}, {900.0, 600.0});
     CHECK(point.control == Control::point);
     CHECK(point.type == NumberType{Scalar::floating, 2, 1});
@@ -70,11 +70,11 @@ TEST_CASE("each axis of a point has its own range, and one range holds both") {
     CHECK(control_of(Type::point).initial == Value({0.5, 0.5}));
 }
 
-TEST_CASE("a colour is kept as light and read by the shader as the header says it") {
+TEST_CASE("a colour is stored as linear light, and the shader gets it display-encoded") {
     const Parameter color = control_of(Type::color, {0.5, 1.0, 0.0, 0.25});
     CHECK(color.control == Control::color);
     CHECK(color.encoding == Encoding::display);
-    // IEC 61966-2-1: 0.5 is 0.21404 of full light; alpha is no light.
+    // IEC 61966-2-1: 0.5 is 0.21404 of full light; alpha is not encoded.
     CHECK(color.initial.numbers[0] == doctest::Approx(0.21404).epsilon(1e-4));
     CHECK(color.initial.numbers[1] == doctest::Approx(1.0));
     CHECK(color.initial.numbers[2] == 0.0);
@@ -82,7 +82,7 @@ TEST_CASE("a colour is kept as light and read by the shader as the header says i
     CHECK(control_of(Type::color).initial == Value({1.0, 1.0, 1.0, 1.0}));
 }
 
-TEST_CASE("the value at which a filter does nothing is known") {
+TEST_CASE("the identity value of a filter is read") {
     IsfInput input;
     input.name = "gain";
     input.identity = {1.0};
@@ -91,7 +91,7 @@ TEST_CASE("the value at which a filter does nothing is known") {
     CHECK_FALSE(isf_control(input).identity.has_value());
 }
 
-TEST_CASE("a point without a range has one that its default lies in the middle of") {
+TEST_CASE("a point without a range has one centred at its default") {
     CHECK(control_of(Type::point, {300.0, 200.0}).axes ==
           std::vector<Range>{{0.0, 600.0, 0.0}, {0.0, 400.0, 0.0}});
     CHECK(control_of(Type::point, {300.0, 200.0}).range == Range{0.0, 600.0, 0.0});

@@ -12,7 +12,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// What is counted of all shaders of Vidvox's ISF-Files.
+// Counts over all shaders of Vidvox's ISF-Files.
 struct IsfCounts {
     int files = 0;
     int with_several_passes = 0;

@@ -20,7 +20,7 @@ std::string refusal_of(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("the first block comment of an ISF shader holds an object") {
+TEST_CASE("an ISF shader's first block comment contains a JSON object") {
     CHECK(has_isf_header("/*{}*/ void main() {}"));
     CHECK(has_isf_header("\n// by me\n/*\n  { \"A\": 1 }\n*/"));
     CHECK(has_isf_header("#version 150\n# extension GL_ARB_x : enable\n/*{}*/ void main() {}"));
@@ -33,7 +33,7 @@ TEST_CASE("the first block comment of an ISF shader holds an object") {
     CHECK_FALSE(has_isf_header(""));
 }
 
-TEST_CASE("the code of an ISF shader follows its header, and its line is known") {
+TEST_CASE("the code of an ISF shader starts after its header, on a known line") {
     const std::string text = "\n/*{\n\"DESCRIPTION\": \"d\"\n}*/ void main() {}\n";
     const auto header = read_isf_header(text, "a.fs");
     REQUIRE(header.has_value());
@@ -42,7 +42,7 @@ TEST_CASE("the code of an ISF shader follows its header, and its line is known")
     CHECK(header->code_line == 4);
 }
 
-TEST_CASE("inputs have the type that the header says, and numbers however they are written") {
+TEST_CASE("inputs are read with type, range, default and labels") {
     const IsfHeader header = header_of(R"({"INPUTS": [
         {"NAME": "a", "TYPE": "float", "MIN": -1, "MAX": 3.5, "DEFAULT": 2, "IDENTITY": 0},
         {"NAME": "b", "TYPE": "bool", "DEFAULT": true, "LABEL": "Switch"},
@@ -67,7 +67,7 @@ TEST_CASE("inputs have the type that the header says, and numbers however they a
     CHECK(header.inputs[0].declared == Location{"a.fs", 2});
 }
 
-TEST_CASE("a number may be written as a text, true and false too") {
+TEST_CASE("numbers and booleans may be written as strings") {
     const IsfHeader header = header_of(R"({"INPUTS": [
         {"NAME": "a", "TYPE": "bool", "DEFAULT": "false"},
         {"NAME": "b", "TYPE": "bool", "DEFAULT": "TRUE"},
@@ -83,7 +83,7 @@ TEST_CASE("a number may be written as a text, true and false too") {
     CHECK(header.inputs[4].initial.empty());
 }
 
-TEST_CASE("a pass is persistent by true, a number or a text that says so") {
+TEST_CASE("a pass is persistent by true, a number or a string") {
     const IsfHeader header = header_of(R"({"PASSES": [
         {"TARGET": "a", "PERSISTENT": true, "FLOAT": true}, {"TARGET": "b", "PERSISTENT": 1},
         {"TARGET": "c", "PERSISTENT": "true", "FLOAT": "YES"}, {"TARGET": "d", "persistent": true},
@@ -100,18 +100,18 @@ TEST_CASE("a pass is persistent by true, a number or a text that says so") {
     CHECK(header.passes[5].height == "$HEIGHT/2");
 }
 
-TEST_CASE("of a key that is there twice the last one counts, and keys that mean nothing are left") {
+TEST_CASE("the last of duplicate keys counts, and unknown keys are ignored") {
     const IsfHeader header =
         header_of(R"({"DESCRIPTION": "a", "KEYWORDS": {"x": [1]}, "DESCRIPTION": "b"})");
     CHECK(header.about == "b");
 }
 
-TEST_CASE("without passes there is one") {
+TEST_CASE("a header without passes has one pass") {
     CHECK(header_of("{}").passes.size() == 1);
     CHECK(header_of(R"({"PASSES": []})").passes.size() == 1);
 }
 
-TEST_CASE("persistent buffers of version 1 fold into their passes") {
+TEST_CASE("persistent buffers of ISF version 1 are merged into their passes") {
     const IsfHeader named =
         header_of(R"({"PERSISTENT_BUFFERS": ["b"], "PASSES": [{"TARGET": "a"}, {"TARGET": "b"}]})");
     CHECK_FALSE(named.passes[0].is_persistent);
@@ -125,7 +125,7 @@ TEST_CASE("persistent buffers of version 1 fold into their passes") {
     CHECK(sized.passes[0].height == "4");
 }
 
-TEST_CASE("imports are an object of names, or a list") {
+TEST_CASE("imports are an object or a list") {
     const IsfHeader object = header_of(R"({"IMPORTED": {"mask": {"PATH": "a/mask.png"}}})");
     const IsfHeader list = header_of(R"({"IMPORTED": [{"NAME": "mask", "PATH": "a/mask.png"}]})");
     for (const IsfHeader& header : {object, list}) {
@@ -136,7 +136,7 @@ TEST_CASE("imports are an object of names, or a list") {
     }
 }
 
-TEST_CASE("an import of six pictures is a cube, of another number a mistake") {
+TEST_CASE("an import of six pictures is a cube map, and other numbers are errors") {
     const IsfHeader six = header_of(
         R"({"IMPORTED": [{"NAME": "a", "TYPE": "cube", "PATH": ["0", "1", "2", "3", "4", "5"]}]})");
     CHECK(six.imports[0].is_cube);
@@ -149,7 +149,7 @@ TEST_CASE("an import of six pictures is a cube, of another number a mistake") {
           "a.fs:2: error: 'PATH' of 'a' lists 1 pictures; use 1, or 6 for a cube map\n");
 }
 
-TEST_CASE("a colour may be written as text") {
+TEST_CASE("a colour may be written as hexadecimal text") {
     const auto color = [](const std::string& text) {
         return header_of(R"({"INPUTS": [{"NAME": "c", "TYPE": "color", "DEFAULT": ")" + text +
                          "\"}]}")
@@ -163,7 +163,7 @@ TEST_CASE("a colour may be written as text") {
               .starts_with("a.fs:2: error: '#ggg' isn't a colour"));
 }
 
-TEST_CASE("what an ISF shader does follows from its inputs") {
+TEST_CASE("the kind of an ISF shader follows from its inputs") {
     using Kind = IsfHeader::Kind;
     CHECK(header_of("{}").kind() == Kind::generator);
     CHECK(header_of(R"({"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]})").kind() ==
@@ -176,7 +176,7 @@ TEST_CASE("what an ISF shader does follows from its inputs") {
               .kind() == Kind::generator);
 }
 
-TEST_CASE("what is wrong with a header is told at its line") {
+TEST_CASE("errors in a header are reported at their lines") {
     CHECK(refusal_of("/*{\n\"A\": 1,\n\"B\" 2}*/").starts_with("a.fs:3: error: "));
     CHECK(refusal_of("void main() {}").starts_with("a.fs:1: error: not an ISF shader: "));
     CHECK(refusal_of("/*{\"INPUTS\": [\n{\"NAME\": \"a\", \"TYPE\": \"volume\"},\n"

@@ -9,7 +9,7 @@
 
 #include <string>
 
-/// A folder of ISF shaders that a test writes.
+/// A temporary folder of ISF shaders.
 class IsfFolder {
 public:
     std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -17,9 +17,9 @@ public:
     }
     std::filesystem::path operator/(const std::string& name) const { return m_folder / name; }
 
-    /// Reads a.fs.
+    /// Loads a.fs.
     LoadedLook load() const { return load_look(m_folder / "a.fs", {}); }
-    /// Writes a.fs of a header's members and GLSL behind it, and reads it.
+    /// Writes a.fs with these header members and this GLSL code, and loads it.
     LoadedLook load(const std::string& members, const std::string& code) const {
         write("a.fs", "/*{" + members + "}*/\n" + code);
         return load();
@@ -31,7 +31,7 @@ public:
         return std::move(*loaded.look);
     }
 
-    /// "a.fs:2: error: ...", one a line.
+    /// "a.fs:2: error: ...", one per line.
     std::string told(const Diagnostics& diagnostics) const {
         return told_in(m_folder.path(), diagnostics);
     }

@@ -12,7 +12,7 @@ const Input* find_input(const Pass& pass, const std::string& uniform) {
 }
 }  // namespace
 
-TEST_CASE("a generator reads nothing and is driven by nothing") {
+TEST_CASE("a generator has no input and is not driven") {
     const IsfFolder folder;
     const Look look = folder.look(R"("DESCRIPTION": "All red", "CREDIT": "me")", draws_red);
     CHECK(look.driven_by == Driver::nothing);
@@ -26,7 +26,7 @@ TEST_CASE("a generator reads nothing and is driven by nothing") {
     CHECK(look.passes[0].format == Format::rgba8);
 }
 
-TEST_CASE("inputImage of a filter is the source, startImage that of a transition") {
+TEST_CASE("inputImage of a filter and startImage of a transition are the source") {
     const IsfFolder folder;
     const Look filter = folder.look("\"INPUTS\": [" + filter_input + "]",
                                     "void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }\n");
@@ -49,7 +49,7 @@ TEST_CASE("inputImage of a filter is the source, startImage that of a transition
     CHECK(other != transition.default_source);
 }
 
-TEST_CASE("a shader that listens is driven by the sound, and its inputImage is a choice") {
+TEST_CASE("an audio shader is driven by a signal, and its inputImage is a parameter") {
     const IsfFolder folder;
     const Look look = folder.look(
         "\"INPUTS\": [" + filter_input +
@@ -68,7 +68,8 @@ TEST_CASE("a shader that listens is driven by the sound, and its inputImage is a
           SoundTexture{SoundTexture::Holds::spectrum, 256});
 }
 
-TEST_CASE("a pass reads what is drawn before it, of persistent targets else the frame before") {
+TEST_CASE(
+    "a pass reads earlier passes of its frame, and later persistent ones of the previous frame") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("PASSES": [{"TARGET": "first", "PERSISTENT": true}, {"TARGET": "second"},
@@ -84,13 +85,13 @@ TEST_CASE("a pass reads what is drawn before it, of persistent targets else the 
     CHECK(find_input(look.passes[0], "first")->reference() == "first@1");
     CHECK(find_input(look.passes[0], "third")->reference() == "third@1");
     CHECK(find_input(look.passes[1], "first")->reference() == "first");
-    CHECK_FALSE(find_input(look.passes[1], "second"));  // holds nothing yet
+    CHECK_FALSE(find_input(look.passes[1], "second"));  // empty so far
     CHECK(find_input(look.passes[3], "second")->reference() == "second");
     CHECK(look.passes[3].inputs.size() == 1);
     CHECK(look.settle_frames > 1);
 }
 
-TEST_CASE("the controls of a shader stand together, under names that a person reads") {
+TEST_CASE("parameters of a shader form one group, with readable labels") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("INPUTS": [{"NAME": "blurAmount", "TYPE": "float"}, {"NAME": "x2", "TYPE": "float",
@@ -102,7 +103,7 @@ TEST_CASE("the controls of a shader stand together, under names that a person re
     CHECK(heading_of(look, look.parameters[0]) == heading_of(look, look.parameters[1]));
 }
 
-TEST_CASE("inputs and targets may be called by words that became reserved") {
+TEST_CASE("inputs and targets may have names that became reserved") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("INPUTS": [{"NAME": "sample", "TYPE": "float"}], "PASSES": [{"TARGET": "buffer"}, {}])",
@@ -113,7 +114,7 @@ TEST_CASE("inputs and targets may be called by words that became reserved") {
     CHECK(look.passes[1].inputs[0].name == "buffer");
 }
 
-TEST_CASE("inputs may be called as functions and keywords of the language that they are not") {
+TEST_CASE("inputs may be named like GLSL functions and keywords") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("INPUTS": [{"NAME": "texture", "TYPE": "image"}, {"NAME": "smooth", "TYPE": "float"},
@@ -129,7 +130,7 @@ TEST_CASE("inputs may be called as functions and keywords of the language that t
     }
 }
 
-TEST_CASE("a name that no shader can have is told at its line") {
+TEST_CASE("an invalid or reserved name is an error at its line") {
     const IsfFolder folder;
     CHECK(folder.refusal("\"INPUTS\": [\n{\"NAME\": \"while\", \"TYPE\": \"float\"}]", draws_red) ==
           "a.fs:2: error: 'while' isn't a valid GLSL identifier");
@@ -137,7 +138,7 @@ TEST_CASE("a name that no shader can have is told at its line") {
           "a.fs:2: error: 'IMG_SIZE' is a reserved name in ISF");
 }
 
-TEST_CASE("alpha of every pass means transparency, and persistent targets outlast another size") {
+TEST_CASE("every pass has alpha, and only persistent targets are kept when resized") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("PASSES": [{"TARGET": "a", "PERSISTENT": true}, {"TARGET": "b"}, {"WIDTH": 5}])",
@@ -148,7 +149,7 @@ TEST_CASE("alpha of every pass means transparency, and persistent targets outlas
     }
 }
 
-TEST_CASE("a parameter belongs to the passes whose part of the shader reads it") {
+TEST_CASE("a parameter is bound to the passes whose branch reads it") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("INPUTS": [{"NAME": "gain", "TYPE": "float"}, {"NAME": "size", "TYPE": "float"},
@@ -160,7 +161,7 @@ TEST_CASE("a parameter belongs to the passes whose part of the shader reads it")
     CHECK(find_parameter(look, "unused")->is_hidden);
 }
 
-TEST_CASE("sizes are expressions over the picture and inputs, cut to whole texels, one at least") {
+TEST_CASE("sizes are expressions of picture and inputs, rounded down, at least one texel") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"x("INPUTS": [{"NAME": "part", "TYPE": "float", "MIN": 0, "MAX": 8, "DEFAULT": 3}],
@@ -178,7 +179,7 @@ TEST_CASE("sizes are expressions over the picture and inputs, cut to whole texel
     CHECK(plan->targets[3].extent == Extent{100, 50});
 }
 
-TEST_CASE("a size that is no expression is told at its pass") {
+TEST_CASE("an invalid size expression is an error at its pass") {
     const IsfFolder folder;
     CHECK(
         folder.refusal("\"PASSES\": [\n{\"TARGET\": \"a\", \"WIDTH\": \"$WIDTH/\"}, {}]", draws_red)
@@ -187,7 +188,7 @@ TEST_CASE("a size that is no expression is told at its pass") {
               .find("unknown name '$NONE'") != std::string::npos);
 }
 
-TEST_CASE("a size that is no finite number is one texel, as in other hosts, and told") {
+TEST_CASE("a non-finite size is one texel, with a warning") {
     const IsfFolder folder;
     const LoadedLook loaded = folder.load(
         R"x("INPUTS": [{"NAME": "n", "TYPE": "float", "DEFAULT": 0}],
@@ -204,7 +205,7 @@ TEST_CASE("a size that is no finite number is one texel, as in other hosts, and 
           "a.fs:2: warning: size of pass 'a': 'sqrt(0 - 1)' isn't a finite number; 1 is used");
 }
 
-TEST_CASE("mistakes in a shader are told at the author's lines, once however many passes it has") {
+TEST_CASE("shader errors are reported at the author's lines, once for all passes") {
     const IsfFolder folder;
     const std::string told =
         folder.refusal("\n\"PASSES\": [{\"TARGET\": \"a\"}, {}]\n",
@@ -214,7 +215,7 @@ TEST_CASE("mistakes in a shader are told at the author's lines, once however man
     CHECK(std::ranges::count(told, '\n') == 0);
 }
 
-TEST_CASE("what tells time is drawn for a while before it is seen, what rests once") {
+TEST_CASE("a time-dependent shader settles for 60 frames, and a static one for one") {
     const IsfFolder folder;
     CHECK(folder.look("", draws_red).settle_frames == 1);
     CHECK(folder.look("", "void main() { gl_FragColor = vec4(TIME); }\n").settle_frames == 60);
@@ -225,7 +226,9 @@ TEST_CASE("what tells time is drawn for a while before it is seen, what rests on
         60);
 }
 
-TEST_CASE("of two passes of one target the later reads the earlier, the next frame the later") {
+TEST_CASE(
+    "two passes with one target read each other: the later in this frame, the earlier in the "
+    "next") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("PASSES": [{"TARGET": "t", "PERSISTENT": true}, {"TARGET": "t", "WIDTH": 5, "FLOAT": true}, {}])",
@@ -234,7 +237,7 @@ TEST_CASE("of two passes of one target the later reads the earlier, the next fra
     CHECK(find_input(look.passes[0], "t")->reference() == "t-2@1");
     CHECK(find_input(look.passes[1], "t")->reference() == "t");
     CHECK(find_input(look.passes[2], "t")->reference() == "t-2");
-    // It is one target: what one of its passes says of it is so for all.
+    // It is one target: settings of one of its passes apply to all.
     const auto plan = plan_targets(look, {100, 50}, {}, {});
     REQUIRE(plan.has_value());
     for (std::size_t i = 0; i < 2; ++i) {
@@ -243,7 +246,7 @@ TEST_CASE("of two passes of one target the later reads the earlier, the next fra
     }
 }
 
-TEST_CASE("a target may have any name, that of the picture too") {
+TEST_CASE("a target may have any name, also that of the picture") {
     const IsfFolder folder;
     const Look look = folder.look(R"("PASSES": [{"TARGET": "picture"}, {}])",
                                   "void main() { gl_FragColor = IMG_THIS_PIXEL(picture); }\n");
@@ -266,7 +269,7 @@ TEST_CASE("a last pass with a size is stretched over the picture") {
     CHECK(pass_names(whole) == std::vector<std::string>{"picture"});
 }
 
-TEST_CASE("a vertex shader of the same name is the shader's own, with its own lines") {
+TEST_CASE("a vertex shader with the same name is used, and reports its own lines") {
     const IsfFolder folder;
     folder.write("a.vs",
                  "varying vec2 turned;\n"
@@ -279,14 +282,14 @@ TEST_CASE("a vertex shader of the same name is the shader's own, with its own li
     CHECK(folder.refusal("", draws_red).starts_with("a.vs:2: error: "));
 }
 
-TEST_CASE("a vertex shader that is put beside a shader later is watched for") {
+TEST_CASE("a vertex shader that may appear later is watched") {
     const IsfFolder folder;
     const LoadedLook loaded = folder.load("", draws_red);
     CHECK(std::ranges::find(loaded.files, folder / "a.fs") != loaded.files.end());
     CHECK(std::ranges::find(loaded.files, folder / "a.vs") != loaded.files.end());
 }
 
-TEST_CASE("a missing import reads black and is told; one that is there is an image") {
+TEST_CASE("a missing import is black with a warning, and an existing one is an image") {
     const IsfFolder folder;
     const LoadedLook loaded = folder.load(
         "\"IMPORTED\": {\n\"there\": {\"PATH\": \"there.png\"},\n\"gone\": {\"PATH\": "
@@ -303,7 +306,7 @@ TEST_CASE("a missing import reads black and is told; one that is there is an ima
     CHECK(find_input(again.look->passes[0], "there")->from == Input::From::image);
 }
 
-TEST_CASE("a uniform of the author's own that no input sets is told") {
+TEST_CASE("a uniform without an input gives a warning") {
     const IsfFolder folder;
     const LoadedLook loaded =
         folder.load("", "uniform float own;\nvoid main() { gl_FragColor = vec4(own); }\n");
@@ -312,7 +315,7 @@ TEST_CASE("a uniform of the author's own that no input sets is told") {
           "a.fs:2: warning: 'own' isn't an input in the header; it stays 0");
 }
 
-TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
+TEST_CASE("a .fs file without an ISF header is an error") {
     const IsfFolder folder;
     const auto file = folder.write("a.fs", "float main;\n");
     CHECK_FALSE(is_isf_file(file));
@@ -324,7 +327,7 @@ TEST_CASE("a .fs file without ISF's header is no ISF shader, and says so") {
     CHECK(folder.told(loaded.look.error()).starts_with("a.fs:1: error: not an ISF shader: "));
 }
 
-TEST_CASE("an empty, a binary and a cut off file are refused with a reason") {
+TEST_CASE("an empty, binary or truncated file is an error with a reason") {
     const IsfFolder folder;
     for (const std::string& text :
          {std::string(), std::string("/*{\0}*/", 7), std::string("/*{\"A")}) {
@@ -335,7 +338,7 @@ TEST_CASE("an empty, a binary and a cut off file are refused with a reason") {
     }
 }
 
-TEST_CASE("a constant with a range is a parameter beside the inputs") {
+TEST_CASE("a constant with a range is a parameter in addition to the inputs") {
     const IsfFolder folder;
     const std::string code =
         "#define STEPS 8  // @range 1 64 @label \"Steps\"\n"
@@ -354,7 +357,7 @@ TEST_CASE("a constant with a range is a parameter beside the inputs") {
               .find("'level' is already the name of another parameter") != std::string::npos);
 }
 
-TEST_CASE("a cube is a picture that a person chooses and the shader reads by direction") {
+TEST_CASE("a cube input is an image parameter that is sampled by direction") {
     const IsfFolder folder;
     const Look look =
         folder.look(R"("INPUTS": [{"NAME": "room", "TYPE": "cube", "LABEL": "The room"}])",

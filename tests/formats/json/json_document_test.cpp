@@ -20,7 +20,7 @@ std::string json_error(std::string_view text) {
     return to_string(value.error().front());
 }
 
-// Every value's bytes read again are that value, and its line is the line of its first byte.
+// Parsing the bytes of each value gives the same value; its line is that of its first byte.
 void check_places(const JsonValue& value, std::string_view text) {
     const std::string_view own = text.substr(value.begin, value.end - value.begin);
     const JsonValue again = parsed(own);
@@ -38,7 +38,7 @@ void check_places(const JsonValue& value, std::string_view text) {
 }
 }  // namespace
 
-TEST_CASE("a document's values come with their kinds, keys and order") {
+TEST_CASE("a document is parsed with kinds, keys and order") {
     const JsonValue root = parsed(R"({"b": [1, -2.5e1, true, null], "a": {"x": "té\n"}})");
     REQUIRE(root.is(Kind::object));
     REQUIRE(root.children.size() == 2);
@@ -55,7 +55,7 @@ TEST_CASE("a document's values come with their kinds, keys and order") {
     CHECK(find_member(list, "x") == nullptr);
 }
 
-TEST_CASE("every value knows its line and its bytes") {
+TEST_CASE("every value has its line and byte range") {
     const std::string text =
         "\n{ \"format\" : 1e3\t,\n  \"list\": [ 12,3\n,4.5 ,\n\n-6],\"none\":[],\r\n"
         " \"o\":{\"t\":\"a\\\"b,:\"\n}  , \"nested\": [[1],\n[2,{\"k\":null}]],\"last\":7}\n\n";
@@ -69,7 +69,7 @@ TEST_CASE("every value knows its line and its bytes") {
     CHECK(find_member(root, "last")->line == 9);
 }
 
-TEST_CASE("mistakes are told at their line, without the parser's own names") {
+TEST_CASE("errors are reported at their line, without internal names of the parser") {
     CHECK(json_error("{\n  \"a\": 1,\n  \"b\" 2\n}") ==
           "a.json:3: error: invalid JSON: unexpected number literal; expected ':'");
     CHECK(json_error("{\n  \"a\": 1,\n}\n") ==
@@ -87,7 +87,7 @@ TEST_CASE("mistakes are told at their line, without the parser's own names") {
           "a.json:3: error: duplicate key 'a'");
 }
 
-TEST_CASE("of a key that is there twice the last one counts where that is asked for") {
+TEST_CASE("the last of duplicate keys counts if that is allowed") {
     const auto json = parse_json("{\"a\": 1, \"b\": {\"c\": 2, \"c\": 3}, \"a\": 4}", "a.json",
                                  DoubleKeys::last_counts);
     REQUIRE(json.has_value());
@@ -96,7 +96,7 @@ TEST_CASE("of a key that is there twice the last one counts where that is asked 
     CHECK(find_member(*find_member(*json, "b"), "c")->number == 3.0);
 }
 
-TEST_CASE("depth, number of values and size are bounded") {
+TEST_CASE("depth, number of values and size are limited") {
     const auto nested = [](std::size_t depth) {
         return std::string(depth, '[') + std::string(depth, ']');
     };
@@ -112,8 +112,7 @@ TEST_CASE("depth, number of values and size are bounded") {
               .starts_with("a.json: error: the text is too large"));
 }
 
-TEST_CASE(
-    "cut anywhere or changed at random, a document is read or refused with its file and a line") {
+TEST_CASE("a truncated or randomly changed document is parsed or rejected with file and line") {
     const std::string text =
         "{\n  \"format\": \"x\",\n  \"list\": [1, -2.5, true, null, \"\\u00e9\"],\n  \"o\": "
         "{\"k\": {}}\n}\n";

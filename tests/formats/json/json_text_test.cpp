@@ -7,7 +7,7 @@
 
 using Json = nlohmann::ordered_json;
 
-TEST_CASE("a document has a key a line and short lists on one") {
+TEST_CASE("a document is written with one key per line, and short lists on one line") {
     const Json document{{"b", "te\"xt"},
                         {"a", {1.0, 0.1, true}},
                         {"e", Json::object()},
@@ -22,7 +22,8 @@ TEST_CASE("a document has a key a line and short lists on one") {
           R"({"b":"te\"xt","a":[1,0.1,true],"e":{},"o":{"x":1e-07},"l":[{"k":1},{"k":2}]})");
 }
 
-TEST_CASE("numbers are the shortest that read back the same, and always JSON") {
+TEST_CASE(
+    "numbers are written in the shortest form that parses to the same value, and are valid JSON") {
     for (const double number : {0.94, 1.0 / 3, 5e-324, 1.7976931348623157e308, -0.0, 12345678901.5})
         CHECK(Json::parse(compact_json_text(Json(number))).get<double>() == number);
     CHECK(compact_json_text(Json(0.94)) == "0.94");

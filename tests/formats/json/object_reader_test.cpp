@@ -14,7 +14,7 @@ struct Reading {
 };
 }  // namespace
 
-TEST_CASE("members are read by type, and what is not there reads as the fallback") {
+TEST_CASE("members are read by type, and a missing member gives the fallback") {
     Reading reading(R"({"t": "text", "b": true, "n": 2.5, "w": 7, "c": "two"})");
     ObjectReader& reader = reading.reader;
     CHECK(reader.text("t") == "text");
@@ -28,7 +28,7 @@ TEST_CASE("members are read by type, and what is not there reads as the fallback
     CHECK(reading.problems.empty());
 }
 
-TEST_CASE("every mistake is noted at its line") {
+TEST_CASE("every error is reported at its line") {
     Reading reading(
         "{\n\"t\": 1,\n\"b\": 0,\n\"n\": \"2\",\n\"w\": 2.5,\n\"v\": 10,\n\"c\": "
         "\"tvo\",\n\"tru\": 1}");
@@ -54,14 +54,14 @@ TEST_CASE("every mistake is noted at its line") {
         "a.json:8: error: unknown key 'tru' (did you mean 'true'?)\n");
 }
 
-TEST_CASE("what is no object is said once") {
+TEST_CASE("a value that is not an object gives one error") {
     Reading reading("[1]");
     CHECK(reading.reader.require("format") == nullptr);
     reading.reader.refuse_unknown();
     CHECK(to_string(reading.problems) == "a.json:1: error: expected an object {...}, got [...]\n");
 }
 
-TEST_CASE("documents of another format or a newer version are refused") {
+TEST_CASE("documents with another format or a newer version are rejected") {
     const auto refusal = [](std::string_view text) {
         Reading reading(text);
         const bool is_accepted = accept_header(reading.reader, {"afterglow-look", 2});

@@ -10,7 +10,7 @@ std::optional<Spec> read(std::string_view text, Diagnostics& problems) {
 }
 }  // namespace
 
-TEST_CASE("a signal comes back from its JSON as it was written") {
+TEST_CASE("a signal is written to JSON and read back unchanged") {
     Diagnostics problems;
     const auto spec = read(R"({"kind": "lissajous", "x": 3, "y": 2})", problems);
     REQUIRE(spec.has_value());
@@ -19,7 +19,7 @@ TEST_CASE("a signal comes back from its JSON as it was written") {
     CHECK(problems.empty());
 }
 
-TEST_CASE("unknown kinds and settings are told at their line") {
+TEST_CASE("unknown signals and settings are errors at their lines") {
     Diagnostics problems;
     CHECK_FALSE(read("\n{\"kind\": \"lissajos\"}", problems).has_value());
     CHECK_FALSE(read("\n\n{\"kind\": \"lissajous\", \"q\": 1}", problems).has_value());

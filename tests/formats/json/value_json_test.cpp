@@ -5,13 +5,13 @@
 
 using Json = nlohmann::ordered_json;
 
-TEST_CASE("a value is a number, a list or a path") {
+TEST_CASE("a value is written as a number, a list or a path") {
     CHECK(json_of(Value(2.5)) == Json(2.5));
     CHECK(json_of(Value({1.0, 2.0})) == Json({1.0, 2.0}));
     CHECK(json_of(Value::of_path("a/b.png")) == Json("a/b.png"));
 }
 
-TEST_CASE("a switch is true or false") {
+TEST_CASE("a switch is written as true or false") {
     Parameter parameter;
     parameter.type = {Scalar::boolean};
     CHECK(json_of(Value(1.0), &parameter) == Json(true));
@@ -20,7 +20,7 @@ TEST_CASE("a switch is true or false") {
     CHECK(json_of(Value(1.0), &parameter).is_number());
 }
 
-TEST_CASE("what is no value is noted at its line") {
+TEST_CASE("an invalid value is an error at its line") {
     const std::filesystem::path file = "a.json";
     const JsonValue document =
         parse_json("{\"n\": 1, \"b\": true, \"l\": [1, false], \"t\": \"x\",\n\"bad\": [[1]]}",

@@ -42,7 +42,7 @@ Json described(const Look& look, const Values& values) {
 }
 }  // namespace
 
-TEST_CASE("a description has the passes as they are drawn") {
+TEST_CASE("a description lists the passes as they are drawn") {
     const Json json = described(described_look(), {});
     CHECK(json["name"] == "Phosphor");
     CHECK(json["license"] == "MIT");
@@ -59,7 +59,7 @@ TEST_CASE("a description has the passes as they are drawn") {
               "filter": "linear", "wrap": "repeat", "mipmap": false, "linear": true}])"));
 }
 
-TEST_CASE("a description has the parameters with the values in force") {
+TEST_CASE("a description lists the parameters with current values") {
     const Json json = described(described_look(), {{"decay", 0.94}, {"as_written", 1.0}});
     REQUIRE(json["parameters"].size() == 7);
     CHECK(json["parameters"][0] ==
@@ -75,7 +75,7 @@ TEST_CASE("a description has the parameters with the values in force") {
     CHECK(json["parameters"][6]["value"] == "noise.png");
 }
 
-TEST_CASE("what few passes have is there only where they have it") {
+TEST_CASE("optional keys of a pass are listed only if it has them") {
     Look look = described_look();
     look.passes[0].rename = {{"radius", "beam_radius"}};
     look.passes[0].repeat = std::string("points");
@@ -91,7 +91,7 @@ TEST_CASE("what few passes have is there only where they have it") {
     CHECK(json["passes"][1]["frame_modulo"] == 60);
 }
 
-TEST_CASE("the orbit is told as the matrix that a pass gets") {
+TEST_CASE("an orbit is described as the matrix that a pass gets") {
     Look look = described_look();
     for (Parameter& part : orbit_parameters({1}, {}))
         look.parameters.push_back(std::move(part));
@@ -99,6 +99,6 @@ TEST_CASE("the orbit is told as the matrix that a pass gets") {
     CHECK_FALSE(json["passes"][0]["set"].contains("u_view"));
     const Json& view = json["passes"][1]["set"]["u_view"];
     REQUIRE(view.size() == 16);
-    CHECK(view[2] == doctest::Approx(-1.0));  // x goes to -z
-    CHECK(view[8] == doctest::Approx(1.0));   // z to x
+    CHECK(view[2] == doctest::Approx(-1.0));  // x becomes -z
+    CHECK(view[8] == doctest::Approx(1.0));   // z becomes x
 }

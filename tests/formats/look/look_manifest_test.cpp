@@ -9,7 +9,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The manifest that the design shows.
+// The example manifest.
 const std::string phosphor = R"({
   "format": "afterglow-look", "version": 1,
   "name": "Phosphor", "about": "An oscilloscope tube: beam, persistence, bloom, glass.", "author": "", "license": "MIT",
@@ -38,7 +38,7 @@ public:
         return load_manifest(folder.write("phosphor/look.json", text), files);
     }
 
-    // All diagnostics, with the manifest's name cut down to "look.json".
+    // All diagnostics, with the manifest's path shortened to "look.json".
     std::string errors_of(std::string_view text) {
         const auto look = load(text);
         REQUIRE_FALSE(look.has_value());
@@ -55,7 +55,7 @@ public:
     std::vector<fs::path> files;
 };
 
-// A look whose head is on line 1, and whose `passes` start on line 2.
+// A look with its head on line 1 and `passes` from line 2.
 std::string look_with(std::string_view head, std::string_view passes) {
     return "{ \"format\": \"afterglow-look\", \"version\": 1, " + std::string(head) +
            "\"passes\": [\n" + std::string(passes) + "\n] }";
@@ -65,7 +65,7 @@ const std::string picture_head =
     "\"driven_by\": \"picture\", \"default_source\": \"pattern:smpte\", ";
 }  // namespace
 
-TEST_CASE("the manifest that the design shows is read as it says") {
+TEST_CASE("the example manifest is read correctly") {
     LookOnDisk disk;
     const auto loaded = disk.load(phosphor);
     REQUIRE(loaded.has_value());
@@ -97,7 +97,7 @@ TEST_CASE("the manifest that the design shows is read as it says") {
     CHECK(disk.files.size() == 6);
 }
 
-TEST_CASE("defaults are those of the page") {
+TEST_CASE("defaults are as documented") {
     LookOnDisk disk;
     const auto look = disk.load(
         look_with("\"output\": \"linear\", ", R"({"name": "a", "fragment": "blur.frag"})"));
@@ -156,7 +156,7 @@ TEST_CASE("every key of a pass, an input and an image is read") {
     CHECK(b.converge == Count("enough"));
 }
 
-TEST_CASE("a pass of segments may say how small its spot is") {
+TEST_CASE("a pass of segments may set its spot size") {
     LookOnDisk disk;
     const std::string signal = "\"driven_by\": \"signal\", \"output\": \"linear\", ";
     const std::string segments =
@@ -177,7 +177,7 @@ TEST_CASE("a pass of segments may say how small its spot is") {
           "look.json:2: error: 'spot' needs 'draw': 'segments'\n");
 }
 
-TEST_CASE("unknown keys are told with their line and the nearest known one") {
+TEST_CASE("unknown keys are errors at their line, with a suggestion") {
     LookOnDisk disk;
     CHECK(disk.errors_of(
               look_with("\"licence\": \"MIT\", ",
@@ -188,7 +188,7 @@ TEST_CASE("unknown keys are told with their line and the nearest known one") {
           "look.json:6: error: unknown key 'filtre' (did you mean 'filter'?)\n");
 }
 
-TEST_CASE("inputs that read nothing, themselves or a later pass are told") {
+TEST_CASE("inputs with an invalid reference are errors") {
     LookOnDisk disk;
     CHECK(disk.errors_of(look_with("", R"({"name": "beam", "fragment": "blur.frag", "inputs": {
 "a": "beam",
@@ -219,7 +219,7 @@ TEST_CASE("inputs that read nothing, themselves or a later pass are told") {
               .starts_with("look.json:3: error: unknown pass or image 'baem'"));
 }
 
-TEST_CASE("names of passes are checked") {
+TEST_CASE("names of passes are validated") {
     LookOnDisk disk;
     const std::string rule =
         "Use 1 to 64 letters, digits, _ and -, start with a letter or _, and don't use "
@@ -250,7 +250,7 @@ TEST_CASE("points and segments need a vertex shader and a signal") {
           "look.json:2: error: 'draw': 'points' needs a look with 'driven_by': 'signal'\n");
 }
 
-TEST_CASE("files must lie in the look's folder") {
+TEST_CASE("files must be in the look's folder") {
     LookOnDisk disk;
     disk.folder.write("outside.frag", "");
     fs::create_directory(disk.folder / "phosphor/folder");
@@ -279,7 +279,7 @@ TEST_CASE("files must lie in the look's folder") {
           disk.files.end());
 }
 
-TEST_CASE("a link in the look's folder counts where it stands") {
+TEST_CASE("a symbolic link in the look's folder is accepted") {
     LookOnDisk disk;
     disk.folder.write("outside.frag", "");
     fs::create_symlink("../outside.frag", disk.folder / "phosphor/link.frag");
@@ -288,7 +288,7 @@ TEST_CASE("a link in the look's folder counts where it stands") {
     CHECK(look->passes[0].fragment.file == disk.folder / "phosphor/link.frag");
 }
 
-TEST_CASE("sizes, formats and counts are checked") {
+TEST_CASE("sizes, formats and counts are validated") {
     LookOnDisk disk;
     CHECK(
         disk.errors_of(look_with("", R"({"name": "a", "fragment": "blur.frag", "scale": 0},
@@ -337,7 +337,7 @@ TEST_CASE("sizes, formats and counts are checked") {
     CHECK(whole->passes[1].inputs[0].sampler.filter == Filter::nearest);
 }
 
-TEST_CASE("what drives a look is checked") {
+TEST_CASE("the driver of a look is validated") {
     LookOnDisk disk;
     const std::string pass = R"({"name": "a", "fragment": "blur.frag"})";
     CHECK(disk.errors_of(look_with("\"driven_by\": \"picture\", ", pass)) ==
@@ -370,7 +370,7 @@ TEST_CASE("what drives a look is checked") {
     CHECK(own->default_source == disk.folder / "phosphor/lut.png");
 }
 
-TEST_CASE("a look without passes, or with too many, is refused") {
+TEST_CASE("a look without passes or with too many is rejected") {
     LookOnDisk disk;
     CHECK(disk.errors_of(look_with("", "")) ==
           "look.json:1: error: a look must have 1 to 256 passes, got 0\n");
@@ -383,7 +383,7 @@ TEST_CASE("a look without passes, or with too many, is refused") {
           "look.json:1: error: 'passes' is missing\n");
 }
 
-TEST_CASE("what is no manifest is refused with its file, and a line where there is one") {
+TEST_CASE("an invalid manifest is rejected with its file, and a line if possible") {
     LookOnDisk disk;
     CHECK(disk.errors_of("") == "look.json:1: error: the file is empty\n");
     CHECK(disk.errors_of(std::string("{\n\0", 3)) ==
@@ -400,7 +400,7 @@ TEST_CASE("what is no manifest is refused with its file, and a line where there 
     CHECK(files == std::vector<fs::path>{disk.folder / "none/look.json"});
 }
 
-TEST_CASE("cut anywhere or changed at random, a manifest is read or refused at a line") {
+TEST_CASE("a truncated or randomly changed manifest is read or rejected with a line") {
     LookOnDisk disk;
     for (std::size_t size = 0; size + 2 < phosphor.size(); size += 3)
         CHECK(disk.errors_of(phosphor.substr(0, size)).starts_with("look.json:"));
@@ -428,7 +428,7 @@ std::string with_onto(const std::string& onto, const std::string& more = {},
 }
 }  // namespace
 
-TEST_CASE("a pass says onto which one it may be drawn, and where") {
+TEST_CASE("a pass may be drawn onto another one, under a condition") {
     LookOnDisk disk;
     const std::string onto = R"({"pass": "glow", "where": "1 - $apart"})";
     const std::string adds = R"("blend": "add", )";

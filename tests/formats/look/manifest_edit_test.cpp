@@ -26,7 +26,7 @@ std::string edited(const PassOverrides& overrides) {
     return *text;
 }
 
-// The manifest with one place changed, which is there once.
+// The manifest with one replacement. `before` must occur exactly once.
 std::string with(std::string text, std::string_view before, std::string_view after) {
     const std::size_t at = text.find(before);
     REQUIRE(at != std::string::npos);
@@ -35,12 +35,12 @@ std::string with(std::string text, std::string_view before, std::string_view aft
 }
 }  // namespace
 
-TEST_CASE("nothing to write leaves every byte") {
+TEST_CASE("a manifest without changes keeps every byte") {
     CHECK(edited({}) == edited_manifest);
     CHECK(edited({{"beam", {}}, {"not there", {}}}) == edited_manifest);
 }
 
-TEST_CASE("a format that is there is replaced, one that is not is added") {
+TEST_CASE("an existing format is replaced, and a missing one is added") {
     CHECK(edited({{"beam", {Format::rgba32f, {}, {}}}}) ==
           with(edited_manifest, "\"format\": \"rgba16f\"", "\"format\": \"rgba32f\""));
     CHECK(edited({{"glow", {Format::r8, {}, {}}}}) ==
@@ -50,7 +50,7 @@ TEST_CASE("a format that is there is replaced, one that is not is added") {
                "\"from\": \"beam\" }\n      },\n      \"format\": \"r8\""));
 }
 
-TEST_CASE("a scale takes the place of what said the size before") {
+TEST_CASE("a scale replaces the previous size") {
     CHECK(edited({{"beam", {{}, 0.25, {}}}}) ==
           with(edited_manifest, "\"blend\": \"add\" }", "\"blend\": \"add\", \"scale\": 0.25 }"));
     CHECK(edited({{"glow", {{}, 2.0, {}}}}) == with(edited_manifest,
@@ -60,7 +60,7 @@ TEST_CASE("a scale takes the place of what said the size before") {
           with(edited_manifest, "\"size\": [320, \"$HEIGHT\"]", "\"scale\": 0.5"));
 }
 
-TEST_CASE("a filter is written into every input that reads the pass, whatever its form") {
+TEST_CASE("a filter is written into every input that reads the pass") {
     CHECK(edited({{"beam", {{}, {}, Filter::nearest}}}) ==
           with(with(edited_manifest, "\"current\": \"beam\"",
                     "\"current\": { \"from\": \"beam\", \"filter\": \"nearest\" }"),
@@ -71,21 +71,21 @@ TEST_CASE("a filter is written into every input that reads the pass, whatever it
                "\"wrap\": \"repeat\" }", "\"wrap\": \"repeat\",  \"filter\": \"nearest\" }"));
 }
 
-TEST_CASE("several changes are made together") {
+TEST_CASE("several changes are written together") {
     const std::string text =
         edited({{"beam", {Format::r8, 0.5, Filter::nearest}}, {"last", {Format::rgba8, 1.0, {}}}});
     for (const char* part :
          {"\"format\": \"r8\", \"blend\": \"add\", \"scale\": 0.5 }", "\"scale\": 1,",
           "\"format\": \"rgba8\"", "\"filter\": \"nearest\", \"from\": \"beam\""})
         CHECK(text.find(part) != std::string::npos);
-    // A second writing finds everything in place.
+    // Writing the same changes again changes nothing.
     const auto again = with_overrides_written(
         text, {{"beam", {Format::r8, 0.5, Filter::nearest}}, {"last", {Format::rgba8, 1.0, {}}}},
         "look.json");
     CHECK(again == text);
 }
 
-TEST_CASE("what cannot be written into is refused and left alone") {
+TEST_CASE("an edit that cannot be written is an error") {
     const auto error_of = [](std::string_view text, const PassOverrides& overrides) {
         const auto result = with_overrides_written(text, overrides, "look.json");
         REQUIRE_FALSE(result.has_value());
@@ -101,7 +101,7 @@ TEST_CASE("what cannot be written into is refused and left alone") {
               .has_value());
 }
 
-TEST_CASE("a file is edited in place, its byte order mark and line ends kept") {
+TEST_CASE("a file is edited in place, and its byte order mark and line ends stay") {
     const TemporaryFolder folder;
     const std::string text = "\xef\xbb\xbf{\"passes\": [\r\n{\"name\": \"a\"}]}\r\n";
     const auto file = folder.write("look.json", text);
@@ -111,7 +111,7 @@ TEST_CASE("a file is edited in place, its byte order mark and line ends kept") {
     CHECK_FALSE(write_overrides(folder / "none.json", {}).has_value());
 }
 
-TEST_CASE("a manifest that is a link out of the look's folder is not written") {
+TEST_CASE("a manifest that is a link to outside the look's folder is not written") {
     const TemporaryFolder folder;
     const std::string text = R"({"passes": [{"name": "a"}]})";
     const auto outside = folder.write("store/look.json", text);

@@ -4,8 +4,8 @@
 
 #include <random>
 
-TEST_CASE("the standard's own examples are encoded and decoded") {
-    // RFC 4648, section 10, without the padding.
+TEST_CASE("the examples of RFC 4648 are encoded and decoded") {
+    // RFC 4648, section 10, without padding.
     for (const auto& [plain, text] : {std::pair<std::string, std::string>{"", ""},
                                       {"f", "Zg"},
                                       {"fo", "Zm8"},
@@ -20,7 +20,7 @@ TEST_CASE("the standard's own examples are encoded and decoded") {
     CHECK(base64url_encode("\xfb\xff\xfe") == "-__-");
 }
 
-TEST_CASE("any bytes come back") {
+TEST_CASE("arbitrary bytes are encoded and decoded unchanged") {
     std::mt19937 random(3);
     for (std::size_t size = 0; size < 100; ++size) {
         std::string bytes(size, '\0');
@@ -30,7 +30,7 @@ TEST_CASE("any bytes come back") {
     }
 }
 
-TEST_CASE("what is no encoding is refused") {
+TEST_CASE("invalid base64url is rejected") {
     for (const char* text : {"Z", "Zm9vY", "Zh", "Zm9+", "Zm9/", "Zm 9", "Zg===", "Z\xc3\xa9"})
         CHECK_FALSE(base64url_decode(text).has_value());
 }

@@ -31,7 +31,7 @@ std::string scene_refusal(const std::string& items) {
 }
 }  // namespace
 
-TEST_CASE("a preset of too many looks is refused before its keys are compared") {
+TEST_CASE("a preset with too many looks is rejected before its keys are compared") {
     std::string message;
     const std::string looks = times(20'000, "a+");
     CHECK(is_done_in_a_moment([&] {
@@ -43,13 +43,13 @@ TEST_CASE("a preset of too many looks is refused before its keys are compared") 
           "a.json:2: error: 'bypass' lists 3 looks, but the stack has only 2");
 }
 
-TEST_CASE("a preset holds at most 65,536 values") {
+TEST_CASE("a preset has at most 65,536 values") {
     CHECK(parse_preset(preset_head + "\"a\", " + values(65'536) + "}", "a.json").has_value());
     CHECK(refusal(preset_head + "\"a\", " + values(65'537) + "}") ==
           "a.json:2: error: the preset has 65537 values; the limit is 65536");
 }
 
-TEST_CASE("a preset's file is read once for the lines of all values that do not fit") {
+TEST_CASE("a preset file is read once to locate all its errors") {
     const TemporaryFolder folder;
     Look look = sample_look();
     std::string text = preset_head + "\"phosphor\", \"values\": {";
@@ -73,8 +73,8 @@ TEST_CASE("a preset's file is read once for the lines of all values that do not 
     }));
 }
 
-TEST_CASE("a scene of too many points ends at the item that is too much") {
-    // A grid of 200 x 200 has 201 lines each way, of 2 points each.
+TEST_CASE("a scene with too many points is rejected at the first excess item") {
+    // A grid of 200 x 200 has 201 lines in each direction, with 2 points each.
     const std::string grid = "\n{\"shape\": \"grid\", \"columns\": 200, \"rows\": 200},";
     const std::size_t fitting = 400'000 / (2 * 201 * 2);
     const std::string dot = "\n{\"shape\": \"dot\"}";

@@ -54,7 +54,7 @@ std::string modulation_errors(const std::string& modulation) {
 }
 }  // namespace
 
-TEST_CASE("modulation is the last key of a preset, and comes back from file, line and PNG") {
+TEST_CASE("modulation is the last key of a preset, and is kept in files, share lines and PNGs") {
     const Preset preset = moving_preset();
     const std::string text = preset_to_json(preset);
     CHECK(text.ends_with("  },\n" + moving_text));
@@ -63,7 +63,7 @@ TEST_CASE("modulation is the last key of a preset, and comes back from file, lin
     CHECK(preset_to_json(sample_preset()).find("modulation") == std::string::npos);
 }
 
-TEST_CASE("what is left out of a modulation is as it is at first") {
+TEST_CASE("missing keys of a modulation have their defaults") {
     const auto preset = parse_preset(
         R"({"format": "afterglow-preset", "version": 1, "look": "a",
             "modulation": {"decay": {"kind": "beat"}}})",
@@ -72,7 +72,7 @@ TEST_CASE("what is left out of a modulation is as it is at first") {
     CHECK(preset->modulations == Modulations{{"decay", {.kind = ModulationKind::beat}}});
 }
 
-TEST_CASE("mistakes in a modulation are told at their lines") {
+TEST_CASE("errors in a modulation are reported at their lines") {
     CHECK(modulation_errors(
               "\"modulation\": {\"a\": {\n\"kind\": \"lfo\",\n\"rate\": -1,\n\"attack\": "
               "2}}") ==
@@ -87,7 +87,8 @@ TEST_CASE("mistakes in a modulation are told at their lines") {
     CHECK(modulation_errors("\"modulation\": []").starts_with("a.json:2: error: "));
 }
 
-TEST_CASE("a modulation follows a renamed parameter; one that cannot move is told at its line") {
+TEST_CASE(
+    "a modulation follows a renamed parameter, and an unsuitable one is an error at its line") {
     const TemporaryFolder folder;
     Preset preset = sample_preset();
     preset.modulations = {{"bloom_strength", {}}, {"gone", {}}};

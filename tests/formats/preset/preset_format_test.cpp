@@ -39,13 +39,12 @@ const std::string sample_text =
 )";
 }  // namespace
 
-TEST_CASE("a preset is written with sorted keys, one a line, and read back the same") {
+TEST_CASE("a preset is written with one sorted key per line, and read back unchanged") {
     CHECK(preset_to_json(sample_preset()) == sample_text);
     CHECK(parse_preset(sample_text, "a.json") == sample_preset());
 }
 
-TEST_CASE(
-    "values of every sort come back: vectors, matrices, switches, paths, orphans, odd names") {
+TEST_CASE("values of every type are written and read back unchanged") {
     Preset preset = sample_preset();
     preset.signal.reset();
     preset.source = "media/fr\xc3\xa4me \"1\".png";
@@ -63,7 +62,7 @@ TEST_CASE(
     CHECK(parse_preset(text, "a.json") == preset);
 }
 
-TEST_CASE("a bare first setting of a signal is written under its own key") {
+TEST_CASE("the bare first setting of a signal is written under its own key") {
     Preset preset = sample_preset();
     preset.signal = parse_spec("audio:song.wav,mode=xy").value();
     const auto read = parse_preset(preset_to_json(preset), "a.json");
@@ -73,7 +72,7 @@ TEST_CASE("a bare first setting of a signal is written under its own key") {
     CHECK(preset_to_json(*read).find("song.wav") != std::string::npos);
 }
 
-TEST_CASE("mistakes in a preset are told at their lines") {
+TEST_CASE("errors in a preset are reported at their lines") {
     CHECK(preset_errors("{\n\"format\": \"afterglow-preset\",\n\"version\": 2, \"values\": 3}") ==
           "a.json:3: error: format version 2 is too new; this version of Afterglow reads up to 1. "
           "Update "
@@ -103,7 +102,7 @@ TEST_CASE("mistakes in a preset are told at their lines") {
           "a.json:2: error: 'values' must be an object {...}, got [...]\n");
 }
 
-TEST_CASE("a preset is loaded from JSON and from a text that holds a share line") {
+TEST_CASE("a preset is loaded from JSON and from a text file with a share line") {
     const TemporaryFolder folder;
     CHECK(load_preset(folder.write("a.json", sample_text)) == sample_preset());
     CHECK(load_preset(folder.write("a.txt", share_line(sample_preset()) + "\n")) ==
@@ -113,7 +112,7 @@ TEST_CASE("a preset is loaded from JSON and from a text that holds a share line"
     CHECK(cut.error().front().file == folder / "b.txt");
 }
 
-TEST_CASE("what is no preset is refused with its file, and a line where there is one") {
+TEST_CASE("an invalid preset is rejected with its file, and a line if possible") {
     const TemporaryFolder folder;
     const auto error_of = [&](const std::filesystem::path& file) {
         const auto preset = load_preset(file);
@@ -133,7 +132,7 @@ TEST_CASE("what is no preset is refused with its file, and a line where there is
     CHECK(error_of(folder.write("a.json", "{}")) == "'format' is missing");
 }
 
-TEST_CASE("cut at every byte or changed at random, a preset is read or refused, never half read") {
+TEST_CASE("a truncated or randomly changed preset is read or rejected, but never partly read") {
     for (std::size_t size = 0; size + 2 < sample_text.size(); ++size) {
         const auto preset = parse_preset(sample_text.substr(0, size), "a.json");
         REQUIRE_FALSE(preset.has_value());
@@ -153,7 +152,7 @@ TEST_CASE("cut at every byte or changed at random, a preset is read or refused, 
     }
 }
 
-TEST_CASE("killed while it saves, the program leaves the old or the new preset") {
+TEST_CASE("after a kill during saving the file is the old or the new preset") {
     const TemporaryFolder folder;
     const std::filesystem::path file = folder / "presets/a.json";
     Preset preset = sample_preset();
@@ -179,7 +178,7 @@ TEST_CASE("killed while it saves, the program leaves the old or the new preset")
     }
 }
 
-TEST_CASE("values are fitted to the look: clamped, read from texts, moved to new names") {
+TEST_CASE("values are fitted to the look: clamped, parsed from text and renamed") {
     Preset preset = sample_preset();
     preset.values = {{"decay", 1.5},
                      {"bloom_strength", 0.7},
@@ -201,7 +200,7 @@ TEST_CASE("values are fitted to the look: clamped, read from texts, moved to new
                             {"orphan", Value({1.0, 2.0})}});
 }
 
-TEST_CASE("values that do not fit are told at their lines of the preset") {
+TEST_CASE("values that do not fit are errors at their lines of the preset") {
     const TemporaryFolder folder;
     const auto file =
         folder.write("a.json",
@@ -220,7 +219,7 @@ TEST_CASE("values that do not fit are told at their lines of the preset") {
               ":4: error: 'noise' must be the path of a file, got numbers\n");
 }
 
-TEST_CASE("a preset to share holds every value of its look") {
+TEST_CASE("a shared preset contains every value of its look") {
     Preset preset = sample_preset();
     preset.values = {{"bloom_strength", 0.7}, {"orphan", 1.0}};
     const Preset whole = with_all_values(preset, sample_look());

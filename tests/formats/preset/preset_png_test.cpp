@@ -21,7 +21,7 @@ std::string sample_png() {
     return encode_png(sample_picture()).value();
 }
 
-// The sample with one more chunk right behind its size.
+// The sample with one more chunk after its IHDR chunk.
 std::string with_chunk(std::string_view type, std::string_view data) {
     std::string png = sample_png();
     png.insert(8 + 25, png_chunk(type, data));
@@ -38,7 +38,7 @@ std::string png_error(std::string_view png) {
 const std::string keyword("afterglow-preset\0", 17);
 }  // namespace
 
-TEST_CASE("a preset travels in a PNG, whose picture stays as it is") {
+TEST_CASE("a preset is stored in a PNG, and the picture stays unchanged") {
     const auto png = with_preset(sample_png(), sample_preset());
     REQUIRE(png.has_value());
     CHECK(preset_from_png(*png, "a.png") == sample_preset());
@@ -48,7 +48,7 @@ TEST_CASE("a preset travels in a PNG, whose picture stays as it is") {
     CHECK(load_picture(file) == load_picture(folder.write("b.png", sample_png())));
 }
 
-TEST_CASE("a second preset takes the first one's place") {
+TEST_CASE("a second preset replaces the first one") {
     Preset other = sample_preset();
     other.name = "another";
     const auto first = with_preset(sample_png(), sample_preset());
@@ -57,7 +57,7 @@ TEST_CASE("a second preset takes the first one's place") {
     CHECK(second == with_preset(sample_png(), other));
 }
 
-TEST_CASE("every kind of text chunk is read") {
+TEST_CASE("every type of text chunk is read") {
     const std::string json = preset_to_json(sample_preset());
     CHECK(preset_from_png(with_chunk("tEXt", keyword + json), "a.png") == sample_preset());
     CHECK(preset_from_png(with_chunk("zTXt", keyword + '\0' + deflated(json)), "a.png") ==
@@ -66,7 +66,7 @@ TEST_CASE("every kind of text chunk is read") {
                           "a.png") == sample_preset());
 }
 
-TEST_CASE("pictures without a preset and damaged presets are refused by name") {
+TEST_CASE("pictures without a preset and damaged presets give a specific error") {
     CHECK(png_error(sample_png()) == "the PNG doesn't contain a preset");
     CHECK(png_error("text") == "not a PNG file");
     CHECK(png_error(with_chunk("tEXt", "afterglow-preset")) == "the PNG doesn't contain a preset");
@@ -84,7 +84,7 @@ TEST_CASE("pictures without a preset and damaged presets are refused by name") {
     CHECK_FALSE(with_preset("text", sample_preset()).has_value());
 }
 
-TEST_CASE("a PNG that is cut or changed anywhere is refused") {
+TEST_CASE("a PNG truncated or changed anywhere is rejected") {
     const std::string png = with_preset(sample_png(), sample_preset()).value();
     for (std::size_t size = 0; size < png.size(); ++size)
         CHECK_FALSE(png_error(std::string_view(png).substr(0, size)).empty());

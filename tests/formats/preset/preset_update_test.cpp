@@ -9,7 +9,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// As a person wrote it: an order, blanks and digits of their own.
+// A manually written preset with its own order, spaces and digits.
 const std::string handmade =
     R"({ "format": "afterglow-preset", "version": 1,
   "look":   "phosphor", "name": "Mine",
@@ -22,7 +22,7 @@ const std::string handmade =
 }
 )";
 
-// The preset of a text as a document has it: values as the look takes them.
+// The preset as a document has it, with values fitted to the look.
 Preset opened(const std::string& text) {
     auto preset = parse_preset(text, "a.json");
     REQUIRE(preset.has_value());
@@ -36,11 +36,11 @@ std::string updated(const std::string& text, const Preset& preset) {
 }
 }  // namespace
 
-TEST_CASE("a preset that says the same keeps every byte") {
+TEST_CASE("an unchanged preset keeps every byte") {
     CHECK(updated(handmade, opened(handmade)) == handmade);
 }
 
-TEST_CASE("only what changed is written anew") {
+TEST_CASE("only changed values are rewritten") {
     Preset preset = opened(handmade);
     preset.values["decay"] = Value(0.5);
     preset.signal->settings["x"] = 4.0;
@@ -50,13 +50,13 @@ TEST_CASE("only what changed is written anew") {
     CHECK(updated(handmade, preset) == expected);
 }
 
-TEST_CASE("a number that is the same 32-bit float keeps its digits") {
+TEST_CASE("a number with the same 32-bit float keeps its digits") {
     Preset preset = opened(handmade);
     preset.values["decay"] = Value(static_cast<double>(0.94f));
     CHECK(updated(handmade, preset) == handmade);
 }
 
-TEST_CASE("new members go to their sorted place, and members that are gone leave no gap") {
+TEST_CASE("new members are inserted in sorted order, and removed ones leave no gap") {
     Preset preset = opened(handmade);
     preset.author = "Ada";
     preset.values["bloom_intensity"] = Value(0.25);
@@ -77,7 +77,7 @@ TEST_CASE("new members go to their sorted place, and members that are gone leave
 )");
 }
 
-TEST_CASE("another kind of signal stays on its one line") {
+TEST_CASE("a changed signal stays on its line") {
     Preset preset = opened(handmade);
     preset.signal = Spec{"waveform", {}};
     CHECK(updated(handmade, preset).find("\"signal\": { \"kind\": \"waveform\" },") !=
@@ -86,7 +86,7 @@ TEST_CASE("another kind of signal stays on its one line") {
     CHECK(updated(handmade, preset).find("signal") == std::string::npos);
 }
 
-TEST_CASE("what is written reads back as the preset, whatever the text was") {
+TEST_CASE("the written text parses to the preset, whatever the previous text was") {
     const std::vector<std::string> texts{
         handmade, "no JSON", "{}", R"({"format":"afterglow-preset","version":1,"look":"phosphor"})",
         R"({"format":"afterglow-preset","version":1,"look":"phosphor","values":{}})"};
@@ -99,7 +99,7 @@ TEST_CASE("what is written reads back as the preset, whatever the text was") {
     }
 }
 
-TEST_CASE("saving over a file keeps its bytes") {
+TEST_CASE("saving over a file keeps its formatting") {
     const TemporaryFolder folder;
     const auto file = folder.write("mine.json", handmade);
     Preset preset = opened(handmade);
@@ -111,7 +111,7 @@ TEST_CASE("saving over a file keeps its bytes") {
     CHECK(read_text(file) == expected);
 }
 
-TEST_CASE("numbers are written with the fewest digits that read back as the same 32-bit float") {
+TEST_CASE("numbers are written with the fewest digits that parse to the same 32-bit float") {
     const Look look = sample_look();
     for (const auto& [number, digits] :
          std::vector<std::pair<double, std::string>>{{1.6260000000000001, "1.626"},
@@ -130,7 +130,7 @@ TEST_CASE("numbers are written with the fewest digits that read back as the same
     }
 }
 
-TEST_CASE("items of lists are written by their labels, in files and in lines of text") {
+TEST_CASE("list items are written by label, in files and share lines") {
     const Look look = sample_look();
     Preset preset = sample_preset();
     preset.values = {{"tone_map", Value(2.0)}};
@@ -141,7 +141,7 @@ TEST_CASE("items of lists are written by their labels, in files and in lines of 
     CHECK(fitted_values(look, *line, "a.json")->at("tone_map") == Value(2.0));
 }
 
-TEST_CASE("a label that would read as another item is written as its number") {
+TEST_CASE("an ambiguous item label is written as its number") {
     Look look = sample_look();
     look.parameters[4].items = {{0, "Same"}, {1, "same"}, {2, "One, two"}};
     Preset preset = sample_preset();
@@ -152,7 +152,7 @@ TEST_CASE("a label that would read as another item is written as its number") {
     }
 }
 
-TEST_CASE("former labels of items are read") {
+TEST_CASE("previous labels of items are accepted") {
     Look look = sample_look();
     look.parameters[4].items = {{0, "Clip", "Clamp"}, {1, "Reinhard"}, {2, "ACES"}};
     Preset preset = sample_preset();

@@ -2,7 +2,7 @@
 
 #include "model/preset/preset.h"
 
-/// A look with a parameter of every sort, and a preset for it.
+/// A look with a parameter of every type, and a preset for it.
 inline Look sample_look() {
     const auto parameter = [](std::string name, NumberType type, Value initial) {
         Parameter made;

@@ -22,7 +22,7 @@ std::string line_with(std::string_view json) {
 }
 }  // namespace
 
-TEST_CASE("a preset travels as one line of letters, digits, - and _") {
+TEST_CASE("a share line consists of letters, digits, - and _") {
     const Preset preset = with_all_values(sample_preset(), sample_look());
     const std::string line = share_line(preset);
     CHECK(line.starts_with("afterglow:1:"));
@@ -32,7 +32,7 @@ TEST_CASE("a preset travels as one line of letters, digits, - and _") {
     CHECK(parse_share_line(line) == preset);
 }
 
-TEST_CASE("a line that another program made is read") {
+TEST_CASE("a share line of another program is parsed") {
     // python3: base64.urlsafe_b64encode(zlib.compress(b'{"format":"afterglow-preset","version":1,
     // "look":"crt","values":{"mask":0.5}}'))
     const auto preset = parse_share_line(
@@ -43,13 +43,13 @@ TEST_CASE("a line that another program made is read") {
     CHECK(preset->values == Values{{"mask", 0.5}});
 }
 
-TEST_CASE("what a chat does to a line does no harm") {
+TEST_CASE("whitespace that a chat inserts into a share line is ignored") {
     std::string line = share_line(sample_preset());
     line.insert(40, "\r\n  ");
     CHECK(parse_share_line("  \n" + line + " \n") == sample_preset());
 }
 
-TEST_CASE("garbage, cut lines, other versions and bombs are refused with clear words") {
+TEST_CASE("invalid, truncated, newer and oversized share lines give a specific error") {
     CHECK_FALSE(is_share_line("phosphor"));
     CHECK(line_error("") ==
           "the clipboard doesn't contain an Afterglow preset. Copy a line that starts with "
@@ -70,7 +70,7 @@ TEST_CASE("garbage, cut lines, other versions and bombs are refused with clear w
           "the shared preset is too large: 9437196 bytes; the limit is 8388608");
 }
 
-TEST_CASE("a line that is changed at random is read or refused") {
+TEST_CASE("a randomly changed share line is read or rejected") {
     const std::string line = share_line(sample_preset());
     std::mt19937 random(8);
     for (int trial = 0; trial < 5000; ++trial) {

@@ -24,7 +24,7 @@ std::string obj_refusal(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("every shape of a scene is read with its place, turn and beam") {
+TEST_CASE("every shape of a scene is read with its position, rotation and beam settings") {
     const auto scene = parse_scene(
         "{ \"format\": \"afterglow-scene\", \"version\": 1, \"beam_speed\": 300, \"refresh\": 30,\n"
         "\"moves\": \"visible\", \"move_intensity\": 0.2, \"items\": [\n"
@@ -52,7 +52,7 @@ TEST_CASE("every shape of a scene is read with its place, turn and beam") {
     CHECK(scene->items[7].paths.size() == 6);
 }
 
-TEST_CASE("mistakes in a scene are told with their lines, all at once") {
+TEST_CASE("errors in a scene are reported with their lines, all at once") {
     const std::string told =
         scene_refusal(scene_text("{ \"shape\": \"circle\", \"radus\": 1 },\n"
                                  "{ \"shape\": \"cirlce\" },\n"
@@ -82,7 +82,8 @@ TEST_CASE("mistakes in a scene are told with their lines, all at once") {
           std::string::npos);
 }
 
-TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from either end") {
+TEST_CASE(
+    "each edge of an OBJ is drawn once, from faces and lines with positive or negative indices") {
     const auto paths = parse_obj(
         "# two triangles with a side in common\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\n"
         "f 1/1/1 2//1 3\nf -4 -2 -1\nl 2 4\nusemtl none\n",
@@ -94,7 +95,7 @@ TEST_CASE("an OBJ's edges are drawn once, by faces and lines, counted from eithe
     CHECK(edges == 6);
 }
 
-TEST_CASE("an OBJ with bad corners is told, with its lines") {
+TEST_CASE("invalid vertices of an OBJ are reported with their lines") {
     const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\n");
     CHECK(told.find("m.obj:3: error: expected 'v' and three numbers") != std::string::npos);
     CHECK(told.find("m.obj:4: error: unknown vertex 9") != std::string::npos);
@@ -114,7 +115,7 @@ std::size_t edges_of(const std::vector<ScenePath>& paths) {
     return edges;
 }
 
-// Of the scene of that name under tests/inputs/obj.
+// The number of edges of a scene in tests/inputs/obj.
 std::size_t edges_in(const std::string& name) {
     const auto scene =
         load_scene(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/obj" / name);
@@ -124,7 +125,7 @@ std::size_t edges_in(const std::string& name) {
 }
 }  // namespace
 
-TEST_CASE("an OBJ's lines go on behind a backslash, and end with CR, LF or both") {
+TEST_CASE("OBJ lines may be continued by a backslash, and end with CR, LF or CRLF") {
     CHECK(edges_in("scene_cont.json") == 4);
     CHECK(edges_in("scene_cr_only.json") == 3);
     const auto dos = parse_obj("v 0 0 0\r\nv 1 0 0\r\nv 1 1 0\r\nf 1 \\\r\n 2 3\r\n", "m.obj");
@@ -135,11 +136,11 @@ TEST_CASE("an OBJ's lines go on behind a backslash, and end with CR, LF or both"
         std::string::npos);
 }
 
-TEST_CASE("an OBJ's faces without an area are passed over") {
+TEST_CASE("degenerate faces of an OBJ are ignored") {
     CHECK(edges_in("scene_degenerate.json") == 3);
 }
 
-TEST_CASE("an OBJ alone is a scene of its wireframe, as long as three quarters of the screen") {
+TEST_CASE("an OBJ file is a scene with its wireframe, three quarters of the screen in size") {
     CHECK(edges_in("cont.obj") == 4);
     const auto scene =
         load_scene(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/obj/cont.obj");

@@ -42,13 +42,13 @@ Session session() {
 }
 }  // namespace
 
-TEST_CASE("a session reads back as it was written") {
+TEST_CASE("a session is written and read back unchanged") {
     const auto read = parse_session(session_to_json(session()), "session.json");
     REQUIRE(read.has_value());
     CHECK(*read == session());
 }
 
-TEST_CASE("a new session's picture size is to be chosen; that of a session without it follows") {
+TEST_CASE("a new session has no fixed picture size, and an older session follows the view") {
     CHECK_FALSE(Session{}.follows_view);
     CHECK(Session{}.fixed_size.is_empty());
     const auto older = parse_session(R"({"format": "afterglow-session", "version": 1})", "s.json");
@@ -63,7 +63,7 @@ TEST_CASE("a new session's picture size is to be chosen; that of a session witho
     CHECK(*read == fresh);
 }
 
-TEST_CASE("of a very long way back the latest 200 steps are kept") {
+TEST_CASE("only the latest 200 undo steps are kept") {
     Session made = session();
     made.past.clear();
     for (int i = 0; i < 500; ++i)
@@ -75,7 +75,7 @@ TEST_CASE("of a very long way back the latest 200 steps are kept") {
     CHECK(read->past.front().step == "step 300");
 }
 
-TEST_CASE("a session that is cut off, of another kind or newer is refused") {
+TEST_CASE("a truncated, foreign or newer session is rejected") {
     const std::string whole = session_to_json(session());
     for (std::size_t length = 0; length + 2 < whole.size(); length += 7)
         CHECK_FALSE(parse_session(whole.substr(0, length), "session.json").has_value());
@@ -85,7 +85,7 @@ TEST_CASE("a session that is cut off, of another kind or newer is refused") {
         CHECK_FALSE(parse_session(text, "session.json").has_value());
 }
 
-TEST_CASE("a comparison with a file comes back; a wipe of older programs is a wipe") {
+TEST_CASE("a comparison with a file is restored, and a wipe of older versions is read") {
     Session made = session();
     made.comparison.other = {Other::Kind::file, 0, "/home/me/crt photo.png"};
     const auto read = parse_session(session_to_json(made), "session.json");

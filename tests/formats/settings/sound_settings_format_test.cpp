@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("sound settings come back as they were saved") {
+TEST_CASE("audio settings are written and read back unchanged") {
     const SoundSettings settings{.output = "Speakers \"left\"",
                                  .input = "Monitor of Null",
                                  .rate = 96000,
@@ -12,7 +12,7 @@ TEST_CASE("sound settings come back as they were saved") {
     CHECK(parse_sound_settings(sound_settings_to_json(settings), "sound.json").value() == settings);
 }
 
-TEST_CASE("wrong sound settings are refused with their line") {
+TEST_CASE("invalid audio settings are rejected with their line") {
     const auto wrong = parse_sound_settings(
         "{\n \"format\": \"afterglow-sound\", \"version\": 1,\n \"buffer\": 3\n}", "sound.json");
     REQUIRE_FALSE(wrong.has_value());

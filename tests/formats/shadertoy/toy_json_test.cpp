@@ -46,7 +46,7 @@ constexpr const char* answered = R"({"Shader": {"ver": "0.1",
     {"inputs": [], "outputs": [], "code": "c", "name": "Common", "type": "common"}]}})";
 }  // namespace
 
-TEST_CASE("both dialects of a shader's JSON say the same") {
+TEST_CASE("both dialects of Shadertoy JSON are read the same") {
     for (const char* text : {exported, answered}) {
         CHECK(is_toy_json(text));
         const Toy toy = toy_in(text);
@@ -73,8 +73,7 @@ TEST_CASE("both dialects of a shader's JSON say the same") {
     }
 }
 
-TEST_CASE(
-    "a buffer is told by its output's id, whatever its name; an unknown one takes what is left") {
+TEST_CASE("a buffer is identified by its output id, and an unknown id gets a free buffer") {
     const Toy toy = toy_in(R"({"renderpass": [
         {"outputs": [{"id": "mine"}], "code": "", "type": "buffer",
          "inputs": [{"id": "mine", "type": "buffer", "channel": 0}]},
@@ -84,7 +83,7 @@ TEST_CASE(
     CHECK(toy.passes[1].name == "Buffer A");
 }
 
-TEST_CASE("what a shader of the site cannot have is named and left out") {
+TEST_CASE("unsupported parts of a shader give warnings and are ignored") {
     CHECK(warnings_of(R"({"type": "dance", "code": ""})") ==
           "a.json:1: warning: unknown pass type 'dance'; the pass is ignored\n");
     CHECK(warnings_of(R"({"type": "image", "code": "", "inputs": [
@@ -99,7 +98,7 @@ TEST_CASE("what a shader of the site cannot have is named and left out") {
           "a.json:2: warning: 'Image' already exists; this pass is ignored\n");
 }
 
-TEST_CASE("JSON that is no shader, or whose pass has no code, is refused with its line") {
+TEST_CASE("invalid JSON and passes without code are rejected with a line") {
     Diagnostics warnings;
     CHECK(to_string(parse_toy_json("\n[]", "a.json", warnings).error()) ==
           "a.json:2: error: not a Shadertoy shader: the list 'renderpass' is missing\n");
@@ -108,7 +107,7 @@ TEST_CASE("JSON that is no shader, or whose pass has no code, is refused with it
     CHECK_FALSE(parse_toy_json("{\"renderpass\": [", "a.json", warnings).has_value());
 }
 
-TEST_CASE("what Shadertoy answers instead of a shader is told in its words") {
+TEST_CASE("an error message of Shadertoy is shown") {
     const std::string answer = "{\n\"Error\": \"Shader not found\"}";
     CHECK(is_toy_json(answer));
     CHECK_FALSE(is_toy_json(R"({"format": 1, "Error": "x"})"));

@@ -24,7 +24,7 @@ std::string json_input(int channel, const std::string& type, const std::string& 
 
 const std::string reads_0 = "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p); }";
 
-/// A folder with files that a test writes.
+/// A temporary folder of Shadertoy files.
 class ToyFiles {
 public:
     std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -75,7 +75,7 @@ bool tells(const Look& look, const std::string& uniform) {
 }
 }  // namespace
 
-TEST_CASE("buffers are drawn from A to D, then the Image, in whatever order they are listed") {
+TEST_CASE("buffers are drawn from A to D, then the Image, in any order of listing") {
     const ToyFiles files;
     const Look look = files.look_of_json(
         json_pass("image", "4dfGRr", plain) + "," + json_pass("buffer", "XdfGR8", plain) + "," +
@@ -85,7 +85,7 @@ TEST_CASE("buffers are drawn from A to D, then the Image, in whatever order they
     CHECK(look.passes[3].format == Format::rgba8);
 }
 
-TEST_CASE("what a frame has not drawn yet is read as of the frame before") {
+TEST_CASE("a buffer that is drawn later is read from the previous frame") {
     const ToyFiles files;
     const std::string both =
         "void mainImage(out vec4 c, in vec2 p) { c = texture(iChannel0, p) + texture(iChannel1, "
@@ -102,7 +102,7 @@ TEST_CASE("what a frame has not drawn yet is read as of the frame before") {
     CHECK(look.settle_frames == 60);
 }
 
-TEST_CASE("the program says what a shader asks for and nothing else") {
+TEST_CASE("only the built-in uniforms that a shader reads are set") {
     const ToyFiles files;
     const Look look = files.look_of_text(plain);
     CHECK(look.parameters.empty());
@@ -114,7 +114,7 @@ TEST_CASE("the program says what a shader asks for and nothing else") {
     CHECK(look.output == Encoding::display);
 }
 
-TEST_CASE("every name that the site declares can be read, also where the author declares it") {
+TEST_CASE("every built-in uniform is available, also if the author declares it") {
     const ToyFiles files;
     const std::string all =
         "void mainImage(out vec4 c, in vec2 p) {\n"
@@ -130,7 +130,7 @@ TEST_CASE("every name that the site declares can be read, also where the author 
             .parameters.empty());
 }
 
-TEST_CASE("a uniform of the author's own is a parameter, as in a look of ours") {
+TEST_CASE("the author's own uniform is a parameter") {
     const ToyFiles files;
     const Look look = files.look_of_text(
         "uniform float glow = 0.5; // @range 0 2\n"
@@ -140,7 +140,7 @@ TEST_CASE("a uniform of the author's own is a parameter, as in a look of ours") 
     CHECK(look.parameters[0].range.high == 2.0);
 }
 
-TEST_CASE("mistakes are told at the author's line, in JSON with the pass's name") {
+TEST_CASE("errors are reported at the author's line, in JSON with the pass name") {
     const ToyFiles files;
     const LoadedLook text =
         load_toy_look(files.write("a.glsl",
@@ -157,7 +157,7 @@ TEST_CASE("mistakes are told at the author's line, in JSON with the pass's name"
     CHECK(files.told(json.look.error()).starts_with("a.json/Image:4: error: 'b'"));
 }
 
-TEST_CASE("a common pass stands before every other") {
+TEST_CASE("a Common pass precedes every other pass") {
     const ToyFiles files;
     const Look look = files.look_of_json(
         json_pass("image", "4dfGRr", "void mainImage(out vec4 c, in vec2 p) { c = vec4(one()); }") +
@@ -167,7 +167,7 @@ TEST_CASE("a common pass stands before every other") {
     CHECK(names_of(look) == "Buffer A, Image");
 }
 
-TEST_CASE("a texture is a picture to be chosen, with a stand-in, once for all who read it") {
+TEST_CASE("a texture is an image parameter with a default, shared by all its readers") {
     const ToyFiles files;
     const std::string noise = "/media/a/f735bee5b64ef98879dc618b016ecf79.png";
     const Look look = files.look_of_json(
@@ -182,7 +182,7 @@ TEST_CASE("a texture is a picture to be chosen, with a stand-in, once for all wh
     CHECK(input_in(look, "Image", "iChannel0").name == "rgba_noise_256");
 }
 
-TEST_CASE("a texture that lies beside the shader is read from there") {
+TEST_CASE("a texture next to the shader file is used") {
     const ToyFiles files;
     const auto beside = files.write("cat.png", "not looked into");
     const Look look = files.look_of_json(
@@ -190,7 +190,7 @@ TEST_CASE("a texture that lies beside the shader is read from there") {
     CHECK(look.parameters[0].initial.path == beside.string());
 }
 
-TEST_CASE("cubes, volumes, the keyboard and videos are fed") {
+TEST_CASE("cube maps, volumes, keyboard and videos are supported") {
     const ToyFiles files;
     const Look look = files.look_of_json(
         json_pass("image", "4dfGRr",
@@ -212,7 +212,7 @@ TEST_CASE("cubes, volumes, the keyboard and videos are fed") {
     CHECK(find_parameter(look, look.images[1].name)->initial.path == "solid:noise-volume");
 }
 
-TEST_CASE("music is what the person plays: spectrum and wave of the look's signal") {
+TEST_CASE("music is the user's signal, as spectrum and wave") {
     const ToyFiles files;
     const Look look = files.look_of_json(
         json_pass("image", "4dfGRr", reads_0, json_input(0, "musicstream", "", "https://a/b")));
@@ -223,7 +223,7 @@ TEST_CASE("music is what the person plays: spectrum and wave of the look's signa
     CHECK(look.default_signal.has_value());
 }
 
-TEST_CASE("Cube A is drawn behind the buffers as six faces, and read as a cube") {
+TEST_CASE("Cube A is drawn after the buffers as six faces, and read as a cube map") {
     const ToyFiles files;
     const std::string cube_main =
         "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 seen) { c = vec4(seen, "
@@ -240,7 +240,7 @@ TEST_CASE("Cube A is drawn behind the buffers as six faces, and read as a cube")
     CHECK(look.passes[1].size[0].factor == 6.0 * look.passes[1].size[1].factor);
 }
 
-TEST_CASE("what cannot be had is named, and the rest goes on") {
+TEST_CASE("unsupported passes and missing buffers give warnings, and the rest loads") {
     const ToyFiles files;
     const LoadedLook loaded = files.load_json(
         json_pass("image", "4dfGRr", reads_0, json_input(0, "buffer", "4dXGR8")) + ",\n" +
@@ -252,7 +252,7 @@ TEST_CASE("what cannot be had is named, and the rest goes on") {
         "a.json:1: warning: iChannel0 of 'Image' reads Buffer A, which is missing; it is black\n");
 }
 
-TEST_CASE("a folder of files is one shader: passes by name, channels by the buffers' order") {
+TEST_CASE("a folder of files is one shader: passes by name, channels in the order of buffers") {
     const ToyFiles files;
     files.write("common.glsl", "const float half_of = 0.5;\n");
     files.write("Buffer A.glsl",
@@ -272,7 +272,7 @@ TEST_CASE("a folder of files is one shader: passes by name, channels by the buff
     CHECK(look.files.size() == 4);
 }
 
-TEST_CASE("names begin alike where several shaders share a folder") {
+TEST_CASE("files with a common prefix form a shader if a folder has several") {
     const ToyFiles files;
     files.write("fire_bufferA.frag", plain);
     files.write("rain_bufferA.frag", plain);
@@ -281,7 +281,7 @@ TEST_CASE("names begin alike where several shaders share a folder") {
     CHECK(look.passes[0].fragment.file.filename() == "fire_bufferA.frag");
 }
 
-TEST_CASE("a shader's file is told by what it holds") {
+TEST_CASE("a Shadertoy file is recognised by its content") {
     const ToyFiles files;
     CHECK(is_toy_file(files.write("a.json", "{\"renderpass\": []}")));
     CHECK_FALSE(is_toy_file(files.write("b.json", "{\"format\": \"afterglow-preset\"}")));
@@ -292,7 +292,7 @@ TEST_CASE("a shader's file is told by what it holds") {
         files.write("b.frag", std::string(plain) + "\nvoid main() { mainImage(a, b); }")));
 }
 
-TEST_CASE("constants with a range are parameters, in a common text those of all passes") {
+TEST_CASE("constants with a range are parameters, in a common text for all passes") {
     const ToyFiles files;
     files.write("Common.glsl", "#define GAIN 0.5  // @range 0 2\n");
     files.write("Buffer A.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(GAIN); }\n");
@@ -314,7 +314,7 @@ TEST_CASE("constants with a range are parameters, in a common text those of all 
     CHECK(look.passes[1].fragment.text->find("const int N = 5;") != std::string::npos);
 }
 
-TEST_CASE("a constant and a uniform of one name are told at the uniform's line") {
+TEST_CASE("a constant and a uniform with the same name are an error at the uniform's line") {
     const ToyFiles files;
     files.write("Buffer A.glsl",
                 "#define GAIN 0.5  // @range 0 2\n"

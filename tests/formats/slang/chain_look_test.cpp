@@ -20,7 +20,7 @@ layout(location = 0) in vec2 vTexCoord;
 layout(location = 0) out vec4 FragColor;
 )";
 
-// A shader that adds up what it reads of the samplers.
+// A shader that adds up its samplers.
 std::string reading(const std::vector<std::string>& samplers, const std::string& pragmas = "",
                     const std::string& more = "vec4(0.0)") {
     std::string text = head + pragmas;
@@ -34,7 +34,7 @@ std::string reading(const std::vector<std::string>& samplers, const std::string&
     return text + "void main() { FragColor = " + sum + "; }\n";
 }
 
-/// A folder with shaders 0.slang, 1.slang and so on, and the look of a preset over them.
+/// A temporary folder with shaders 0.slang, 1.slang and so on, and the look of a preset with them.
 class ChainFolder : public SlangFolder {
 public:
     explicit ChainFolder(const std::vector<std::string>& shaders) : m_count(shaders.size()) {
@@ -70,7 +70,7 @@ const Input& input(const Look& look, std::size_t pass, const std::string& unifor
 const std::string source_only = reading({"Source"});
 }  // namespace
 
-TEST_CASE("a chain whose last pass has no scale ends at the size of the view") {
+TEST_CASE("a last pass without a scale has the size of the view") {
     ChainFolder folder({source_only, source_only});
     const Look look = folder.look("scale_type0 = source\nscale0 = 2.0\n");
     REQUIRE(look.passes.size() == 2);
@@ -86,7 +86,7 @@ TEST_CASE("a chain whose last pass has no scale ends at the size of the view") {
     CHECK(look.source_format == Format::rgba8);
 }
 
-TEST_CASE("a last pass with a scale is stretched over the picture by one pass more") {
+TEST_CASE("a last pass with a scale is stretched over the picture by an extra pass") {
     ChainFolder folder({source_only});
     const Look look = folder.look("scale_type0 = absolute\nscale_x0 = 64\nscale_y0 = 32\n");
     REQUIRE(look.passes.size() == 2);
@@ -98,7 +98,7 @@ TEST_CASE("a last pass with a scale is stretched over the picture by one pass mo
     CHECK(input(look, 1, "image").sampler == Sampler{Filter::nearest, Wrap::edge, false});
 }
 
-TEST_CASE("feedback of a last pass without a scale is kept too") {
+TEST_CASE("feedback of a last pass without a scale is kept") {
     ChainFolder folder({reading({"Source", "PassFeedback0"})});
     const Look look = folder.look();
     REQUIRE(look.passes.size() == 2);
@@ -106,7 +106,7 @@ TEST_CASE("feedback of a last pass without a scale is kept too") {
     CHECK(input(look, 0, "PassFeedback0").name == "0");
 }
 
-TEST_CASE("filter and wrap belong to what is read, not to its reader") {
+TEST_CASE("filter and wrap belong to the texture that is read, not to its reader") {
     ChainFolder folder(
         {source_only, source_only,
          reading({"Source", "Original", "OriginalHistory2", "PassOutput0", "PassFeedback0"})});
@@ -121,35 +121,35 @@ TEST_CASE("filter and wrap belong to what is read, not to its reader") {
     CHECK(input(look, 2, "Original").sampler == first);  // the first pass
     CHECK(input(look, 2, "OriginalHistory2").sampler == first);
     CHECK(input(look, 2, "OriginalHistory2").frames_ago == 2);
-    CHECK(input(look, 2, "PassOutput0").sampler == second);   // the pass behind it
+    CHECK(input(look, 2, "PassOutput0").sampler == second);   // the following pass
     CHECK(input(look, 2, "PassFeedback0").sampler == first);  // the pass itself
 }
 
-TEST_CASE("what is not said is nearest, at a transparent black border") {
+TEST_CASE("the default sampler is nearest with a transparent black border") {
     ChainFolder folder({source_only});
     CHECK(input(folder.look(), 0, "Source").sampler ==
           Sampler{Filter::nearest, Wrap::border, false});
 }
 
-TEST_CASE("a pass has smaller levels where the one behind it asks for them") {
+TEST_CASE("a pass has mipmaps if the following pass requests them") {
     ChainFolder folder({source_only, source_only, source_only});
     const std::string linear =
         "filter_linear0 = true\nfilter_linear1 = true\nfilter_linear2 = true\n";
     const Look one = folder.look(linear + "mipmap_input1 = true\n");
     CHECK(input(one, 1, "Source").sampler.mipmap);
-    // Smoothly between levels only where the pass that owns the state has levels itself.
+    // Linear between levels only if the pass that owns the state reads mipmaps itself.
     CHECK(input(one, 1, "Source").sampler.between_levels == Filter::nearest);
     CHECK_FALSE(input(one, 2, "Source").sampler.mipmap);
     const Look two = folder.look(linear + "mipmap_input1 = true\nmipmap_input2 = true\n");
     CHECK(input(two, 1, "Source").sampler.between_levels == Filter::linear);
     CHECK_FALSE(input(folder.look("mipmap_input0 = true\n"), 0, "Source").sampler.mipmap);
-    // A filter that is not said is nearest, and smooth between levels all the same.
+    // The default filter is nearest, but linear between levels.
     const Look unsaid = folder.look("mipmap_input1 = true\nmipmap_input2 = true\n");
     CHECK(input(unsaid, 1, "Source").sampler ==
           Sampler{Filter::nearest, Wrap::border, true, Filter::linear});
 }
 
-TEST_CASE("the format is the shader's, unless a scaled pass asks for sRGB or floats") {
+TEST_CASE("the format is the shader's, unless a scaled pass requests sRGB or float") {
     ChainFolder folder({reading({"Source"}, "#pragma format R16G16B16A16_SFLOAT\n"), source_only});
     CHECK(folder.look().passes[0].format == Format::rgba16f);
     CHECK(folder.look("srgb_framebuffer0 = true\n").passes[0].format == Format::rgba16f);
@@ -163,7 +163,7 @@ TEST_CASE("the format is the shader's, unless a scaled pass asks for sRGB or flo
     CHECK(last.look().passes[0].format == Format::rgba8);  // as the screen
 }
 
-TEST_CASE("passes are called by their aliases, the preset's before the shader's") {
+TEST_CASE("passes are named by alias, the preset's before the shader's") {
     ChainFolder folder({reading({"Source"}, "#pragma name First\n"),
                         reading({"Source"}, "#pragma name Hidden\n"),
                         reading({"First", "Second", "FirstFeedback"})});
@@ -174,7 +174,7 @@ TEST_CASE("passes are called by their aliases, the preset's before the shader's"
     CHECK(input(look, 2, "FirstFeedback").frames_ago == 1);
 }
 
-TEST_CASE("a parameter drives its member in every pass, and starts where the preset says") {
+TEST_CASE("a parameter sets its member in every pass, and starts with the preset's value") {
     const std::string glowing = reading({"Source"}, "", "vec4(params.glow)");
     ChainFolder folder({glowing, source_only, glowing});
     const Look look = folder.look("glow = \"2.5\"\nunknown = 3\n");
@@ -185,7 +185,7 @@ TEST_CASE("a parameter drives its member in every pass, and starts where the pre
           std::vector<Binding>{{0, "fragment_constants.glow"}, {2, "fragment_constants.glow"}});
 }
 
-TEST_CASE("members of the format are told, sizes among them") {
+TEST_CASE("built-in members are set, sizes included") {
     ChainFolder folder({reading({"Source"}, "", "params.SourceSize + float(params.FrameCount)")});
     const Pass pass = folder.look("frame_count_mod0 = 30\n").passes[0];
     CHECK(pass.frame_modulo == 30);
@@ -200,7 +200,7 @@ TEST_CASE("members of the format are told, sizes among them") {
     CHECK(told("fragment_constants.SourceSize").of->from == Input::From::source);
 }
 
-TEST_CASE("a member without a meaning is 0 and a sampler without one black, with a warning") {
+TEST_CASE("an unknown member is 0 and an unknown sampler is black, with warnings") {
     ChainFolder folder({reading({"Source", "play"}, "", "vec4(params.dim)")});
     const LoadedLook loaded = folder.load();
     REQUIRE(loaded.look.has_value());
@@ -209,7 +209,7 @@ TEST_CASE("a member without a meaning is 0 and a sampler without one black, with
           "a.slangp:2: warning: pass '0' reads the unknown uniform 'dim'; it is 0");
 }
 
-TEST_CASE("a pass that reads what is drawn after it is refused by its name") {
+TEST_CASE("a pass that reads a later pass is an error with its name") {
     ChainFolder folder({reading({"Source", "PassOutput1"}), source_only});
     CHECK(folder.refusal(folder.load().look) ==
           "a.slangp:2: error: pass '0' reads 'PassOutput1', which is not an earlier pass");
@@ -217,13 +217,13 @@ TEST_CASE("a pass that reads what is drawn after it is refused by its name") {
     CHECK_FALSE(itself.load().look.has_value());
 }
 
-TEST_CASE("two passes of one name are refused") {
+TEST_CASE("two passes with one name are an error") {
     ChainFolder folder({source_only, source_only});
     CHECK(folder.refusal(folder.load("alias0 = A\nalias1 = A\n").look) ==
           "a.slangp:3: error: passes 0 and 1 are both named 'A'");
 }
 
-TEST_CASE("a missing texture reads black, naming sampler and pass; another one is an image") {
+TEST_CASE("a missing texture is black with a warning, and an existing one is an image") {
     ChainFolder folder({reading({"Source", "mask", "grid"})});
     folder.write("m.png", "any");
     const LoadedLook loaded = folder.load(
@@ -237,14 +237,14 @@ TEST_CASE("a missing texture reads black, naming sampler and pass; another one i
     REQUIRE(loaded.look->images.size() == 1);
     const Image& image = loaded.look->images[0];
     CHECK(image.sampler == Sampler{Filter::linear, Wrap::repeat, true});
-    CHECK(image.is_linear);  // as it is stored
+    CHECK(image.is_linear);  // as stored
     CHECK(image.rows == RowOrder::top_first);
     CHECK(image.format == Format::rgba8);
     CHECK_FALSE(image.is_needed);
     CHECK(std::ranges::find(loaded.files, folder / "none.png") != loaded.files.end());
 }
 
-TEST_CASE("a shader's mistakes are told at its own lines, once for all its passes") {
+TEST_CASE("shader errors are reported at their own lines, once for all passes") {
     ChainFolder folder({head + std::string("void main() { FragColor = nothing; }\n"), source_only});
     const LoadedLook loaded = load_slang_look(
         folder.write("b.slangp", "shaders = 2\nshader0 = 0.slang\nshader1 = 0.slang\n"), {});
@@ -254,7 +254,7 @@ TEST_CASE("a shader's mistakes are told at its own lines, once for all its passe
     CHECK(std::ranges::find(loaded.files, folder / "0.slang") != loaded.files.end());
 }
 
-TEST_CASE("a shader alone is a chain of one pass") {
+TEST_CASE("a single shader is a chain with one pass") {
     ChainFolder folder({source_only});
     const LoadedLook loaded = load_slang_look(folder / "0.slang", {});
     REQUIRE(loaded.look.has_value());
@@ -262,7 +262,7 @@ TEST_CASE("a shader alone is a chain of one pass") {
     CHECK(loaded.look->passes.size() == 1);
 }
 
-TEST_CASE("reading a chain says how far it is, pass by pass, and ends when nobody wants it") {
+TEST_CASE("loading a chain reports progress per pass and can be cancelled") {
     ChainFolder folder({source_only, source_only, source_only});
     REQUIRE(folder.load().look.has_value());  // writes the preset
     std::vector<std::string> told;
@@ -281,7 +281,7 @@ TEST_CASE("reading a chain says how far it is, pass by pass, and ends when nobod
     CHECK(told.size() == 5);
 }
 
-TEST_CASE("constants with a range are parameters of all passes whose shaders have them") {
+TEST_CASE("constants with a range are parameters of all passes that have them") {
     const std::string constant = "#define TAPS 3  // @range 1 9 @label \"Taps\"\n";
     const std::string sum = "vec4(float(TAPS) * 0.125)";
     ChainFolder folder({reading({"Source"}, constant, sum), reading({"Source"}),
@@ -300,7 +300,7 @@ TEST_CASE("constants with a range are parameters of all passes whose shaders hav
     CHECK(turned.look->passes[1] == look.passes[1]);
 }
 
-TEST_CASE("a filter that no pass says is a choice of those that it makes a difference to") {
+TEST_CASE("the default filter is a parameter of the passes without a filter") {
     ChainFolder folder({reading({"Source"}), reading({"Source"}), reading({"Source"})});
     const std::string lines = "filter_linear0 = true\nfilter_linear2 = false\n";
     const Look look = folder.look(lines);
@@ -324,7 +324,7 @@ TEST_CASE("a filter that no pass says is a choice of those that it makes a diffe
         find_parameter(folder.look(lines + "filter_linear1 = true\n"), "unspecified_filter"));
 }
 
-TEST_CASE("what is wrong with a chain names pass, file and line") {
+TEST_CASE("an error in a chain names pass, file and line") {
     ChainFolder folder({reading({}), reading({}, "", "nope")});
     const LoadedLook broken = folder.load("alias1 = Middle\n");
     REQUIRE_FALSE(broken.look.has_value());

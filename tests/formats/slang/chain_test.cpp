@@ -8,7 +8,7 @@ const std::string owner_text =
     "1\n";
 }
 
-TEST_CASE("the first reference leads to the passes, which the files on the way cannot change") {
+TEST_CASE("the first reference leads to the passes, which intermediate files cannot change") {
     SlangFolder folder;
     folder.write("deep/base.slangp", owner_text);
     folder.write("middle.slangp",
@@ -31,7 +31,7 @@ TEST_CASE("the first reference leads to the passes, which the files on the way c
     CHECK(folder.has_seen("deep/base.slangp"));
 }
 
-TEST_CASE("values and texture paths are applied deepest first, the opened file last") {
+TEST_CASE("values and texture paths are applied from the deepest file to the opened one") {
     SlangFolder folder;
     folder.write("deep/base.slangp", owner_text + "c = 1\nd = 1\ne = 1\n");
     folder.write("deep/middle.slangp",
@@ -51,7 +51,7 @@ TEST_CASE("values and texture paths are applied deepest first, the opened file l
     CHECK(preset->textures[0].declared == Location{folder / "values/first.params", 4});
 }
 
-TEST_CASE("a preset of values only says that it has nothing to draw") {
+TEST_CASE("a preset with only values gives a specific error") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of("glow = 1\n")) ==
           "a.slangp:1: error: this preset contains values but no passes ('shaders'). Open a preset "
@@ -71,7 +71,7 @@ TEST_CASE("only the first reference may have passes") {
           "preset may lead to passes");
 }
 
-TEST_CASE("passes beside a reference are not used, which is told") {
+TEST_CASE("passes in addition to a reference are ignored with a warning") {
     SlangFolder folder;
     folder.write("base.slangp", owner_text);
     const auto preset = folder.preset_of("#reference base.slangp\nshaders = 2\n");
@@ -82,7 +82,7 @@ TEST_CASE("passes beside a reference are not used, which is told") {
           "used");
 }
 
-TEST_CASE("a missing reference is told where it is referred to, and looked out for") {
+TEST_CASE("a missing reference is reported at its line, and watched") {
     SlangFolder folder;
     folder.write("deep/base.slangp", "\n#reference \"gone.slangp\"\n");
     CHECK(folder.refusal(folder.preset_of("#reference \"deep/base.slangp\"\n")) ==
@@ -91,7 +91,7 @@ TEST_CASE("a missing reference is told where it is referred to, and looked out f
     CHECK(folder.has_seen("deep/gone.slangp"));
 }
 
-TEST_CASE("a missing file of values is a warning, wherever it is referred to") {
+TEST_CASE("a missing file of values gives a warning") {
     SlangFolder folder;
     folder.write("base.slangp", owner_text);
     folder.write("a.params", "a = 2\n");
@@ -112,7 +112,7 @@ TEST_CASE("a missing file of values is a warning, wherever it is referred to") {
           "its values are ignored");
 }
 
-TEST_CASE("references in a circle are told, also by way of a link") {
+TEST_CASE("circular references are an error, also through a link") {
     SlangFolder folder;
     folder.write("b.slangp", "x = 1\n#reference \"a.slangp\"\n");
     CHECK(folder.refusal(folder.preset_of("#reference \"b.slangp\"\n")) ==
@@ -123,7 +123,7 @@ TEST_CASE("references in a circle are told, also by way of a link") {
           std::string::npos);
 }
 
-TEST_CASE("references may be 16 files deep and not 17") {
+TEST_CASE("references are nested at most 16 files deep") {
     SlangFolder folder;
     // a.slangp is the first file, 14.slangp the 16th.
     for (int i = 0; i < 14; ++i)
@@ -136,7 +136,7 @@ TEST_CASE("references may be 16 files deep and not 17") {
           "14.slangp:1: error: references are nested deeper than the limit of 16 levels");
 }
 
-TEST_CASE("references that double with every file end at their limit") {
+TEST_CASE("exponentially growing references are limited") {
     SlangFolder folder;
     for (int i = 0; i < 12; ++i)
         folder.write(fmt::format("{}.params", i),
@@ -147,7 +147,7 @@ TEST_CASE("references that double with every file end at their limit") {
               .find("the preset has more references than the limit of 256") != std::string::npos);
 }
 
-TEST_CASE("a reference's wildcards are replaced where there is such a file") {
+TEST_CASE("wildcards of a reference are replaced if that file exists") {
     SlangFolder folder;
     folder.write("Ref_$PRESET$.slangp", owner_text + "which = 1\n");
     const std::string text = "#reference \"Ref_$PRESET$.slangp\"\n";

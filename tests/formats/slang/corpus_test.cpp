@@ -13,12 +13,12 @@
 namespace fs = std::filesystem;
 
 namespace {
-// What is counted of all presets of libretro's slang-shaders, commit 1bce10f.
+// Counts over all presets of libretro's slang-shaders, commit 1bce10f.
 struct Counts {
     int presets = 0;
     int values_only = 0;
     std::array<int, 7> by_passes{};    // 1, 2-3, 4-7, 8-15, 16-31, 32-47, more
-    std::map<Wrap, int> wraps;         // presets that say it of a pass
+    std::map<Wrap, int> wraps;         // presets with a pass that sets it
     std::array<int, 4> by_textures{};  // 1, 2-7, 8-18, more
     int with_mipmaps = 0;
     int with_float = 0;
@@ -26,7 +26,7 @@ struct Counts {
     int with_frame_count_mod = 0;
     int last_scaled = 0;
     int without_filter = 0;
-    std::vector<std::size_t> parameters;  // of each preset
+    std::vector<std::size_t> parameters;  // per preset
     std::size_t most_lines = 0;
     std::set<std::string> shaders;
     std::set<std::string> broken_shaders;
@@ -126,7 +126,7 @@ TEST_CASE("the public corpus of slang presets is read as it was counted") {
     CHECK(counts.shaders.size() == 1338);
     CHECK(counts.broken_shaders.empty());
     CHECK(counts.compiled == 1338);
-    // Of crt-royale, with its 36 includes in place.
+    // crt-royale with its 36 includes expanded.
     CHECK(counts.most_lines == 15586);
     std::ranges::sort(counts.parameters);
     REQUIRE_FALSE(counts.parameters.empty());

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("what decorates a text is left out, letters of all scripts and brackets stay") {
+TEST_CASE("decoration is removed from a text, while letters of all scripts and brackets stay") {
     CHECK(without_decoration("   . Phosphor height ") == "Phosphor height");
     CHECK(without_decoration("== Colors ==") == "Colors");
     CHECK(without_decoration("\xe2\x98\x85 Halo? ==>") == "Halo?");  // a star

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 namespace {
-// The lines of the vertex stage behind #version and what the host defines.
+// The lines of the vertex stage after #version and the host's definitions.
 std::string body_of(SlangFolder& folder, const std::string& text) {
     const auto shader = folder.shader_of("#version 450\n" + text);
     REQUIRE_MESSAGE(shader.has_value(), problems_of(shader));
@@ -18,7 +18,7 @@ std::string body_of(SlangFolder& folder, const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("a slang include is relative to the file that includes it, upwards too") {
+TEST_CASE("a slang include is relative to its own file, and may go up") {
     SlangFolder folder;
     folder.write("deep/one.inc", "#include \"two.inc\"\n#include \"../three.inc\"\n");
     folder.write("deep/two.inc", "2\n");
@@ -28,14 +28,14 @@ TEST_CASE("a slang include is relative to the file that includes it, upwards too
     CHECK(folder.has_seen("deep/two.inc"));
 }
 
-TEST_CASE("a slang include is put in each time, whatever #if it stands under") {
+TEST_CASE("a slang include is expanded each time, also in an inactive #if") {
     SlangFolder folder;
     folder.write("x.inc", "x");
     CHECK(body_of(folder, "#if 0\n#include \"x.inc\"\n#endif\n#include \"x.inc\"\n") ==
           "#if 0|x|#endif|x|");
 }
 
-TEST_CASE("in a comment only an include at the beginning of a line counts") {
+TEST_CASE("in a comment, an include counts only at the start of a line") {
     SlangFolder folder;
     folder.write("x.inc", "x\n");
     CHECK(body_of(folder, "/* as in\n   #include \"missing.inc\"\n*/ a\n  #include \"x.inc\"\n") ==
@@ -45,7 +45,7 @@ TEST_CASE("in a comment only an include at the beginning of a line counts") {
     CHECK(body_of(folder, "// #include \"missing.inc\"\n") == "// #include \"missing.inc\"|");
 }
 
-TEST_CASE("what an optional include does not find is left out, and looked out for") {
+TEST_CASE("a missing optional include is skipped and watched") {
     SlangFolder folder;
     const std::string text = "a\n#pragma include_optional \"user.inc\"\nb\n";
     CHECK(body_of(folder, text) == "a|b|");
@@ -57,7 +57,7 @@ TEST_CASE("what an optional include does not find is left out, and looked out fo
               .starts_with("user.inc:1: error: this is not a text file"));
 }
 
-TEST_CASE("a missing include is told where it is included, each of them") {
+TEST_CASE("every missing include is reported at its line") {
     SlangFolder folder;
     folder.write("one.inc", "\n#include \"gone.inc\"\n");
     const auto shader = folder.shader_of(
@@ -71,7 +71,7 @@ TEST_CASE("a missing include is told where it is included, each of them") {
     CHECK(folder.has_seen("a.slang"));
 }
 
-TEST_CASE("slang includes in a circle are told with the files of the circle") {
+TEST_CASE("circular slang includes are reported with their chain") {
     SlangFolder folder;
     folder.write("one.inc", "#include \"./two.inc\"\n");
     folder.write("two.inc", "#include \"one.inc\"\n");
@@ -82,7 +82,7 @@ TEST_CASE("slang includes in a circle are told with the files of the circle") {
     CHECK(folder.refusal(folder.shader("a.slang")).find("circular #include") != std::string::npos);
 }
 
-TEST_CASE("slang includes may be 64 files deep and not 65") {
+TEST_CASE("slang includes are nested at most 64 files deep") {
     SlangFolder folder;
     // a.slang is the first file, 62.inc the 64th.
     for (int i = 0; i < 62; ++i)
@@ -95,7 +95,7 @@ TEST_CASE("slang includes may be 64 files deep and not 65") {
           "62.inc:1: error: includes are nested deeper than the limit of 64 levels");
 }
 
-TEST_CASE("a shader may have 8 MiB with its includes and no more") {
+TEST_CASE("a shader with its includes is limited to 8 MiB") {
     SlangFolder folder;
     folder.write("mega.inc", std::string((1 << 20) - 1, 'x') + "\n");
     std::string text = "#version 450\n";
@@ -107,7 +107,7 @@ TEST_CASE("a shader may have 8 MiB with its includes and no more") {
           "mega.inc:1: error: the shader with its includes is larger than the limit of 8 MiB");
 }
 
-TEST_CASE("includes that double with every file end at their limit") {
+TEST_CASE("exponentially growing includes are limited") {
     SlangFolder folder;
     for (int i = 0; i < 40; ++i)
         folder.write(fmt::format("{}.inc", i),
@@ -117,7 +117,7 @@ TEST_CASE("includes that double with every file end at their limit") {
               .find("the shader has more includes than the limit of 16384") != std::string::npos);
 }
 
-TEST_CASE("a slang text is read once and has at most 4 MiB") {
+TEST_CASE("a slang file is read once, and limited to 4 MiB") {
     SlangFolder folder;
     SlangFiles files;
     const auto file = folder.write("a.inc", "first\n");

@@ -18,14 +18,14 @@ std::vector<std::string> shortened(const std::vector<std::string>& labels,
 using Labels = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("words that all labels of a group begin with are left out") {
+TEST_CASE("a common prefix of all labels in a group is removed") {
     CHECK(shortened({"CRTGeom Curvature", "CRTGeom X Size", "CRTGeom Tilt", "CRTGeom: gamma"}) ==
           Labels{"Curvature", "X Size", "Tilt", "Gamma"});
     CHECK(shortened({"My CRT Mask", "My CRT Glow", "My CRT Blur", "My CRT Gain"}) ==
           Labels{"Mask", "Glow", "Blur", "Gain"});
 }
 
-TEST_CASE("labels stay where one begins otherwise, has no more words, or they are few") {
+TEST_CASE("labels without a common prefix, too short or too few, stay unchanged") {
     for (const Labels& labels : {Labels{"Mask size", "Mask type", "Mask gain", "Glow gain"},
                                  Labels{"Mask size", "Mask type", "Mask gain", "Mask"},
                                  Labels{"Mask size", "Mask type", "Mask gain"},
@@ -36,7 +36,7 @@ TEST_CASE("labels stay where one begins otherwise, has no more words, or they ar
     CHECK(shortened(apart, "Another group") == apart);
 }
 
-TEST_CASE("the label in full is the help of a parameter without one") {
+TEST_CASE("the full label becomes the help of a parameter without one") {
     std::vector<Parameter> parameters(4);
     for (Parameter& parameter : parameters)
         parameter.label = "CRTGeom Tilt";

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-TEST_CASE("a preset may have 8 MiB with all that it refers to, counted each time") {
+TEST_CASE("a preset with everything it references is limited to 8 MiB, counted each time") {
     SlangFolder folder;
     folder.write("owner.slangp", "shaders = 1\nshader0 = a.slang\n");
     folder.write("big.params", "// " + std::string((1 << 20) - 4, 'x') + "\n");
@@ -19,13 +19,13 @@ TEST_CASE("a preset may have 8 MiB with all that it refers to, counted each time
                     "than the limit of 8 MiB") != std::string::npos);
 }
 
-TEST_CASE("a preset has at most 256 references, told at the line of the next") {
+TEST_CASE("a preset has at most 256 references, and the next one is an error at its line") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of(times(300, "#reference owner.slangp\n"))) ==
           "a.slangp:257: error: the preset has more references than the limit of 256");
 }
 
-TEST_CASE("what a preset does not understand is told for its first lines") {
+TEST_CASE("only the first 256 lines that a preset ignores are reported") {
     SlangFolder folder;
     const auto preset =
         folder.preset_of("shaders = 1\nshader0 = a.slang\n" + times(100'000, "nonsense\n"));
@@ -33,7 +33,7 @@ TEST_CASE("what a preset does not understand is told for its first lines") {
     CHECK(preset->warnings.size() == 257);
 }
 
-TEST_CASE("very many textures are refused at once") {
+TEST_CASE("very many textures are rejected fast") {
     SlangFolder folder;
     std::string list;
     for (int i = 0; i < 100'000; ++i)
@@ -43,7 +43,7 @@ TEST_CASE("very many textures are refused at once") {
           "a.slangp:3: error: the preset has 100000 textures; the limit is 64");
 }
 
-TEST_CASE("a path of more bytes than a file's can have is told at its line") {
+TEST_CASE("a path longer than 4096 bytes is an error at its line") {
     SlangFolder folder;
     const std::string path = times(2000, "../") + "x";
     const std::string told = "error: the path is longer than the limit of 4096 bytes";
@@ -55,7 +55,7 @@ TEST_CASE("a path of more bytes than a file's can have is told at its line") {
           "a.slang:2: " + told);
 }
 
-TEST_CASE("a shader has at most 16384 parameters, and tells its first mistakes") {
+TEST_CASE("a shader has at most 16384 parameters, and only its first errors are listed") {
     SlangFolder folder;
     std::string many = "#version 450\n";
     for (int i = 0; i < 16'384; ++i)
@@ -68,7 +68,7 @@ TEST_CASE("a shader has at most 16384 parameters, and tells its first mistakes")
     CHECK(wrong.error().size() == 257);
 }
 
-TEST_CASE("directives count for the size of a shader as its other lines do") {
+TEST_CASE("directives count towards the size limit of a shader") {
     SlangFolder folder;
     folder.write("pragmas.inc", times(40'000, "#pragma name the_name_of_a_pass\n"));
     const auto shader =
@@ -76,7 +76,7 @@ TEST_CASE("directives count for the size of a shader as its other lines do") {
     CHECK(folder.refusal(shader).find("larger than the limit of 8 MiB") != std::string::npos);
 }
 
-TEST_CASE("numbers that no 32-bit float holds are told, in presets and parameters") {
+TEST_CASE("numbers outside the 32-bit float range are reported, in presets and parameters") {
     SlangFolder folder;
     for (const char* number : {"1e999", "1e39", "-1e39", "nan", "inf"}) {
         const auto preset = folder.preset_of(fmt::format(
@@ -94,7 +94,7 @@ TEST_CASE("numbers that no 32-bit float holds are told, in presets and parameter
     }
 }
 
-TEST_CASE("counts that make no sense are refused or brought into their limits") {
+TEST_CASE("invalid counts are rejected or clamped") {
     SlangFolder folder;
     for (const char* count : {"0", "-1", "65", "1e30", "nan", "x"})
         CHECK(folder.refusal(folder.preset_of(fmt::format("shaders = {}\n", count))) ==

@@ -20,7 +20,7 @@ SlangPicture measured(std::string_view member) {
 }
 }  // namespace
 
-TEST_CASE("samplers of the format mean original, source, outputs, feedback and textures") {
+TEST_CASE("built-in samplers are original, source, outputs, feedback and textures") {
     CHECK(meant("Original") == SlangPicture{Of::original, 0});
     CHECK(meant("Source") == SlangPicture{Of::source, 0});
     CHECK(meant("OriginalHistory0") == SlangPicture{Of::original, 0});
@@ -30,19 +30,19 @@ TEST_CASE("samplers of the format mean original, source, outputs, feedback and t
     CHECK(meant("User1") == SlangPicture{Of::image, 1});
 }
 
-TEST_CASE("names that the chain gives mean its passes, their feedback and its textures") {
+TEST_CASE("aliases in the chain name passes, their feedback and textures") {
     CHECK(meant("Blur") == SlangPicture{Of::output, 1});
     CHECK(meant("BlurFeedback") == SlangPicture{Of::feedback, 1});
     CHECK(meant("mask") == SlangPicture{Of::image, 0});
     CHECK(measured("BlurSize") == SlangPicture{Of::output, 1});
     CHECK(measured("BlurFeedbackSize") == SlangPicture{Of::feedback, 1});
     CHECK(measured("maskSize") == SlangPicture{Of::image, 0});
-    // "User" with a number would be a texture, and so would "Source" alone.
+    // "User" with a number would be a texture; "Source" alone would be the source.
     CHECK(meant("UserPass") == SlangPicture{Of::output, 2});
     CHECK(meant("Source2") == SlangPicture{Of::image, 1});
 }
 
-TEST_CASE("a number of a size stands behind Size") {
+TEST_CASE("the number in a size's name follows Size") {
     CHECK(measured("OriginalSize") == SlangPicture{Of::original, 0});
     CHECK(measured("SourceSize") == SlangPicture{Of::source, 0});
     CHECK(measured("OriginalHistorySize2") == SlangPicture{Of::original, 2});
@@ -53,7 +53,7 @@ TEST_CASE("a number of a size stands behind Size") {
         CHECK_FALSE(names.find_size(wrong));
 }
 
-TEST_CASE("other names mean nothing") {
+TEST_CASE("unknown names have no meaning") {
     for (const char* wrong : {"", "Feedback", "PassOutput", "PassOutput-1", "PassOutput1x",
                               "PassOutput99999999999", "original", "History1"})
         CHECK_FALSE(names.find(wrong));

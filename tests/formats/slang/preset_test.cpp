@@ -14,7 +14,7 @@ SlangPreset read(SlangFolder& folder, const std::string& text) {
 
 const std::string one_pass = "shaders = 1\nshader0 = a.slang\n";
 
-// The scale of the only pass, as "source 1 viewport 0.5"; "none" where it has none.
+// The scale of the only pass, such as "source 1 viewport 0.5"; "none": no scale.
 std::string scale_with(const std::string& lines) {
     SlangFolder folder;
     const SlangPreset preset = read(folder, one_pass + lines);
@@ -29,7 +29,7 @@ std::string scale_with(const std::string& lines) {
 }
 }  // namespace
 
-TEST_CASE("a pass of a preset that says nothing has the defaults") {
+TEST_CASE("a pass without settings has the defaults") {
     SlangFolder folder;
     const SlangPreset preset = read(folder, one_pass);
     REQUIRE(preset.passes.size() == 1);
@@ -49,7 +49,7 @@ TEST_CASE("a pass of a preset that says nothing has the defaults") {
     CHECK(preset.warnings.empty());
 }
 
-TEST_CASE("every key of a pass is read for its own pass") {
+TEST_CASE("the keys of a pass apply only to that pass") {
     SlangFolder folder;
     const SlangPreset preset = read(
         folder,
@@ -74,7 +74,7 @@ TEST_CASE("every key of a pass is read for its own pass") {
     CHECK(preset.warnings.empty());
 }
 
-TEST_CASE("a preset has 1 to 64 passes, however the number is written") {
+TEST_CASE("a preset has 1 to 64 passes, in any number format") {
     SlangFolder folder;
     const auto with_count = [&](const std::string& count) {
         std::string text = "shaders = " + count + "\n";
@@ -91,14 +91,14 @@ TEST_CASE("a preset has 1 to 64 passes, however the number is written") {
                   count));
 }
 
-TEST_CASE("every pass without a shader is told") {
+TEST_CASE("every pass without a shader is reported") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of("\nshaders = 3\nshader0 = a.slang\nshader2 = \"\"\n")) ==
           "a.slangp:2: error: pass 1 of 3 has no shader; 'shader1' is missing\n"
           "a.slangp:4: error: pass 2 of 3 has no shader; 'shader2' is missing");
 }
 
-TEST_CASE("an unknown way to wrap is told and read as the border") {
+TEST_CASE("an unknown wrap mode is reported and read as border") {
     SlangFolder folder;
     const SlangPreset preset = read(folder, one_pass + "wrap_mode0 = clamp\n");
     CHECK(preset.passes[0].wrap == Wrap::border);
@@ -108,19 +108,19 @@ TEST_CASE("an unknown way to wrap is told and read as the border") {
     CHECK(read(folder, one_pass + "wrap_mode0 = repeat\n").passes[0].wrap == Wrap::repeat);
 }
 
-TEST_CASE("a pass without any scale_type has no scale") {
+TEST_CASE("a pass without scale_type has no scale") {
     CHECK(scale_with("") == "none");
     CHECK(scale_with("scale0 = 2\n") == "none");
     CHECK(scale_with("scale_x0 = 2\n") == "none");
 }
 
-TEST_CASE("one scale_type makes both sides scaled, the one not said by the source") {
+TEST_CASE("one scale_type scales both sides, the other one by the source") {
     CHECK(scale_with("scale_type0 = viewport\n") == "viewport 1 viewport 1");
     CHECK(scale_with("scale_type_x0 = viewport\nscale_x0 = 0.5\n") == "viewport 0.5 source 1");
     CHECK(scale_with("scale_type_y0 = original\nscale_y0 = 3\n") == "source 1 original 3");
 }
 
-TEST_CASE("a scale for both sides beats the one of a side") {
+TEST_CASE("a scale for both sides overrides those of one side") {
     CHECK(scale_with(
               "scale_type0 = source\nscale_type_x0 = viewport\nscale_x0 = 2\nscale_y0 = 3\n") ==
           "source 2 source 3");
@@ -128,19 +128,19 @@ TEST_CASE("a scale for both sides beats the one of a side") {
                      "scale_x0 = 2\n") == "viewport 0.25 source 0.25");
 }
 
-TEST_CASE("an absolute scale counts whole pixels") {
+TEST_CASE("an absolute scale is in whole pixels") {
     CHECK(scale_with("scale_type0 = absolute\nscale_x0 = 320\nscale_y0 = 240.9\n") ==
           "absolute 320 absolute 240");
 }
 
-TEST_CASE("an unknown scale_type is refused at its line") {
+TEST_CASE("an unknown scale_type is an error at its line") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.preset_of(one_pass + "scale_type_y0 = wide\n")) ==
           "a.slangp:3: error: 'scale_type_y0' must be source, viewport, absolute or original, got "
           "'wide'");
 }
 
-TEST_CASE("a scale that is no number is read as 0, and told") {
+TEST_CASE("an invalid scale is read as 0 with a warning") {
     SlangFolder folder;
     CHECK(scale_with("scale_type0 = source\nscale0 = 0'.000000\n") == "source 0 source 0");
     const SlangPreset preset =
@@ -150,7 +150,7 @@ TEST_CASE("a scale that is no number is read as 0, and told") {
           "a.slangp:4: warning: 'scale_x0' must be a number, got 'double'; 0 is used");
 }
 
-TEST_CASE("textures keep the order of their list and have keys of their own") {
+TEST_CASE("textures keep the order of their list and have their own settings") {
     SlangFolder folder;
     const SlangPreset preset =
         read(folder, one_pass +
@@ -169,14 +169,14 @@ TEST_CASE("textures keep the order of their list and have keys of their own") {
     CHECK(two.wrap == Wrap::repeat);
     CHECK(two.is_mipmapped);
     CHECK(two.declared == Location{folder / "a.slangp", 4});
-    // Of no texture, so they are values.
+    // These keys belong to no texture, so they are values.
     CHECK(preset.values.at("three_linear").number == 1.0);
     CHECK(preset.values.at("three_wrap_mode").number == 2.0);
     CHECK(preset.values.size() == 2);
     CHECK(preset.warnings.empty());
 }
 
-TEST_CASE("a texture without a path is kept, so that the others keep their numbers, and told") {
+TEST_CASE("a texture without a path keeps its index and gives a warning") {
     SlangFolder folder;
     const SlangPreset preset = read(folder, one_pass + "textures = \"a;b\"\nb = b.png\n");
     REQUIRE(preset.textures.size() == 2);
@@ -195,7 +195,7 @@ TEST_CASE("a preset has at most 64 textures") {
           "a.slangp:3: error: the preset has 65 textures; the limit is 64");
 }
 
-TEST_CASE("every other key with a number is a value, listed in 'parameters' or not") {
+TEST_CASE("every other key with a number is a value, whether or not listed in 'parameters'") {
     SlangFolder folder;
     const SlangPreset preset =
         read(folder, one_pass +
@@ -211,7 +211,7 @@ TEST_CASE("every other key with a number is a value, listed in 'parameters' or n
           "a.slangp:8: warning: 'b' must be a number, got 'wide'; it is ignored");
 }
 
-TEST_CASE("every file of a preset is noted, also what is missing, for the watcher") {
+TEST_CASE("every file of a preset is watched, missing ones too") {
     SlangFolder folder;
     read(folder, one_pass + "textures = lut\nlut = lut.png\n");
     CHECK(folder.has_seen("a.slangp"));
@@ -221,7 +221,7 @@ TEST_CASE("every file of a preset is noted, also what is missing, for the watche
     CHECK(folder.has_seen("gone.slangp"));
 }
 
-TEST_CASE("a shader alone is a preset of one pass at the size of the view") {
+TEST_CASE("a single shader is a preset with one pass at the size of the view") {
     const SlangPreset preset = slang_preset_of("x/crt.slang");
     REQUIRE(preset.passes.size() == 1);
     CHECK(preset.passes[0].shader == "x/crt.slang");

@@ -7,7 +7,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// What a file says, "key=value" with '|' behind each.
+// The settings of a file as "key=value|" texts.
 class Read {
 public:
     explicit Read(const std::string& text) {
@@ -45,7 +45,7 @@ private:
 };
 }  // namespace
 
-TEST_CASE("a slang value stands in quotes or goes up to the next blank") {
+TEST_CASE("a slang value is quoted or ends at the next space") {
     const Read read("a = one\nb=two\n  c\t=\t\"three words\"  \nd = \"\"\ne =\nf = g h\n");
     CHECK(read.said() == "a=one|b=two|c=three words|d=|e=|f=g|");
     CHECK(read.settings().find("c")->declared.line == 3);
@@ -53,22 +53,22 @@ TEST_CASE("a slang value stands in quotes or goes up to the next blank") {
     CHECK(read.warnings().empty());
 }
 
-TEST_CASE("quotes that never close go on to the end of the line") {
+TEST_CASE("a missing closing quote extends the value to the end of the line") {
     CHECK(Read("a = \"one two\nb = 3\n").said() == "a=one two|b=3|");
 }
 
-TEST_CASE("a ';' behind a slang value says nothing") {
+TEST_CASE("a ';' after a slang value is ignored") {
     CHECK(Read("a = source;\nb=two.slang;;\nc = \"three;\";\nd = ;\n").said() ==
           "a=source|b=two.slang|c=three;|d=|");
 }
 
-TEST_CASE("a byte order mark and every kind of line end are taken") {
+TEST_CASE("a byte order mark and all line ends are accepted") {
     CHECK(Read("\xef\xbb\xbf"
                "a = 1\r\nb = \"2\"\r\nc = 3")
               .said() == "a=1|b=2|c=3|");
 }
 
-TEST_CASE("comments are lines of # and //, and what follows a value or a # outside of quotes") {
+TEST_CASE("comments start with # or // on their own line, or follow a value") {
     const Read read(
         "# a = 1\n// b = 2\n#c = 3\nd = \"4\" // more\ne = 5 # more\nf = 6#more\n"
         "g = \"#7\"\nh = ../x//y\n   # i = 9\n");
@@ -76,7 +76,7 @@ TEST_CASE("comments are lines of # and //, and what follows a value or a # outsi
     CHECK(read.warnings().empty());
 }
 
-TEST_CASE("of equal keys in a file the first counts, and one that differs is told") {
+TEST_CASE("the first of duplicate keys counts, and a different value gives a warning") {
     const Read read("a = 1\nb = 2\na = 1\nb = 3\n");
     CHECK(read.said() == "a=1|b=2|");
     CHECK(read.warned_lines() == std::vector{4});
@@ -85,7 +85,7 @@ TEST_CASE("of equal keys in a file the first counts, and one that differs is tol
     CHECK(read.warnings().front().severity == Severity::warning);
 }
 
-TEST_CASE("a line that says nothing is told, but not within /* */") {
+TEST_CASE("an invalid line gives a warning, except within /* */") {
     const Read read(
         "/* About this preset: the\nkey = is said\nrest is prose */\na \"1\"\n"
         "two words = 3\n= 4\n");
@@ -94,7 +94,7 @@ TEST_CASE("a line that says nothing is told, but not within /* */") {
     CHECK(read.warnings().front().message == "expected 'key = value'; this line is ignored");
 }
 
-TEST_CASE("references are lines of their own kind, quoted or not") {
+TEST_CASE("quoted and unquoted references are collected") {
     const Read read(
         "#reference \"a.slangp\"\n#reference b.slangp\n#reference\t\"c d.slangp\" # e\n"
         "#references \"f\"\n# reference \"g\"\n");
@@ -102,7 +102,7 @@ TEST_CASE("references are lines of their own kind, quoted or not") {
     CHECK(read.settings().references[2].declared.line == 3);
 }
 
-TEST_CASE("an #include stands for the lines of its file") {
+TEST_CASE("an #include is replaced by the lines of its file") {
     TemporaryFolder folder;
     folder.write("deep/b.inc", "a = 2\nb = 2\n#include \"c.inc\"\n");
     folder.write("deep/c.inc", "c = 3\n");
@@ -126,7 +126,7 @@ TEST_CASE("an #include stands for the lines of its file") {
     CHECK(refused.error()[1].message == "can't include 'gone.inc': file not found");
 }
 
-TEST_CASE("yes and no are read forgivingly, anything else is told") {
+TEST_CASE("booleans are parsed leniently, and other values give a warning") {
     Diagnostics warnings;
     const auto read = [&](const std::string& value) {
         return read_slang_boolean({"srgb_framebuffer0", value, {"a.slangp", 9}}, warnings);
@@ -142,7 +142,7 @@ TEST_CASE("yes and no are read forgivingly, anything else is told") {
           "a.slangp:9: warning: 'srgb_framebuffer0' must be true or false, got 'maybe'");
 }
 
-TEST_CASE("a decimal comma is told, with what is read and what to write") {
+TEST_CASE("a decimal comma gives a note with the parsed and the correct value") {
     CHECK(decimal_comma_note("a", "0,5") ==
           "'a' is 0 because '0,5' has a decimal comma; use '0.5'");
     CHECK(decimal_comma_note("b", "-12,25") ==

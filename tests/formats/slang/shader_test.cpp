@@ -1,7 +1,7 @@
 #include "formats/slang/slang_folder.h"
 
 namespace {
-// What stands behind #version in every stage.
+// The definitions after #version in every stage.
 const std::string host =
     "#define _HAS_ORIGINALASPECT_UNIFORMS\n"
     "#define _HAS_FRAMETIME_UNIFORMS\n"
@@ -9,7 +9,7 @@ const std::string host =
     "#define _HAS_SENSOR_UNIFORMS\n";
 }  // namespace
 
-TEST_CASE("a shader's text before the first stage belongs to both stages") {
+TEST_CASE("text before the first stage belongs to both stages") {
     SlangFolder folder;
     const auto shader = folder.shader_of(
         "#version 450\nint both;\n#pragma stage vertex\nint v;\n#pragma stage fragment\nint f;\n");
@@ -20,7 +20,7 @@ TEST_CASE("a shader's text before the first stage belongs to both stages") {
     CHECK(shader->fragment.file == folder / "a.slang");
 }
 
-TEST_CASE("a stage may be opened again, and a comment may stand behind its name") {
+TEST_CASE("a stage may be reopened, and a comment may follow its name") {
     SlangFolder folder;
     const auto shader = folder.shader_of(
         "#version 450\n#pragma stage fragment // here\nint a;\n#pragma stage vertex\nint b;\n"
@@ -30,7 +30,7 @@ TEST_CASE("a stage may be opened again, and a comment may stand behind its name"
     CHECK(shader->vertex.text == "#version 450\n" + host + "\nint b;\n");
 }
 
-TEST_CASE("every line of a stage knows where it was written, also behind what is left out") {
+TEST_CASE("every line of a stage maps to its original line, also after removed lines") {
     SlangFolder folder;
     const auto inc = folder.write("sub/x.inc", "float x;\n#pragma name X\nfloat y;");
     const auto shader = folder.shader_of(
@@ -53,7 +53,7 @@ TEST_CASE("every line of a stage knows where it was written, also behind what is
     CHECK(split_lines(shader->vertex.text).size() == shader->vertex.lines.size());
 }
 
-TEST_CASE("a shader's first line must be #version") {
+TEST_CASE("the first line of a shader must be #version") {
     SlangFolder folder;
     const std::string expected = "a.slang:1: error: the shader's first line must be #version";
     CHECK(folder.refusal(folder.shader_of("\n#version 450\n")) == expected);
@@ -65,14 +65,14 @@ TEST_CASE("a shader's first line must be #version") {
     CHECK(folder.shader_of("#version 310 es").has_value());
 }
 
-TEST_CASE("only vertex and fragment are stages") {
+TEST_CASE("only vertex and fragment are valid stages") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.shader_of("#version 450\n#pragma stage pixel\n")) ==
           "a.slang:2: error: unknown stage 'pixel'; use #pragma stage vertex or #pragma stage "
           "fragment");
 }
 
-TEST_CASE("a shader may name its pass and its target's format, the first time counts") {
+TEST_CASE("the first #pragma name and format of a shader count") {
     SlangFolder folder;
     const auto shader = folder.shader_of(
         "#version 450\n#pragma name Blurred // ours\n  #  pragma format R16G16B16A16_SFLOAT\n"
@@ -88,14 +88,14 @@ TEST_CASE("a shader may name its pass and its target's format, the first time co
     CHECK(shader->vertex.text == "#version 450\n" + host + "\n\n\n\n#pragma optimize(on)\n");
 }
 
-TEST_CASE("a line that would say where text comes from is left out") {
+TEST_CASE("a #line directive is removed") {
     SlangFolder folder;
     const auto shader = folder.shader_of("#version 450\n#line 77 \"other.c\"\nint a;\n");
     REQUIRE(shader.has_value());
     CHECK(shader->vertex.text == "#version 450\n" + host + "\nint a;\n");
 }
 
-TEST_CASE("a shader's parameters are read in order with their places") {
+TEST_CASE("parameters of a shader are read in order with their locations") {
     SlangFolder folder;
     const auto inc = folder.write("p.inc", "#pragma parameter glow \"Glow\" .5 0 1 0.25\n");
     const auto shader = folder.shader_of(
@@ -109,7 +109,7 @@ TEST_CASE("a shader's parameters are read in order with their places") {
     CHECK(shader->warnings.empty());
 }
 
-TEST_CASE("a parameter that is declared again with other numbers keeps the first ones") {
+TEST_CASE("a parameter redeclared with other numbers keeps the first ones, with a warning") {
     SlangFolder folder;
     const auto shader = folder.shader_of(
         "#version 450\n#pragma parameter a \"A\" 1 0 2 1\n#pragma parameter a \"A\" 1 0 3 1\n");
@@ -121,7 +121,7 @@ TEST_CASE("a parameter that is declared again with other numbers keeps the first
           "a.slang:2; the first declaration is used");
 }
 
-TEST_CASE("a damaged parameter is refused at its line, with the others") {
+TEST_CASE("an invalid parameter is an error at its line") {
     SlangFolder folder;
     CHECK(folder.refusal(folder.shader_of("#version 450\n#pragma parameter a \"A\" 1 0\n"
                                           "#pragma parameter b 1 0 1\n"

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <string>
 
-/// A folder of presets and shaders that a test writes.
+/// A temporary folder of presets and shaders.
 class SlangFolder {
 public:
     std::filesystem::path write(const std::string& name, const std::string& text) const {
@@ -22,7 +22,7 @@ public:
         m_files = {};
         return read_slang_preset(m_folder / name, m_files);
     }
-    /// Writes `a.slangp` and reads it.
+    /// Writes `a.slangp` and loads it.
     Result<SlangPreset> preset_of(const std::string& text) {
         write("a.slangp", text);
         return preset("a.slangp");
@@ -31,7 +31,7 @@ public:
         m_files = {};
         return read_slang_shader(m_folder / name, m_files);
     }
-    /// Writes `a.slang` and reads it.
+    /// Writes `a.slang` and loads it.
     Result<SlangShader> shader_of(const std::string& text) {
         write("a.slang", text);
         return shader("a.slang");
@@ -40,7 +40,7 @@ public:
     bool has_seen(const std::string& name) const {
         return std::ranges::find(m_files.seen(), m_folder / name) != m_files.seen().end();
     }
-    /// "a.slangp:2: error: ...", one a line, with paths from this folder on.
+    /// "a.slangp:2: error: ...", one per line, with paths relative to this folder.
     std::string told(const Diagnostics& diagnostics) const {
         return told_in(m_folder.path(), diagnostics);
     }

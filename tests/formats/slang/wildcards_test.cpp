@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("each wildcard stands for what a desktop without a game has") {
+TEST_CASE("each wildcard is replaced by its value on a desktop without a game") {
     const auto replaced = [](const std::string& token) {
         return with_wildcards_replaced("a/$" + token + "$_b", "presets/My look.slangp");
     };
@@ -20,7 +20,7 @@ TEST_CASE("each wildcard stands for what a desktop without a game has") {
     CHECK(replaced("CORE-ASPECT-ORIENT") == "a/CORE-ASPECT-ORIENT-HORZ_b");
 }
 
-TEST_CASE("a wildcard without a meaning here stays as it is written") {
+TEST_CASE("an unsupported wildcard stays unchanged") {
     const auto replaced = [](const std::string& path) {
         return with_wildcards_replaced(path, "presets/a.slangp");
     };

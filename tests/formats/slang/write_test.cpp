@@ -2,7 +2,7 @@
 
 #include "formats/slang/slang_folder.h"
 
-TEST_CASE("a simple preset refers to the other one from its own folder, values sorted and short") {
+TEST_CASE("a simple preset references the original by a relative path, with sorted short values") {
     CHECK(simple_slang_preset("/shaders/crt/a b.slangp", {{"b", 0.1}, {"a", -2.0}, {"c", 1e-5}},
                               "/shaders/mine/own.slangp") ==
           "#reference \"../crt/a b.slangp\"\n\na = \"-2\"\nb = \"0.1\"\nc = \"1e-05\"\n");
@@ -10,13 +10,13 @@ TEST_CASE("a simple preset refers to the other one from its own folder, values s
           "#reference \"a.slangp\"\n");
 }
 
-TEST_CASE("a value that went through a shader's float is written as it was typed") {
+TEST_CASE("a value stored as float is written as it was typed") {
     const auto stored = static_cast<double>(0.92f);
     CHECK(simple_slang_preset("/a.slangp", {{"x", stored}}, "/b.slangp") ==
           "#reference \"a.slangp\"\n\nx = \"0.92\"\n");
 }
 
-TEST_CASE("what is saved as a simple preset is read back over what it refers to") {
+TEST_CASE("a saved simple preset is read back over the preset that it references") {
     SlangFolder folder;
     const auto base =
         folder.write("deep/base.slangp", "shaders = 1\nshader0 = a.slang\nglow = 1\nbend = 1\n");
@@ -32,7 +32,7 @@ TEST_CASE("what is saved as a simple preset is read back over what it refers to"
     CHECK(preset->warnings.empty());
 }
 
-TEST_CASE("a simple preset of a shader alone draws it in one pass") {
+TEST_CASE("a simple preset of a single shader has one pass") {
     SlangFolder folder;
     const auto shader = folder.write("deep/a.slang", "");
     folder.write("own/mine.slangp",

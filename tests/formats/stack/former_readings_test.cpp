@@ -22,7 +22,7 @@ std::string frag_with(const std::string& number) {
            number + "); }\n";
 }
 
-/// A look on the disk that is read over and over, as a reloader does.
+/// A look on disk that is loaded repeatedly, as by a reloader.
 struct Disk {
     Disk() {
         folder.write("look/look.json", manifest);
@@ -32,7 +32,7 @@ struct Disk {
     FormerReadings::Question question(const Values& values = {}) const {
         return {{{"", folder / "look", ""}}, values};
     }
-    /// Begins to read; what came of the files before when they were as they are now.
+    /// Starts reading; returns the cached look if no file has changed since.
     std::optional<LoadedLook> find(const Values& values = {}) {
         files.begin_reading();
         return readings.find(question(values), files);
@@ -50,7 +50,7 @@ struct Disk {
 };
 }  // namespace
 
-TEST_CASE("a text that comes back gives the look that it gave, and no other text does") {
+TEST_CASE("a text that returns to an earlier state gives the cached look, and no other text does") {
     Disk disk;
     CHECK_FALSE(disk.find());
     const LoadedLook first = disk.read();
@@ -72,7 +72,7 @@ TEST_CASE("a text that comes back gives the look that it gave, and no other text
     CHECK(*undone->look == *first.look);
 }
 
-TEST_CASE("a change of any file that a look is made of is seen") {
+TEST_CASE("a change to any file of a look invalidates the cache") {
     Disk disk;
     CHECK_FALSE(disk.find());
     REQUIRE(disk.read().look);
@@ -83,27 +83,27 @@ TEST_CASE("a change of any file that a look is made of is seen") {
         std::string text = manifest;
         disk.folder.write("look/look.json", text.replace(text.find("Look"), 4, "Sight"));
     }
-    SUBCASE("a file that was missing where an include was looked for first") {
+    SUBCASE("a missing file earlier in the include path appears") {
         disk.folder.write("look/light.glsl", "float light() { return 1.0; }\n");
     }
-    SUBCASE("a file that is gone") {
+    SUBCASE("a removed file") {
         fs::remove(disk.folder / "look/a.frag");
     }
-    SUBCASE("a link in its place, to the same text elsewhere") {
+    SUBCASE("a file replaced by a link to the same text") {
         fs::rename(disk.folder / "look/a.frag", disk.folder / "b.frag");
         fs::create_symlink(disk.folder / "b.frag", disk.folder / "look/a.frag");
     }
     CHECK_FALSE(disk.find());
 }
 
-TEST_CASE("other values of constants are another question") {
+TEST_CASE("other values of constants are another cache entry") {
     Disk disk;
     CHECK_FALSE(disk.find());
     REQUIRE(disk.read().look);
     CHECK_FALSE(disk.find({{"STEPS", Value(2.0)}}));
 }
 
-TEST_CASE("a file that changes while the look is read is not taken for what was read") {
+TEST_CASE("a file that changes while the look is loaded is not cached with the new text") {
     Disk disk;
     CHECK_FALSE(disk.find());
     const Values none;
@@ -117,14 +117,14 @@ TEST_CASE("a file that changes while the look is read is not taken for what was 
     CHECK(disk.find());
 }
 
-TEST_CASE("what could not be read, and looks of which not all is known, are read again") {
+TEST_CASE("failed loads and looks with unknown files are loaded again") {
     Disk disk;
-    SUBCASE("a mistake") {
+    SUBCASE("an error") {
         disk.folder.write("look/a.frag", "#version 410 core\nvoid main() { nothing(); }\n");
         CHECK_FALSE(disk.find());
         CHECK_FALSE(disk.read().look);
     }
-    SUBCASE("another program's look, read without the files that are compared") {
+    SUBCASE("a foreign look that was read without the compared files") {
         const fs::path file = disk.folder.write(
             "a.fs", "/*{}*/\nvoid main() { gl_FragColor = vec4(isf_FragNormCoord, 0.0, 1.0); }\n");
         const FormerReadings::Question question{{{"", file, ""}}, {}};

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// Reads a picture, its own former frame and an image; one of its sizes hangs on a parameter.
+// Reads a picture, its own previous frame and an image; one of its sizes depends on a parameter.
 Look picture_look(const std::string& id, Encoding reads, Encoding writes) {
     Look look;
     look.id = id;
@@ -66,7 +66,7 @@ constexpr Encoding linear = Encoding::linear;
 constexpr Encoding display = Encoding::display;
 }  // namespace
 
-TEST_CASE("a stack reads its source in the format of the look that it drives") {
+TEST_CASE("a stack reads its source in the format of its first active look") {
     Look coarse = picture_look("game", display, display);
     coarse.source_format = Format::rgba8;
     const Look fine = picture_look("crt", display, display);
@@ -75,7 +75,7 @@ TEST_CASE("a stack reads its source in the format of the look that it drives") {
     CHECK(stacked({coarse, fine}, {"game"}).source_format == Format::rgba32f);
 }
 
-TEST_CASE("passes, images and parameters of a stack are called by the key of their look") {
+TEST_CASE("passes, images and parameters of a stack are prefixed with the key of their look") {
     const Look look =
         stacked({picture_look("crt", display, display), picture_look("crt", display, display)});
     CHECK(pass_names(look) ==
@@ -92,12 +92,12 @@ TEST_CASE("passes, images and parameters of a stack are called by the key of the
     CHECK(look.id == "crt+crt");
     CHECK(look.name == "Look crt + Look crt");
     CHECK(look.license == "MIT");
-    CHECK(look.settle_frames == 9);  // four more frames on a source that has settled in five
+    CHECK(look.settle_frames == 9);  // four more frames after the first look has settled in five
     CHECK(look.driven_by == Driver::picture);
     CHECK(look.default_source == "pattern:white");
 }
 
-TEST_CASE("the last pass of a look is the source of the next, in earlier frames too") {
+TEST_CASE("the last pass of a look is the source of the next one, in earlier frames too") {
     const Look look = stacked({signal_look("scope"), picture_look("crt", display, linear)});
     CHECK(look.passes[1].inputs[0].reference() == "scope/beam");
     CHECK(look.passes[1].inputs[1].reference() == "scope/beam@2");
@@ -108,7 +108,7 @@ TEST_CASE("the last pass of a look is the source of the next, in earlier frames 
     CHECK(look.settle_frames == 104);
 }
 
-TEST_CASE("encodings are converted between two looks only where they differ") {
+TEST_CASE("encodings are converted between two looks only if they differ") {
     const auto conversions = [](Encoding writes, Encoding reads) {
         Look first = picture_look("a", linear, writes);
         return pass_names(stacked({first, picture_look("b", reads, display)})).size() - 4;
@@ -127,24 +127,24 @@ TEST_CASE("encodings are converted between two looks only where they differ") {
     CHECK(look.passes[3].inputs[1].reference() == "b/source@2");
     CHECK(encoding_of(look, 1) == display);
     CHECK(encoding_of(look, 2) == linear);
-    // Images are read as each look reads its source.
+    // Images are decoded as each look reads its source.
     CHECK(look.images[1].encoding == linear);
     first.passes[1].format = Format::rgba32f;
     CHECK(stacked({first, picture_look("b", linear, display)}).passes[2].format == Format::rgba32f);
 }
 
-TEST_CASE("sizes in a stack are measured by the look before and by the look's own parameters") {
+TEST_CASE("sizes in a stack depend on the previous look and on the look's own parameters") {
     Look first = picture_look("a", display, display);
     first.passes[1].size = {Side{Side::By::pixels, 60, {}}, Side{Side::By::pixels, 30, {}}};
     const Look look = stacked({first, picture_look("b", display, display)});
     const Plan plan = plan_targets(look, {640, 480}, {320, 200}, {{"b/cells", 8.0}}).value();
     CHECK(plan.targets[0].extent == Extent{160, 120});  // half the source, 480 / 4
-    CHECK(plan.targets[2].extent == Extent{30, 60});    // half of the look before, 480 / 8
+    CHECK(plan.targets[2].extent == Extent{30, 60});    // half the previous look, 480 / 8
     CHECK(plan.targets[1].slots == 3);                  // "source@2" of the second look
     CHECK(redraw_after(look, {"b/cells"}).passes == std::vector<bool>{false, false, true, true});
 }
 
-TEST_CASE("a bypassed look keeps its parameters and draws nothing") {
+TEST_CASE("a bypassed look keeps its parameters and is not drawn") {
     const std::vector<Look> looks{picture_look("a", linear, display),
                                   picture_look("b", linear, display)};
     const Look second = stacked(looks, {"a"});
@@ -166,7 +166,7 @@ TEST_CASE("a bypassed look keeps its parameters and draws nothing") {
     CHECK(without_scope.default_source == "pattern:white");
 }
 
-TEST_CASE("what lies before a look that reads no picture is not drawn, and that is told") {
+TEST_CASE("looks before one without a picture input are not drawn, with a warning") {
     const std::vector<Look> looks{picture_look("crt", linear, display), signal_look("scope")};
     Diagnostics warnings;
     const Look look = stacked_look(looks, {{"crt", "", "crt"}, {"scope", "", "scope"}}, warnings);
@@ -177,7 +177,7 @@ TEST_CASE("what lies before a look that reads no picture is not drawn, and that 
           "'crt' isn't drawn because the later look 'scope' doesn't use a picture");
 }
 
-TEST_CASE("in a stack a pass is drawn onto one of its own look") {
+TEST_CASE("in a stack a pass is drawn onto a pass of its own look") {
     Look scope = signal_look("scope");
     scope.passes[0].onto = Onto{"glow", "1"};
     Pass glow;

@@ -25,7 +25,7 @@ std::vector<ScenePoint> only_path(const std::string& shape) {
     return paths.front().points;
 }
 
-// Of the file of that name under tests/inputs/svg.
+// The paths of a file in tests/inputs/svg.
 std::vector<ScenePath> painted_file(const std::string& name) {
     const auto file = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "tests/inputs/svg" / name;
     const auto paths = painted_outlines(*read_bytes(file), file);
@@ -39,7 +39,7 @@ std::string refusal(const std::string& text) {
     return to_string(paths.error());
 }
 
-// Within 1/100,000 of the pages here, which are up to 200 units wide.
+// Within 1/100,000 of the page size, which is at most 200 units.
 bool is_at(const ScenePoint& point, double x, double y) {
     return std::hypot(point.x - x, point.y - y) < 2e-3;
 }
@@ -53,7 +53,7 @@ void check_corners(const ScenePath& path, const std::vector<std::array<double, 2
 }
 }  // namespace
 
-TEST_CASE("an SVG's commands lead where the standard says") {
+TEST_CASE("SVG path commands follow the standard") {
     CHECK(is_at(only_path("<path d='M1 2L3,4'/>").back(), 3, -4));
     CHECK(is_at(only_path("<path d='m1 2 3 4-1.5.5'/>").back(), 2.5, -6.5));
     CHECK(is_at(only_path("<path d='M1 2h3v4H0z'/>").back(), 1, -2));
@@ -61,7 +61,7 @@ TEST_CASE("an SVG's commands lead where the standard says") {
     // Halfway along a cubic: (p0 + 3 p1 + 3 p2 + p3) / 8.
     CHECK(is_at(only_path("<path d='M0 0C0 1 1 1 1 0'/>")[8], 0.5, -0.75));
     CHECK(is_at(only_path("<path d='M0 0Q1 2 2 0'/>")[8], 1, -1));
-    // Half a circle from (0, 0) to (2, 0): its middle point is (1, -1) or (1, 1), y down.
+    // A semicircle from (0, 0) to (2, 0): its middle is (1, -1) or (1, 1), y down.
     const auto over = only_path("<path d='M0 0A1 1 0 012 0'/>");
     CHECK(is_at(over[over.size() / 2], 1, 1));
     const auto under = only_path("<path d='M0 0A1 1 0 0 0 2 0'/>");
@@ -69,22 +69,22 @@ TEST_CASE("an SVG's commands lead where the standard says") {
     CHECK(is_at(only_path("<polygon points='0,0 1,0 1,1'/>").back(), 0, 0));
 }
 
-TEST_CASE("a level or upright line without a stroke is drawn, as any other line") {
+TEST_CASE("a horizontal or vertical line without a stroke is drawn") {
     CHECK(is_at(only_path("<path d='M1 5H9'/>").back(), 9, -5));
     CHECK(is_at(only_path("<path d='M1 5V9'/>").back(), 1, -9));
 }
 
-TEST_CASE("a path and a symbol are drawn where they are used") {
+TEST_CASE("paths and symbols are drawn where they are used") {
     const auto paths = painted_file("use.svg");
     REQUIRE(paths.size() == 3);
     check_corners(paths[0], {{0, 39}, {100, 39}});
     check_corners(paths[1], {{10, 5}, {20, 25}, {30, 5}, {10, 5}});
-    // The circle of radius 4 about (5, 5) of a box of 10, drawn in one of 20 at (60, 5).
+    // A circle of radius 4 about (5, 5) in a box of 10, drawn in a box of 20 at (60, 5).
     for (const ScenePoint& point : paths[2].points)
         CHECK(std::abs(std::hypot(point.x - 70, point.y + 15) - 8) < 5e-3);
 }
 
-TEST_CASE("percent is of the viewBox") {
+TEST_CASE("percentages are relative to the viewBox") {
     const auto paths = painted_file("percent.svg");
     REQUIRE(paths.size() == 2);
     check_corners(paths[0], {{0, 0}, {100, 0}, {100, 100}, {0, 100}, {0, 0}});
@@ -92,7 +92,7 @@ TEST_CASE("percent is of the viewBox") {
         CHECK(std::abs(std::hypot(point.x - 50, point.y + 50) - 30) < 0.02);
 }
 
-TEST_CASE("units are those of CSS: 96 px an inch, 16 px an em where no font says otherwise") {
+TEST_CASE("units follow CSS: 96 px per inch, 16 px per em by default") {
     const auto paths = painted_file("units.svg");
     REQUIRE(paths.size() == 2);
     constexpr double mm = 96.0 / 25.4;
@@ -106,7 +106,7 @@ TEST_CASE("units are those of CSS: 96 px an inch, 16 px an em where no font says
     CHECK(is_at(paths[1].points[1], 40, -20 * mm));
 }
 
-TEST_CASE("what is not painted is not drawn") {
+TEST_CASE("invisible elements are not drawn") {
     check_corners(painted_file("material.svg").at(0), {{12, 4}, {20, 18}, {4, 18}, {12, 4}});
     CHECK(painted_file("material.svg").size() == 1);
     check_corners(painted_file("css_hidden.svg").at(0), {{12, 4}, {20, 18}, {4, 18}, {12, 4}});
@@ -123,7 +123,7 @@ TEST_CASE("what is not painted is not drawn") {
           1);
 }
 
-TEST_CASE("a path is drawn up to its error, and the shapes behind it too") {
+TEST_CASE("a path is drawn up to its error, and later shapes are drawn too") {
     const auto paths = painted_file("path_error.svg");
     REQUIRE(paths.size() == 3);
     check_corners(paths[0], {{20, 160}, {40, 160}});
@@ -131,16 +131,17 @@ TEST_CASE("a path is drawn up to its error, and the shapes behind it too") {
     check_corners(paths[2], {{0, 0}, {50, 50}});
 }
 
-TEST_CASE("transforms may be none, empty or of CSS, with units") {
+TEST_CASE("transforms may be empty, none or CSS syntax with units") {
     const auto paths = painted_file("transform.svg");
-    // `rotate(45deg)` is no value of the attribute: the element keeps its place, as in browsers.
+    // `rotate(45deg)` is not a valid attribute value: the element keeps its position, as in
+    // browsers.
     REQUIRE(paths.size() == 4);
     CHECK(is_at(paths[1].points[0], 1, -5));
     CHECK(is_at(paths[1].points[1], 9, -5));
     CHECK(is_at(paths[2].points[1], 9, -6));
 }
 
-TEST_CASE("letters are their outlines") {
+TEST_CASE("letters are drawn as outlines") {
     const auto paths = painted_file("text.svg");
     REQUIRE(paths.size() >= 4);  // H, the stem and the dot of i, the frame
     for (std::size_t i = 0; i + 1 < paths.size(); ++i)
@@ -153,7 +154,7 @@ TEST_CASE("letters are their outlines") {
     check_corners(paths.back(), {{1, 1}, {99, 1}, {99, 29}, {1, 29}, {1, 1}});
 }
 
-TEST_CASE("letters are drawn without a page, and however large they are") {
+TEST_CASE("letters are drawn without a page size and at any font size") {
     CHECK(painted(svg_with("<text y='20'>Hi</text>")).size() >= 3);
     CHECK(painted(svg_with("<text y='10' font-size='30'>H</text>", "viewBox='0 0 10 10'")).size() >=
           1);
@@ -165,7 +166,7 @@ TEST_CASE("a compressed SVG is read") {
     check_corners(paths[0], {{1, 1}, {9, 9}});
 }
 
-TEST_CASE("an element with opacity keeps its place among the others") {
+TEST_CASE("an element with opacity keeps its drawing order") {
     const auto paths = painted(svg_with(
         "<path d='M1 1L2 9' stroke='red'/>"
         "<g opacity='0.5'><path d='M3 1L4 9' stroke='red'/>"
@@ -181,7 +182,7 @@ TEST_CASE("an element with opacity keeps its place among the others") {
     }
 }
 
-TEST_CASE("open paths stay open, and a shape with fill and stroke is one line") {
+TEST_CASE("open paths stay open, and a filled and stroked shape is one line") {
     CHECK_FALSE(is_at(only_path("<path d='M0 0L5 1L9 9' stroke='red'/>").back(), 0, 0));
     CHECK(painted(svg_with("<linearGradient id='g'><stop stop-color='red'/></linearGradient>"
                            "<rect width='9' height='5' fill='url(#g)' stroke='red' "
@@ -189,7 +190,7 @@ TEST_CASE("open paths stay open, and a shape with fill and stroke is one line") 
               .size() == 1);
 }
 
-TEST_CASE("lines are cut to clip paths, to nested pages and to the page") {
+TEST_CASE("lines are clipped to clip paths, nested pages and the page") {
     const auto circle =
         painted(svg_with("<clipPath id='c'><circle cx='50' cy='50' r='20'/></clipPath>"
                          "<path d='M0 50H100' stroke='red' clip-path='url(#c)'/>",
@@ -210,7 +211,7 @@ TEST_CASE("lines are cut to clip paths, to nested pages and to the page") {
     REQUIRE(page.size() == 1);
     check_corners(page[0], {{0, 1}, {10, 1}});
 
-    // A square ring by the even-odd rule: 0..2 and 8..10 of a line through its middle.
+    // A square ring with the even-odd rule: 0..2 and 8..10 of a line through its middle remain.
     const auto ring = painted(svg_with(
         "<clipPath id='c'><path clip-rule='evenodd' d='M0 0H10V10H0zM2 2H8V8H2z'/></clipPath>"
         "<path d='M0 5H10' stroke='red' clip-path='url(#c)'/>",
@@ -220,7 +221,7 @@ TEST_CASE("lines are cut to clip paths, to nested pages and to the page") {
     check_corners(ring[1], {{8, 5}, {10, 5}});
 }
 
-TEST_CASE("the dashes of a line are lines of their own") {
+TEST_CASE("each dash of a line is a separate line") {
     const auto paths = painted(svg_with(
         "<path d='M0 5H10' stroke='red' fill='none' stroke-dasharray='3 1' stroke-dashoffset='1'/>",
         "viewBox='0 0 10 10'"));
@@ -230,7 +231,7 @@ TEST_CASE("the dashes of a line are lines of their own") {
     check_corners(paths[2], {{7, 5}, {10, 5}});
 }
 
-TEST_CASE("an SVG without namespaces is read, as by readers of SVG alone") {
+TEST_CASE("an SVG without namespaces is read") {
     CHECK(painted("<svg><defs><path id='a' d='M0 0L9 9'/></defs><use xlink:href='#a'/></svg>")
               .size() == 1);
     CHECK(painted(
@@ -238,7 +239,7 @@ TEST_CASE("an SVG without namespaces is read, as by readers of SVG alone") {
               .size() == 1);
 }
 
-TEST_CASE("no file outside of the SVG's folder is read") {
+TEST_CASE("files outside the SVG's folder are not read") {
     const TemporaryFolder folder;
     const std::string other = svg_with("<path id='a' d='M0 0L9 9L9 0z'/>", "viewBox='0 0 10 10'");
     const auto outside = folder.write("other.svg", other);
@@ -265,7 +266,7 @@ TEST_CASE("no file outside of the SVG's folder is read") {
     CHECK((!paths || paths->size() == 1));
 }
 
-TEST_CASE("an SVG without anything to draw, or a broken one, is told") {
+TEST_CASE("an SVG with nothing to draw or a syntax error gives an error") {
     CHECK(refusal("<html></html>").find("d.svg: error: can't draw this SVG file: ") !=
           std::string::npos);
     CHECK(refusal("").find("d.svg: error: ") != std::string::npos);
@@ -274,7 +275,7 @@ TEST_CASE("an SVG without anything to draw, or a broken one, is told") {
     CHECK(refusal(svg_with("")).find("the SVG has nothing to draw") != std::string::npos);
 }
 
-TEST_CASE("an SVG that grows without end is refused within its bounds") {
+TEST_CASE("an SVG with exponential or excessive content is rejected") {
     std::string bomb = "<path id='a0' d='M0 0L1 9'/>";
     for (int i = 1; i < 30; ++i) {
         const std::string use = "<use href='#a" + std::to_string(i - 1) + "'/>";
@@ -282,7 +283,7 @@ TEST_CASE("an SVG that grows without end is refused within its bounds") {
         bomb.append(use).append(use).append(use).append("</g>");
     }
     CHECK_FALSE(painted_outlines(svg_with(bomb), "d.svg").has_value());
-    // A line that crosses itself some 100 million times, as a scope's figure may.
+    // A line that crosses itself about 100 million times, as an oscilloscope figure may.
     std::string figure = "M0 0";
     for (long i = 1; i <= 20000; ++i)
         figure += "L" + std::to_string(i * i % 1009) + ' ' + std::to_string(i * i * i % 1013);

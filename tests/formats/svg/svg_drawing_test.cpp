@@ -33,11 +33,11 @@ bool is_at(const BeamPlace& place, double x, double y) {
 }
 }  // namespace
 
-TEST_CASE("a drawing that was saved as an SVG comes back as it was") {
+TEST_CASE("a drawing saved as SVG is read back unchanged") {
     CHECK(read(svg_text(two_keyframes())) == two_keyframes());
 }
 
-TEST_CASE("what another program shows of a saved drawing is what the beam draws") {
+TEST_CASE("other programs show the first keyframe of a saved drawing as the beam draws it") {
     const auto shown = painted_outlines(svg_text(two_keyframes()), "d.svg");
     REQUIRE(shown.has_value());
     REQUIRE(shown->size() == 2);  // the first keyframe
@@ -47,7 +47,7 @@ TEST_CASE("what another program shows of a saved drawing is what the beam draws"
         CHECK(distance_to_line({point.x, point.y}, line) < 2e-3);
 }
 
-TEST_CASE("a saved drawing that was edited elsewhere keeps its keyframes") {
+TEST_CASE("a saved drawing edited in another program keeps its keyframes") {
     const Drawing drawing = read(
         "<svg viewBox='-1 -1 2 2' data-afterglow-drawing='1'>\n"
         "<g data-keyframe='1' transform='translate(0.5 0)'><path d='M0 0h.25v.25'/></g>\n"
@@ -55,13 +55,13 @@ TEST_CASE("a saved drawing that was edited elsewhere keeps its keyframes") {
         "<path d='M-1 0H1'/><path d='M0 0L9 9' display='none'/></svg>");
     REQUIRE(drawing.keyframes.size() == 2);
     CHECK(drawing.is_to_scale);
-    REQUIRE(drawing.keyframes[0].size() == 2);  // with what stands beside the groups
+    REQUIRE(drawing.keyframes[0].size() == 2);  // including the path outside the groups
     CHECK(is_at(drawing.keyframes[0][0].points[2], 0.75, -0.25));
     REQUIRE(drawing.keyframes[1].size() == 1);
     CHECK(is_at(drawing.keyframes[1][0].points[1], 0.5, -0.5));
 }
 
-TEST_CASE("an SVG of another program is one keyframe, which is not to scale") {
+TEST_CASE("an SVG of another program is one keyframe, not to scale") {
     const Drawing drawing = read(
         "<svg viewBox='0 0 100 100'><g data-keyframe='1'><circle cx='50' cy='50' r='40'/></g>"
         "<path d='M0 0L100 0L100 100' data-keyframe='2'/><g style='display:none'>"
@@ -74,7 +74,7 @@ TEST_CASE("an SVG of another program is one keyframe, which is not to scale") {
     CHECK(drawing.keyframes[0][1].points.size() == 3);
 }
 
-TEST_CASE("an SVG that holds nothing to draw, too much or a mistake is told") {
+TEST_CASE("an empty, too large or invalid SVG drawing gives an error") {
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
               .find("d.svg:1: error: the drawing is empty") != std::string::npos);
     CHECK(drawing_refusal("<svg></svg>").find("the SVG has nothing to draw") != std::string::npos);
