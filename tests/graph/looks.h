@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// A fragment stage from its declarations and main, written from line 1 of "test.frag" on.
+/// A fragment stage with these declarations and main. All its lines map to "test.frag".
 inline Stage fragment(const std::string& body) {
     Stage stage{"test.frag", "#version 410 core\nin vec2 uv;\nout vec4 color;\n" + body, {}};
     for (int line = 1; line <= 40; ++line)
@@ -16,7 +16,7 @@ inline Stage fragment(const std::string& body) {
     return stage;
 }
 
-/// The map with another origin of its line `index`.
+/// A copy of the map in which line `index` has another origin.
 inline LineMap with_line(const LineMap& lines, std::size_t index, const Location& at) {
     LineMap changed;
     for (std::size_t i = 0; i < lines.size(); ++i)
@@ -29,7 +29,7 @@ inline Input reads(const std::string& uniform, const std::string& pass, int fram
     return {uniform, Input::From::pass, pass, frames_ago, sampler};
 }
 
-/// A fullscreen pass into a float target of the viewport's size.
+/// A fullscreen pass into a float target with the size of the viewport.
 inline Pass pass(const std::string& name, const std::string& body, std::vector<Input> inputs = {}) {
     Pass made;
     made.name = name;
@@ -40,7 +40,7 @@ inline Pass pass(const std::string& name, const std::string& body, std::vector<I
     return made;
 }
 
-/// Adds one to what it drew a frame ago, in red.
+/// Adds one to its output of the previous frame, in red.
 inline Pass counter() {
     return pass("counter",
                 "uniform sampler2D previous;\n"
@@ -74,7 +74,7 @@ inline Programs programs_of(const Look& look, const Programs* reuse = nullptr) {
     return std::move(*programs);
 }
 
-/// Ready to draw.
+/// An executor that is ready to draw.
 inline Executor executor_of(const Look& look, Extent viewport = {4, 4}, Extent source = {}) {
     Executor executor(look, programs_of(look));
     const auto sized = executor.resize(viewport, source);
@@ -83,7 +83,7 @@ inline Executor executor_of(const Look& look, Extent viewport = {4, 4}, Extent s
     return executor;
 }
 
-/// Frame `number` of 60 a second.
+/// Frame `number` at 60 fps.
 inline Frame frame(int number) {
     Frame made;
     made.number = number;

@@ -20,7 +20,7 @@ Pass points() {
     return made;
 }
 
-// Each segment is a band of one texel's height from its start to its end.
+// Each segment is a band with the height of one texel, from its start to its end.
 Pass segments() {
     Pass made = pass("beam", "");
     made.draw = Draw::segments;
@@ -41,7 +41,7 @@ Pass segments() {
     return made;
 }
 
-// The middle of texel (x, y) of 8 x 4, y down from the top, as the beam's -1..1 has it.
+// The centre of texel (x, y) of 8 x 4 in the beam's -1..1; y counts from the top.
 BeamPoint at(int x, int y, float intensity = 1.0f, float age = 0.0f) {
     return {(static_cast<float>(x) + 0.5f) / 4.0f - 1.0f,
             1.0f - (static_cast<float>(y) + 0.5f) / 2.0f, intensity, age};
@@ -58,7 +58,7 @@ float sum(const Picture& picture) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a point lights the one texel it lies in, with intensity and age") {
+TEST_CASE_FIXTURE(Headless, "a point lights the texel that contains it, with intensity and age") {
     Executor executor = executor_of(look_of({points()}), {8, 4});
     const Beam beam{at(0, 0, 2.0f, 0.5f), at(7, 3, 3.0f, 0.25f), at(7, 3, 1.0f, 0.25f)};
     executor.draw(with(beam, 1));
@@ -67,7 +67,7 @@ TEST_CASE_FIXTURE(Headless, "a point lights the one texel it lies in, with inten
     CHECK(sum(gpu::read_picture(executor.target(0))) == 2 + 0.5f + 1 + 4 + 0.5f + 2);
 }
 
-TEST_CASE_FIXTURE(Headless, "each frame's points start on black, and no points are no error") {
+TEST_CASE_FIXTURE(Headless, "each frame's points start on black, and an empty beam is valid") {
     Executor executor = executor_of(look_of({points()}), {8, 4});
     const Beam beam{at(3, 1)};
     executor.draw(with(beam, 1));
@@ -78,7 +78,7 @@ TEST_CASE_FIXTURE(Headless, "each frame's points start on black, and no points a
     CHECK(red(executor, 0, 2, 2) == 100000.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "segments run from point to point") {
+TEST_CASE_FIXTURE(Headless, "segments connect consecutive points") {
     Executor executor = executor_of(look_of({segments()}), {8, 4});
     const Beam beam{at(1, 1, 2.0f, 0.5f), at(5, 1, 2.0f, 0.5f)};
     executor.draw(with(beam, 1));
@@ -89,8 +89,9 @@ TEST_CASE_FIXTURE(Headless, "segments run from point to point") {
     CHECK(executor.draw_calls() == 1);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "the first point of a frame joins the last one of the frame before, aged") {
+TEST_CASE_FIXTURE(
+    Headless,
+    "the first point of a frame is connected to the last one of the previous frame, aged") {
     Executor executor = executor_of(look_of({segments()}), {8, 4});
     const Beam one{at(0, 0, 1.0f), at(1, 0, 1.0f, 0.5f)};
     const Beam two{at(6, 0, 1.0f, 0.25f)};
@@ -99,23 +100,23 @@ TEST_CASE_FIXTURE(Headless,
     second.time_delta = 2.0;
     executor.draw(second);
     for (int i = 0; i < 2; ++i) {
-        // Halfway its age is between 0.5 + 2 and 0.25; the attributes are those of the whole
+        // At the middle the age is between 0.5 + 2 and 0.25; the attributes are those of the whole
         // segment.
         CHECK(pixel(executor, 0, 4, 0) == Rgba{1, 1, 2.5f, 0.25f});
         CHECK(red(executor, 0, 0, 0) == 0.0f);
-        executor.redraw(second, {true});  // the same joint again
+        executor.redraw(second, {true});  // the same segment again
     }
     Frame third = with({}, 3);
     third.time_delta = 1.0;
-    executor.draw(third);  // a frame without a beam goes by
+    executor.draw(third);  // a frame without a beam
     const Beam four{at(6, 3, 1.0f, 0.0f), at(0, 3, 1.0f, 0.0f)};
-    executor.draw(with(four, 1));  // a first frame joins nothing
+    executor.draw(with(four, 1));  // a first frame has no previous point
     CHECK(red(executor, 0, 6, 1) == 0.0f);
     CHECK(red(executor, 0, 3, 3) == 1.0f);
 }
 
 namespace {
-// The same pass, giving the beam's colour.
+// The same pass, coloured by the beam's tint.
 Pass tinted(Pass made) {
     std::string& vertex = made.vertex.text.own();
     vertex.insert(vertex.find("in float intensity") != std::string::npos
@@ -136,7 +137,7 @@ Frame colored(const Beam& beam, int number) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "points have colours, and are white in a frame that has none") {
+TEST_CASE_FIXTURE(Headless, "points have colours, and are white in a frame without tints") {
     Executor executor = executor_of(look_of({tinted(points())}), {8, 4});
     Beam beam{at(1, 1), at(5, 2)};
     beam.tints = {{0.5f, 0.25f, 0.0f}, {0.0f, 0.75f, 1.0f}};
@@ -147,7 +148,7 @@ TEST_CASE_FIXTURE(Headless, "points have colours, and are white in a frame that 
     CHECK(pixel(executor, 0, 5, 2) == Rgba{1, 1, 1, 1});
 }
 
-TEST_CASE_FIXTURE(Headless, "a segment has the colour of the point that it goes to") {
+TEST_CASE_FIXTURE(Headless, "a segment has the colour of its end point") {
     Executor executor = executor_of(look_of({tinted(segments())}), {8, 4});
     Beam beam{at(1, 1), at(5, 1), at(1, 2, 0.0f), at(5, 2)};  // the way back is blanked
     beam.tints = {{1.0f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, {1.0f, 0.0f, 0.0f}, {0.0f, 0.0f, 0.5f}};

@@ -16,7 +16,7 @@ std::vector<Segment> joined(const Beam& beam, const BeamSpot& spot = {}) {
     return made;
 }
 
-// From -0.5 to 0.5 in `pieces`, 0.016 s long, with a charge of 8 in all.
+// From x = -0.5 to 0.5 in `pieces` segments, 0.016 s long, with a total charge of 8.
 Beam straight(int pieces) {
     Beam beam;
     for (int i = 0; i <= pieces; ++i) {
@@ -28,7 +28,7 @@ Beam straight(int pieces) {
 }
 }  // namespace
 
-TEST_CASE("what goes straight on at one speed is one segment with all of the charge and time") {
+TEST_CASE("a straight path at constant speed becomes one segment with the total charge and time") {
     for (const int pieces : {1, 2, 7, 4000}) {
         CAPTURE(pieces);
         const auto made = joined(straight(pieces));
@@ -42,9 +42,9 @@ TEST_CASE("what goes straight on at one speed is one segment with all of the cha
     CHECK(joined({{0.2f, 0.1f, 1, 3}, {0.2f, 0.1f, 1, 2}, {0.2f, 0.1f, 1, 1}}).size() == 1);
 }
 
-TEST_CASE("a bend, another speed, current or colour and a blanked way part segments") {
+TEST_CASE("bends, changes of speed, current or colour and blanked moves separate segments") {
     Beam beam = straight(8);
-    beam[4].y += 4e-6f;  // twice as far from the line as may be
+    beam[4].y += 4e-6f;  // twice the allowed distance from the line
     CHECK(joined(beam).size() > 1);
     beam = straight(8);
     beam[4].x += 4e-6f;  // slower, then faster
@@ -53,7 +53,7 @@ TEST_CASE("a bend, another speed, current or colour and a blanked way part segme
     beam[6].intensity = 0.0f;
     CHECK(joined(beam).size() == 2);
     beam = straight(8);
-    beam[6].age_seconds += 0.0005f;  // as much charge in less time
+    beam[6].age_seconds += 0.0005f;  // the same charge in less time
     CHECK(joined(beam).size() > 1);
     beam = straight(8);
     beam.tints.assign(9, BeamTint{});
@@ -62,15 +62,15 @@ TEST_CASE("a bend, another speed, current or colour and a blanked way part segme
     CHECK(joined(beam).size() == 3);
 }
 
-TEST_CASE("a slow curve is cut where it would leave its chord") {
+TEST_CASE("a slow curve is split where it would leave its chord") {
     Beam beam;
     for (int i = 0; i <= 4000; ++i) {
         const float angle = 0.0005f * static_cast<float>(i);
         beam.push_back({std::cos(angle), std::sin(angle), 1.0f, 0.0f});
     }
     const auto made = joined(beam);
-    // A chord of length c lies c c / 8 below the arc of a circle of radius 1: 2e-6 on each axis, at
-    // most 2.83e-6, is 0.0048 of an arc 2 long.
+    // A chord of length c lies c c / 8 below the arc of a circle of radius 1. The tolerance of 2e-6
+    // per axis, at most 2.83e-6, gives a chord of 0.0048 on an arc of length 2.
     CHECK(made.size() >= 420);
     CHECK(made.size() < 1500);
 }
@@ -79,7 +79,7 @@ namespace {
 constexpr double sigma = 0.002;  // half screens
 constexpr BeamSpot spot{sigma, sigma};
 
-// So many points in a frame of 1/60 s, with a charge of 4096 in all.
+// A beam with `count` points in a frame of 1/60 s, with a total charge of 4096.
 template <class PlaceAt>
 Beam evenly(int count, PlaceAt place_at) {
     Beam beam;
@@ -108,8 +108,8 @@ double charge_of(const std::vector<Segment>& segments) {
     return sum;
 }
 
-// The longest way from a point to where the merged beam is when it has laid down as much, of what
-// is allowed: 0.01 sigma, and 0.05 on a segment that is no longer than half a sigma.
+// The largest distance between a point and the merged beam at equal charge, relative to the allowed
+// distance: 0.01 sigma, or 0.05 sigma on a segment up to half a sigma long.
 double farthest(const Beam& beam, const std::vector<Segment>& merged) {
     double most = 0.0;
     double charge = 0.0;  // up to the point, and up to the segment
@@ -134,7 +134,7 @@ double farthest(const Beam& beam, const std::vector<Segment>& merged) {
 }
 }  // namespace
 
-TEST_CASE("merging keeps all charge, the way of every sample, its ends and its time") {
+TEST_CASE("merging keeps the charge, the path within its tolerance, the ends and the time") {
     for (const int count : {512, 4096, 65536, 262144}) {
         CAPTURE(count);
         const Beam beam = lissajous(count);
@@ -153,8 +153,8 @@ TEST_CASE("merging keeps all charge, the way of every sample, its ends and its t
     }
 }
 
-TEST_CASE("however finely a circle is cut, as many segments are left as its bend asks for") {
-    // A chord of length c lies c c / 8 r inside its circle: 0.007 to 0.0099 of a sigma.
+TEST_CASE("the number of segments of a circle depends on its curvature, not on its points") {
+    // A chord of length c lies c c / 8 r inside its circle: 0.007 to 0.0099 sigma.
     constexpr double r = 0.8;
     const auto pieces = [](double share) {
         return 2.0 * std::numbers::pi * r / std::sqrt(8.0 * r * share * sigma);
@@ -172,7 +172,7 @@ TEST_CASE("however finely a circle is cut, as many segments are left as its bend
     }
 }
 
-TEST_CASE("a way that trembles by less than 0.05 sigma is cut at half a sigma") {
+TEST_CASE("a path with jitter below 0.05 sigma is split at half a sigma") {
     constexpr double length = 0.4;
     constexpr int count = 65536;
     const auto trembling = [](double by) {
@@ -186,28 +186,28 @@ TEST_CASE("a way that trembles by less than 0.05 sigma is cut at half a sigma") 
     CHECK(static_cast<double>(merged.size()) >= pieces);
     CHECK(static_cast<double>(merged.size()) <= 1.01 * pieces);
     CHECK(charge_of(merged) == about(4096.0 * (count - 1) / count, 1e-6));
-    // Nothing of it is left out where it could be seen, and all where it is least.
+    // Larger jitter is kept, and negligible jitter is merged into one segment.
     CHECK(joined(trembling(0.03), spot).size() > count / 2);
     CHECK(joined(trembling(0.003), spot).size() == 1);
 }
 
-TEST_CASE("a current that changes ends a segment where it has changed by 1 in 100") {
+TEST_CASE("a changing current ends a segment when it has changed by 1 %") {
     constexpr int count = 2000;
     Beam beam = evenly(count, [](double share) -> std::array<double, 2> {
         return {1e-6 * share, 0.0};
     });
     double sum = 0.0;
-    for (int k = 0; k < count; ++k) {  // by e in all
+    for (int k = 0; k < count; ++k) {  // by a factor of e in total
         beam[static_cast<std::size_t>(k)].intensity =
             static_cast<float>(std::exp(static_cast<double>(k) / count));
-        if (k > 0)  // a segment's charge is the mean of those at its ends
+        if (k > 0)  // a segment's charge is the mean of its end points
             sum += 0.5 * (std::exp(static_cast<double>(k) / count) +
                           std::exp(static_cast<double>(k - 1) / count));
     }
     const auto merged = joined(beam, spot);
     CHECK(charge_of(merged) == about(sum, 1e-6));
-    // Against the mean so far the current is out by half of what it changed by. In each piece it
-    // changes by 0.01, two samples more or less, and 0.001 that ages are rounded by.
+    // Relative to the running mean the current deviates by half of its change. It changes by 0.01
+    // per segment, plus or minus two samples and 0.001 of rounding of ages.
     CHECK(merged.size() >= 83);
     CHECK(merged.size() <= 111);
     for (std::size_t k = count / 2; k < beam.size(); ++k)
@@ -217,7 +217,7 @@ TEST_CASE("a current that changes ends a segment where it has changed by 1 in 10
                               [&](const Segment& segment) { return segment.x1 == jump; }));
 }
 
-TEST_CASE("a blanked jump stays dark however near its ends are") {
+TEST_CASE("a blanked jump stays dark, however close its ends are") {
     Beam beam = evenly(1000, [](double share) -> std::array<double, 2> {
         return {0.1 * sigma * (share < 0.5 ? share : share + 0.2), 0.0};
     });
@@ -228,7 +228,7 @@ TEST_CASE("a blanked jump stays dark however near its ends are") {
     CHECK(charge_of(merged) == about(4.096 * 998, 1e-6));
 }
 
-TEST_CASE("a spot that is wide across alone hides only what is across") {
+TEST_CASE("a horizontally wide spot hides only horizontal detail") {
     const auto zigzag = [](bool across) {
         return evenly(4096, [across](double share) -> std::array<double, 2> {
             const double off = std::fmod(share * 4096.0, 2.0) < 0.5 ? 0.0005 : 0.0;

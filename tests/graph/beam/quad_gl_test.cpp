@@ -1,5 +1,5 @@
-// Passes as foreign chains have them: a quad of their own vertex shader, rows from the top,
-// uniforms of other names.
+// Passes as in foreign chains: a quad with its own vertex shader, rows from the top, uniforms with
+// other names.
 #include "graph/looks.h"
 
 namespace {
@@ -28,7 +28,7 @@ Pass quad_pass(const std::string& name, const std::string& body, std::vector<Inp
 
 const std::string copying =
     "uniform sampler2D image;\nvoid main() { color = texture(image, there); }\n";
-// Of the target, red: which row is drawn, from GL's first one on.
+// Red: the row of the target, counted from GL's first row.
 const std::string row_counting =
     "void main() { color = vec4(floor(gl_FragCoord.y), there.y, 0, 1); }\n";
 
@@ -45,7 +45,7 @@ Picture numbered(Extent extent) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a chain whose rows come from the top shows the source upright") {
+TEST_CASE_FIXTURE(Headless, "a chain with rows from the top shows the source upright") {
     Look look =
         look_of({quad_pass("first", copying, {of_source("image")}, RowOrder::top_first),
                  quad_pass("last", copying, {reads("image", "first")}, RowOrder::bottom_first)});
@@ -56,11 +56,12 @@ TEST_CASE_FIXTURE(Headless, "a chain whose rows come from the top shows the sour
     REQUIRE(executor.set_source(source));
     executor.draw(frame(1));
     CHECK(gpu::read_picture(executor.target(1)).pixels == source.pixels);
-    CHECK(gpu::read_picture(executor.target(0)).pixels == source.pixels);  // turned over to be seen
+    CHECK(gpu::read_picture(executor.target(0)).pixels == source.pixels);  // flipped when read
     CHECK(gpu::read_picture(*executor.texture({Input::From::source, {}})).pixels == source.pixels);
 }
 
-TEST_CASE_FIXTURE(Headless, "what is seen of a target with its top row first follows each frame") {
+TEST_CASE_FIXTURE(Headless,
+                  "the readable copy of a target with its top row first is updated each frame") {
     Pass counting =
         quad_pass("counting", "uniform int count;\nvoid main() { color = vec4(count); }\n", {},
                   RowOrder::top_first);
@@ -74,7 +75,7 @@ TEST_CASE_FIXTURE(Headless, "what is seen of a target with its top row first fol
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "gl_FragCoord counts from the first row, be it top or bottom") {
+TEST_CASE_FIXTURE(Headless, "gl_FragCoord counts from the first row, at the top or at the bottom") {
     for (const RowOrder rows : {RowOrder::top_first, RowOrder::bottom_first}) {
         Executor executor =
             executor_of(look_of({quad_pass("rows", row_counting, {}, rows)}), {1, 4});
@@ -88,7 +89,7 @@ TEST_CASE_FIXTURE(Headless, "gl_FragCoord counts from the first row, be it top o
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "extents come with their reciprocals, of whatever is read") {
+TEST_CASE_FIXTURE(Headless, "extents of all inputs include their reciprocals") {
     Pass half = pass("half", "void main() { color = vec4(1.0); }\n");
     half.size.fill({Side::By::viewport, 0.5, {}});
     Pass told =

@@ -7,7 +7,7 @@
 
 namespace {
 std::vector<Segment> segments(const Beam& beam, std::optional<BeamPoint> before = std::nullopt) {
-    std::vector<Segment> made{{9, 9, 9, 9, 9, 9, 9, 9}};  // of the frame before, to be dropped
+    std::vector<Segment> made{{9, 9, 9, 9, 9, 9, 9, 9}};  // of the previous frame, to be dropped
     SegmentTints none;
     make_segments(beam, before, made, none);
     CHECK(none.of_segments.empty());
@@ -15,7 +15,7 @@ std::vector<Segment> segments(const Beam& beam, std::optional<BeamPoint> before 
 }
 }  // namespace
 
-TEST_CASE("n points make n - 1 segments, and one more to the frame before") {
+TEST_CASE("n points give n - 1 segments, plus one from the previous frame") {
     const Beam beam{{0, 0, 1, 0.3f}, {1, 0, 2, 0.2f}, {1, 1, 3, 0.1f}};
     CHECK(segments(beam) ==
           std::vector<Segment>{{0, 0, 1, 0, 2, 2, 0.3f, 0.2f}, {1, 0, 1, 1, 2, 3, 0.2f, 0.1f}});
@@ -26,8 +26,8 @@ TEST_CASE("n points make n - 1 segments, and one more to the frame before") {
     CHECK(segments({{0, 0, 1, 0}}).empty());
 }
 
-TEST_CASE("a steady current is steady also where points come unevenly") {
-    // A charge of 8 a second.
+TEST_CASE("a constant current stays constant with unevenly spaced points") {
+    // A charge of 8 per second.
     const auto made =
         segments({{0, 0, 8, 4}, {1, 0, 8, 3}, {2, 0, 4, 2.5f}, {3, 0, 4, 2}, {4, 0, 16, 0}});
     REQUIRE(made.size() == 4);
@@ -38,12 +38,12 @@ TEST_CASE("a steady current is steady also where points come unevenly") {
     }
 }
 
-TEST_CASE("the way to a blanked point is not drawn, the way on from it is fully lit") {
+TEST_CASE("the segment to a blanked point is not drawn, and the next one has full current") {
     const auto made = segments({{0, 0, 1, 0}, {1, 0, 0, 0}, {1, 1, 5, 0}});
     CHECK(made == std::vector<Segment>{{1, 0, 1, 1, 5, 5, 0, 0}});
 }
 
-TEST_CASE("a point that is not finite breaks the line and nothing more") {
+TEST_CASE("a non-finite point only interrupts the line") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const float far = std::numeric_limits<float>::infinity();
     const auto made =
@@ -51,8 +51,7 @@ TEST_CASE("a point that is not finite breaks the line and nothing more") {
     CHECK(made == std::vector<Segment>{{1, 1, 2, 1, 1, 1, 0, 0}});
 }
 
-TEST_CASE(
-    "points that come evenly are lit evenly, also where ages are rounded to a part of the way") {
+TEST_CASE("evenly spaced points have equal charge, even with rounded ages") {
     Beam beam;
     constexpr int count = 262144;
     for (int k = 1; k <= count; ++k)

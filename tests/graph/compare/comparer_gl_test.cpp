@@ -72,8 +72,8 @@ Picture even(Extent extent, std::array<float, 3> rgb, Encoding encoding = Encodi
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Comparing, "two pictures come to the same numbers on the GPU as on the CPU") {
-    const Picture a = noise({97, 71}, 1);  // cuts the blocks at both ends
+TEST_CASE_FIXTURE(Comparing, "the difference of two pictures is the same on GPU and CPU") {
+    const Picture a = noise({97, 71}, 1);  // not a multiple of the block size
     Picture b = noise({97, 71}, 2);
     b.pixels[b.index(96, 70)] = a.pixels[a.index(96, 70)] + 3.0f;
     const auto expected = difference_between(a, b, 0.5);
@@ -87,7 +87,9 @@ TEST_CASE_FIXTURE(Comparing, "two pictures come to the same numbers on the GPU a
     CHECK(expected->share_beyond > 0.2);
 }
 
-TEST_CASE_FIXTURE(Comparing, "equal pictures are infinitely alike, NaN and number infinitely far") {
+TEST_CASE_FIXTURE(
+    Comparing,
+    "equal pictures have infinite PSNR, and a NaN against a number has infinite difference") {
     Picture a = noise({40, 20}, 3);
     a.pixels[a.index(5, 5)] = std::numeric_limits<float>::quiet_NaN();
     Picture b = a;
@@ -99,7 +101,7 @@ TEST_CASE_FIXTURE(Comparing, "equal pictures are infinitely alike, NaN and numbe
     CHECK(distances(a, b, 0.0).share_beyond == about(1.0 / 800.0, 1e-9));
 }
 
-TEST_CASE_FIXTURE(Comparing, "each measure is drawn as it is defined, number by number") {
+TEST_CASE_FIXTURE(Comparing, "each difference measure matches its definition at every pixel") {
     const Picture a = noise({33, 5}, 4);
     const Picture b = noise({33, 5}, 5);
     const gpu::Texture ours = texture_of(a);
@@ -123,7 +125,7 @@ TEST_CASE_FIXTURE(Comparing, "each measure is drawn as it is defined, number by 
     }
 }
 
-TEST_CASE_FIXTURE(Comparing, "a lone channel compares as grey") {
+TEST_CASE_FIXTURE(Comparing, "a single channel is compared as grey") {
     const gpu::Texture ours =
         texture_of({{2, 1}, 1, Encoding::display, {0.25f, 0.5f}}, Format::r32f);
     const gpu::Texture other = texture_of(even({2, 1}, {0.5f, 0.5f, 0.5f}));
@@ -133,11 +135,12 @@ TEST_CASE_FIXTURE(Comparing, "a lone channel compares as grey") {
     CHECK(seen.share_beyond == 0.5);
 }
 
-TEST_CASE_FIXTURE(Comparing, "mean luminance is of the light, and as a display shows it") {
+TEST_CASE_FIXTURE(Comparing,
+                  "mean luminance is computed in linear light, clamped to the display range") {
     const auto shown = [](double light) { return static_cast<float>(srgb_encode(light)); };
     Picture half = even({50, 40}, {shown(0.5), shown(0.5), shown(0.5)});
     for (std::size_t i = 0; i < half.pixels.size() / 2; ++i)
-        half.pixels[i] = 0.0f;  // 0.25 in the mean
+        half.pixels[i] = 0.0f;  // mean light 0.25
     CHECK(luminances(half, even({50, 40}, {0.0f, 1.0f, 0.0f})).ours == about(0.25, 1e-4));
     CHECK(luminances(half, even({50, 40}, {0.0f, 1.0f, 0.0f})).other == about(0.7152, 1e-5));
     CHECK(luminances(half, even({50, 40}, {9.0f, -1.0f, 9.0f})).other == about(0.2848, 1e-5));
@@ -147,7 +150,8 @@ TEST_CASE_FIXTURE(Comparing, "mean luminance is of the light, and as a display s
     CHECK(linear.other == about(0.2126, 1e-6));
 }
 
-TEST_CASE_FIXTURE(Comparing, "a picture made as bright as the other is so when it is measured") {
+TEST_CASE_FIXTURE(Comparing,
+                  "a picture scaled to equal brightness has the same measured luminance") {
     const auto shown = [](double light) { return static_cast<float>(srgb_encode(light)); };
     const Picture ours = even({64, 8}, {shown(0.4), shown(0.4), shown(0.4)});
     const Picture other = even({64, 8}, {0.0f, shown(0.1), 0.0f});  // 0.07152
@@ -166,7 +170,7 @@ TEST_CASE_FIXTURE(Comparing, "a picture made as bright as the other is so when i
           about(static_cast<double>(shown(0.4 / 0.7152)), 1e-4));
 }
 
-TEST_CASE_FIXTURE(Comparing, "a picture of another size is fitted, averaged as light") {
+TEST_CASE_FIXTURE(Comparing, "a picture of another size is resampled in linear light") {
     Picture board{{4, 4}, 3, Encoding::display, {}};
     for (int i = 0; i < 16; ++i)
         for (int channel = 0; channel < 3; ++channel)
@@ -182,14 +186,14 @@ TEST_CASE_FIXTURE(Comparing, "a picture of another size is fitted, averaged as l
     const gpu::Texture two = texture_of({{2, 1}, 1, Encoding::linear, {0.0f, 1.0f}});
     const gpu::Canvas larger = canvas_of({8, 4});
     comparer->draw_fitted(two, Encoding::linear, larger, Encoding::linear);
-    // A pixel is a quarter of a texel: the fourth has its middle at 0.875, 0.375 beyond the first.
+    // A pixel is a quarter of a texel: the fourth has its centre at 0.875, 0.375 beyond the first.
     CHECK(gpu::read_pixel(larger.texture(), 0, 0)[0] == 0.0f);
     CHECK(gpu::read_pixel(larger.texture(), 3, 2)[0] == about(0.375, 1e-6));
     CHECK(gpu::read_pixel(larger.texture(), 4, 2)[0] == about(0.625, 1e-6));
     CHECK(gpu::read_pixel(larger.texture(), 7, 3)[0] == 1.0f);
 }
 
-TEST_CASE_FIXTURE(Comparing, "pictures of two sizes, and whole numbers, are not told apart") {
+TEST_CASE_FIXTURE(Comparing, "pictures of different sizes and integer targets are not comparable") {
     const gpu::Texture a = texture_of(even({4, 4}, {0, 0, 0}));
     const gpu::Texture b = texture_of(even({4, 5}, {0, 0, 0}));
     auto whole = gpu::Texture::make({4, 4}, Format::r32ui);
@@ -199,8 +203,7 @@ TEST_CASE_FIXTURE(Comparing, "pictures of two sizes, and whole numbers, are not 
     CHECK_FALSE(are_comparable(a, *whole));
 }
 
-TEST_CASE_FIXTURE(Comparing,
-                  "what a pass is changed by is the mean of its differences and their level") {
+TEST_CASE_FIXTURE(Comparing, "the change of a pass is the mean difference and the mean level") {
     const Picture a = even({40, 30}, {0.5f, 2.0f, -0.25f});
     Picture b = a;
     b.pixels[b.index(39, 29) + 1] = 8.0f;  // one number of 3600
@@ -208,7 +211,7 @@ TEST_CASE_FIXTURE(Comparing,
     CHECK(seen.mean == about(6.0 / 3600.0, 1e-6));
     CHECK(seen.largest == 6.0);
     CHECK(seen.level == about(2.75 / 3.0, 1e-6));
-    // A display shows neither what is beyond white nor what is below black.
+    // A display clamps values above white and below black.
     const PassChange shown = change(a, b, true);
     CHECK_FALSE(shown.has_changed());
     CHECK(shown.level == about(0.5, 1e-6));
@@ -217,7 +220,7 @@ TEST_CASE_FIXTURE(Comparing,
     CHECK(change(light, more, true).largest == about(srgb_encode(0.75) - srgb_encode(0.5), 1e-5));
 }
 
-TEST_CASE_FIXTURE(Comparing, "what is added and taken lies on both sides of a middle grey") {
+TEST_CASE_FIXTURE(Comparing, "a signed difference is centred on middle grey") {
     auto drawing = SignedDifference::make();
     REQUIRE(drawing.has_value());
     const gpu::Texture a = texture_of(even({8, 8}, {0.5f, 0.5f, 2.0f}));
@@ -231,7 +234,7 @@ TEST_CASE_FIXTURE(Comparing, "what is added and taken lies on both sides of a mi
     CHECK(seen[3] == 1.0f);
 }
 
-TEST_CASE("a small difference is shown as many times as large, by a power of two") {
+TEST_CASE("a small difference is amplified by a power of two") {
     CHECK(gain_for(0.5) == 1.0);
     CHECK(gain_for(1.0) == 1.0);
     CHECK(gain_for(0.01) == 32.0);

@@ -1,11 +1,11 @@
-// Passes that accumulate: what they hold, when they start anew, when they have enough.
+// Passes that accumulate: their content, when they restart, and when they have converged.
 #include "gpu/objects/draw.h"
 #include "graph/looks.h"
 
 #include <doctest/doctest.h>
 
 namespace {
-/// Each draw adds one to red and the samples held before it to green; blue is a parameter.
+/// Each draw adds one to red and the previous number of samples to green; blue is a parameter.
 Look counting(int repeat = 1) {
     Look look = look_of(
         {pass("sum",
@@ -29,44 +29,43 @@ void draw(Executor& executor, int first, int last) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "an accumulating pass adds up all repetitions of all frames") {
+TEST_CASE_FIXTURE(Headless, "an accumulating pass sums all repetitions of all frames") {
     Executor executor = executor_of(counting(2));
     draw(executor, 1, 2);
     CHECK(pixel(executor, 0) == Rgba{4, 0 + 1 + 2 + 3, 0, 0});
     CHECK(executor.samples() == Samples{4, {}});
-    executor.draw(frame(1));  // a fresh start
+    executor.draw(frame(1));  // a restart
     CHECK(pixel(executor, 0) == Rgba{2, 0 + 1, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Headless, "a later pass is told how many samples it looks at") {
+TEST_CASE_FIXTURE(Headless, "a later pass reads the number of accumulated samples") {
     Executor executor = executor_of(counting(5));
     draw(executor, 1, 3);
     CHECK(pixel(executor, 1) == Rgba{15, 15, 0, 1});
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "samples start anew when what they are made of changes, and only then") {
+TEST_CASE_FIXTURE(Headless, "samples restart only when something that affects them changes") {
     Executor executor = executor_of(counting());
     draw(executor, 1, 3);
     int left = 1;
     SUBCASE("a value of the pass") {
         executor.set_values({{"shade", 0.5}});
     }
-    SUBCASE("the size") {
+    SUBCASE("another size") {
         REQUIRE(executor.resize({6, 4}, {}));
     }
     SUBCASE("an edited look") {
         const Look look = counting();
         REQUIRE(executor.replace(look, programs_of(look)));
     }
-    SUBCASE("an edited look that keeps all programs") {
+    SUBCASE("an edited look with the same programs") {
         const Look look = counting();
         REQUIRE(executor.replace(look, programs_of(look, &executor.programs())));
     }
-    SUBCASE("asked for") {
+    SUBCASE("an explicit restart") {
         executor.restart_samples();
     }
-    SUBCASE("a value of a pass behind it") {
+    SUBCASE("a value of a later pass") {
         executor.set_values({{"gain", 2.0}});
         left = 4;
     }
@@ -83,8 +82,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == left);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "a source, an image and the mouse start anew the passes that read them") {
+TEST_CASE_FIXTURE(Headless, "a source, an image or the mouse restarts the passes that read it") {
     Look look = counting();
     look.passes[0].fragment = fragment(
         "uniform sampler2D picture; uniform sampler2D lut; uniform vec2 u_mouse;\n"
@@ -97,20 +95,20 @@ TEST_CASE_FIXTURE(Headless,
     Executor executor = executor_of(look);
     draw(executor, 1, 3);
     const Picture white{{1, 1}, 3, Encoding::linear, {1, 1, 1}};
-    SUBCASE("a source") {
+    SUBCASE("a new source") {
         REQUIRE(executor.set_source(white));
     }
-    SUBCASE("an image") {
+    SUBCASE("a new image") {
         REQUIRE(executor.set_image("lut", white));
     }
-    SUBCASE("the mouse") {
+    SUBCASE("a moved mouse") {
         executor.note_mouse_moved();
     }
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 1);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass draws no more samples than are enough, and then rests") {
+TEST_CASE_FIXTURE(Headless, "a pass stops at its number of converged samples") {
     Look look = counting(2);
     look.passes[0].converge = Count("enough");
     Executor executor = executor_of(look);
@@ -122,8 +120,8 @@ TEST_CASE_FIXTURE(Headless, "a pass draws no more samples than are enough, and t
     CHECK(executor.samples() == Samples{3, 3});
     executor.draw(frame(3));
     CHECK(red(executor, 0) == 3);
-    CHECK(executor.draw_calls() == 1);       // only what shows it
-    executor.set_values({{"enough", 5.0}});  // more of the same samples
+    CHECK(executor.draw_calls() == 1);       // only the pass that shows it
+    executor.set_values({{"enough", 5.0}});  // more samples of the same kind
     CHECK_FALSE(executor.has_converged());
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 5);
@@ -131,7 +129,7 @@ TEST_CASE_FIXTURE(Headless, "a pass draws no more samples than are enough, and t
     CHECK_FALSE(executor.has_converged());
 }
 
-TEST_CASE_FIXTURE(Headless, "how many samples a frame takes is no reason to start anew") {
+TEST_CASE_FIXTURE(Headless, "the number of samples per frame does not restart accumulation") {
     Look look = counting();
     look.passes[0].repeat = "rounds";
     Executor executor = executor_of(look);
@@ -142,7 +140,7 @@ TEST_CASE_FIXTURE(Headless, "how many samples a frame takes is no reason to star
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "a pass that converges after 0 samples shows those of each frame alone") {
+                  "a pass that converges after 0 samples shows each frame's samples alone") {
     Look look = counting(3);
     look.passes[0].converge = 0;
     Executor executor = executor_of(look);
@@ -152,7 +150,7 @@ TEST_CASE_FIXTURE(Headless,
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "a look that also tells time, follows a signal or looks back never rests") {
+                  "a look that also depends on time, a signal or history never converges") {
     Look look = counting();
     look.passes[0].converge = 1;
     SUBCASE("time") {
@@ -172,7 +170,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(executor.samples() == Samples{1, 1});
 }
 
-TEST_CASE_FIXTURE(Headless, "a redraw shows what there is and takes no further sample") {
+TEST_CASE_FIXTURE(Headless, "a redraw keeps the samples and adds none") {
     Executor executor = executor_of(counting());
     draw(executor, 1, 3);
     executor.set_values({{"gain", 2.0}});
@@ -181,8 +179,7 @@ TEST_CASE_FIXTURE(Headless, "a redraw shows what there is and takes no further s
     CHECK(red(executor, 1) == 6);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "somebody who waits gets a frame in time, however many samples it asks for") {
+TEST_CASE_FIXTURE(Headless, "a frame with a time limit draws fewer samples") {
     Executor executor = executor_of(counting(64));
     Frame now = frame(1);
     now.patience_seconds = 1e-9;
@@ -194,13 +191,13 @@ TEST_CASE_FIXTURE(Headless,
     executor.draw(now);
     CHECK(executor.samples() == Samples{2, {}});
     now = frame(3);
-    now.patience_seconds = 1e9;  // and all where there is time
+    now.patience_seconds = 1e9;  // all samples if there is time
     executor.draw(now);
     CHECK(executor.samples()->held == 2 + 64);
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "a running mean by alpha reaches the mean, also in a target with history") {
+                  "a running mean by alpha equals the mean, also in a target with history") {
     Look look = look_of(
         {pass("mean",
               "uniform int u_samples; uniform int u_frame;\n"
@@ -215,6 +212,6 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == doctest::Approx(3.0));  // the mean of 1 to 5
     CHECK(red(executor, 1) == doctest::Approx(2.5));  // of 1 to 4
     draw(executor, 6, 8);
-    CHECK(red(executor, 0) == doctest::Approx(3.0));  // enough: it stays
+    CHECK(red(executor, 0) == doctest::Approx(3.0));  // converged
     CHECK(red(executor, 1) == doctest::Approx(3.0));
 }

@@ -1,7 +1,7 @@
 #include "graph/executor/allocations.h"
 #include "graph/looks.h"
 
-TEST_CASE_FIXTURE(Headless, "a frame makes no new memory once the first ones are drawn") {
+TEST_CASE_FIXTURE(Headless, "a frame allocates no memory after the first frames") {
     Pass beam = pass("beam", "");
     beam.draw = Draw::segments;
     beam.blend = Blend::add;
@@ -33,5 +33,5 @@ TEST_CASE_FIXTURE(Headless, "a frame makes no new memory once the first ones are
     executor.set_values({});
     const std::vector<double> times = executor.pass_milliseconds();
     count_allocations(false);
-    CHECK(allocations() > 0);  // it does count
+    CHECK(allocations() > 0);  // the counter works
 }

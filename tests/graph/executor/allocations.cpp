@@ -16,7 +16,7 @@ int allocations() {
     return counted;
 }
 
-// In a file of its own, so that the compiler cannot look through one of the pair only.
+// In a separate file, so that the compiler does not optimise only one function of the pair.
 void* operator new(std::size_t size) {
     if (is_counting)
         ++counted;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Starts or stops counting what this thread allocates with `new`; the driver's own threads do not
+/// Starts or stops counting the allocations of this thread by `new`. Threads of the driver do not
 /// count.
 void count_allocations(bool is_on);
-/// So many were counted so far.
+/// The number of allocations counted so far.
 int allocations();

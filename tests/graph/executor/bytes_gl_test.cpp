@@ -1,7 +1,7 @@
 #include "graph/looks.h"
 
-TEST_CASE_FIXTURE(Headless,
-                  "bytes a pixel count what drawn passes write and what their programs read") {
+TEST_CASE_FIXTURE(
+    Headless, "bytes per pixel count the writes of drawn passes and the reads of their programs") {
     const std::string reading =
         "uniform sampler2D a;\nuniform sampler2D b;\nvoid main() { color = texture(a, uv)";
     Look look =

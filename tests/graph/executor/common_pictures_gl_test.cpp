@@ -1,4 +1,4 @@
-// Passes that draw into pictures in common, and the same pictures without that.
+// Passes that draw into shared pictures give the same result as passes with their own.
 #include "graph/looks.h"
 
 #include <cmath>
@@ -9,7 +9,8 @@ const char* const shift =
     "uniform sampler2D image; uniform int u_frame;\n"
     "void main() { color = texture(image, uv.yx * 0.75) + vec4(0.125 * u_frame, uv, 1.0); }\n";
 
-// Levels, holes, glows of one and of two frames, and a charge that only the next frame reads.
+// Mipmaps, discarded pixels, feedback of one and two frames, and a charge that only the next frame
+// reads.
 Look busy_look() {
     const Sampler levels{Filter::linear, Wrap::edge, true};
     Pass holes = pass("holes",
@@ -54,11 +55,11 @@ std::vector<float> picture_of(const Executor& executor) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "pictures in common change no bit of what is seen") {
+TEST_CASE_FIXTURE(Headless, "shared pictures do not change the displayed picture") {
     const Look look = busy_look();
     Executor apart = executor_of(look, {8, 8});
     Executor common = drawing_once(look);
-    // One picture is the newest glow, then e, then the newest charge.
+    // One picture serves the newest glow, then e, then the newest charge.
     CHECK(memory_of(apart.plan()) - memory_of(common.plan()) == 2 * 8 * 8 * 16);
     CHECK(draw_order(common.plan()).back() == 1);
     const std::vector<bool> carried = carried_passes(look);
@@ -75,7 +76,7 @@ TEST_CASE_FIXTURE(Headless, "pictures in common change no bit of what is seen") 
     CHECK(picture_of(common) == picture_of(apart));
 }
 
-TEST_CASE_FIXTURE(Headless, "history goes on when pictures in common begin and end") {
+TEST_CASE_FIXTURE(Headless, "history continues when sharing of pictures starts and ends") {
     const Look look = busy_look();
     Executor apart = executor_of(look, {8, 8});
     Executor turning = executor_of(look, {8, 8});
@@ -99,7 +100,7 @@ TEST_CASE_FIXTURE(Headless, "history goes on when pictures in common begin and e
     CHECK(picture_of(turning) == picture_of(apart));
 }
 
-TEST_CASE_FIXTURE(Headless, "in bands, too, pictures in common are what they are at once") {
+TEST_CASE_FIXTURE(Headless, "drawing in bands gives the same result with shared pictures") {
     const Look look = busy_look();
     Executor apart = executor_of(look, {8, 8});
     Executor common = drawing_once(look);
@@ -112,7 +113,8 @@ TEST_CASE_FIXTURE(Headless, "in bands, too, pictures in common are what they are
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "who drew what is not finite is found though pictures are in common") {
+TEST_CASE_FIXTURE(Headless,
+                  "the pass that wrote a non-finite value is found despite shared pictures") {
     Look look = busy_look();
     look.passes[5].fragment = fragment(
         "uniform sampler2D image; uniform int u_frame;\n"
@@ -131,8 +133,7 @@ TEST_CASE_FIXTURE(Headless, "who drew what is not finite is found though picture
         CHECK(std::abs(number) <= std::numeric_limits<float>::max());
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "inputs that a program does not read, and passes left out, cost nothing") {
+TEST_CASE_FIXTURE(Headless, "unread inputs and left-out passes need no memory") {
     Look look = look_of(
         {pass("spare", "void main() { color = vec4(3.0); }\n"),
          pass("a", "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n",
@@ -146,7 +147,7 @@ TEST_CASE_FIXTURE(Headless,
     executor.draw(frame(1));
     executor.draw(frame(2));
     CHECK(red(executor, 2) == 2.0f);
-    Look reading = look;  // an edit: now it is read
+    Look reading = look;  // after this edit the pass reads it
     reading.passes[1].fragment = fragment(
         "uniform sampler2D before; uniform sampler2D unread;\n"
         "void main() { color = texture(before, uv) + texture(unread, uv) + 1.0; }\n");
@@ -154,5 +155,5 @@ TEST_CASE_FIXTURE(Headless,
     REQUIRE(executor.replace(reading, programs_of(reading)).has_value());
     executor.draw(frame(3));
     executor.draw(frame(4));
-    CHECK(red(executor, 2) == 2 * 4.0f);  // of a past that nobody read nothing is left
+    CHECK(red(executor, 2) == 2 * 4.0f);  // an unread history starts at 0
 }

@@ -18,7 +18,7 @@ Input source(int frames_ago = 0, Sampler sampler = {Filter::nearest, Wrap::edge,
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "the source stands upright: its row 0 is the top of the picture") {
+TEST_CASE_FIXTURE(Headless, "the source is upright: its row 0 is the top of the picture") {
     Executor executor = executor_of(look_of({show({source()})}), {2, 2}, {2, 2});
     REQUIRE(executor.set_source(corners()).has_value());
     executor.draw(frame(1));
@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Headless, "uv (0,0) is the bottom left of the picture") {
     CHECK(pixel(executor, 0, 3, 0) == Rgba{0.875f, 0.875f, 0, 1});
 }
 
-TEST_CASE_FIXTURE(Headless, "the source is converted to what the look reads") {
+TEST_CASE_FIXTURE(Headless, "the source is converted to the encoding that the look reads") {
     Look look = look_of({show({source()})});
     Picture half{{1, 1}, 3, Encoding::display, {0.5f, 0.5f, 0.5f}};
     Executor linear = executor_of(look);
@@ -64,7 +64,7 @@ TEST_CASE_FIXTURE(Headless, "source@n is the source of n frames ago") {
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "what nothing feeds reads as transparent black") {
+TEST_CASE_FIXTURE(Headless, "an input without a source reads transparent black") {
     Look look = look_of({show({}),
                          pass("other",
                               "uniform usampler2D image;\nvoid main() { color = "
@@ -80,7 +80,8 @@ TEST_CASE_FIXTURE(Headless, "what nothing feeds reads as transparent black") {
     CHECK(pixel(executor, 1) == Rgba{0, 0, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Headless, "images come by name: colours as the look reads them, data as it is") {
+TEST_CASE_FIXTURE(Headless,
+                  "images are found by name; colours are converted for the look, and data is not") {
     Look look = look_of(
         {show({{"image", Input::From::image, "lut", 0, {}}}),
          pass("data", "uniform sampler2D d;\nvoid main() { color = texture(d, uv); }\n",
@@ -100,8 +101,8 @@ TEST_CASE_FIXTURE(Headless, "images come by name: colours as the look reads them
     CHECK(red(executor, 2) == about(0.214041, 1e-5));
 }
 
-TEST_CASE_FIXTURE(Headless, "each input wraps in its own way") {
-    // A texel beyond the right edge of red, green / blue, white, in the top row.
+TEST_CASE_FIXTURE(Headless, "each input has its own wrap mode") {
+    // One texel beyond the right edge of red, green / blue, white, in the top row.
     const auto beyond = [](Wrap wrap) {
         Executor executor = executor_of(look_of({show({source(0, {Filter::nearest, wrap, false})},
                                                       "texture(image, vec2(1.25, 0.75))")}));
@@ -128,7 +129,8 @@ TEST_CASE_FIXTURE(Headless, "one target is read with two filters in one frame") 
     CHECK(red(executor, 2) == 0.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "the smallest mip level is the mean of the target, each frame anew") {
+TEST_CASE_FIXTURE(Headless,
+                  "the smallest mipmap level is the mean of the target, updated each frame") {
     Look look = look_of({pass("ramp",
                               "uniform int u_frame;\nvoid main() { color = "
                               "vec4(floor(gl_FragCoord.x) * u_frame); }\n"),
@@ -141,7 +143,7 @@ TEST_CASE_FIXTURE(Headless, "the smallest mip level is the mean of the target, e
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "blending meets what its kind leaves unchanged") {
+TEST_CASE_FIXTURE(Headless, "blending starts from the neutral value of its mode") {
     const auto blended = [](Blend blend, int repeats) {
         Look look = look_of({pass("a", "void main() { color = vec4(3.0, 0.5, -1.0, 0.5); }\n")});
         look.passes[0].blend = blend;
@@ -158,7 +160,7 @@ TEST_CASE_FIXTURE(Headless, "blending meets what its kind leaves unchanged") {
     CHECK(blended(Blend::maximum, 2) == Rgba{3, 0.5f, 0, 0.5f});
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that discards leaves black, not an old frame") {
+TEST_CASE_FIXTURE(Headless, "a pass that discards leaves black, not the previous frame") {
     Executor executor = executor_of(look_of({pass(
         "a",
         "uniform int u_frame;\nvoid main() { if (u_frame > 1) discard; color = vec4(1); }\n")}));
@@ -167,8 +169,7 @@ TEST_CASE_FIXTURE(Headless, "a pass that discards leaves black, not an old frame
     CHECK(red(executor, 0) == 0.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "an integer target counts exactly, and an sRGB one encodes and decodes") {
+TEST_CASE_FIXTURE(Headless, "an integer target is exact, and an sRGB target encodes and decodes") {
     Look look =
         look_of({pass("count", ""),
                  pass("read",
@@ -191,8 +192,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 3) == about(0.5, 0.01));
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "targets have the sizes of the plan, and what does not change is kept") {
+TEST_CASE_FIXTURE(Headless, "targets have the planned sizes, and unchanged targets are kept") {
     Look look = look_of({counter(), pass("half", "void main() { color = vec4(1); }\n")});
     look.passes[0].size.fill({Side::By::pixels, 16, {}});
     look.passes[1].size = {Side{Side::By::viewport, 0.5, {}},
@@ -209,8 +209,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "a very large target is drawn, and beyond the limits there is a diagnostic") {
+TEST_CASE_FIXTURE(Headless, "a very large target is drawn, and one beyond the limit is an error") {
     Look look = look_of({pass("large", "void main() { color = vec4(gl_FragCoord.x); }\n")});
     look.passes[0].format = Format::r8;
     Executor executor = executor_of(look, {8192, 8192});
@@ -222,7 +221,8 @@ TEST_CASE_FIXTURE(Headless,
         to_string(sized.error().front()).starts_with("look.json:5: error: pass 'large' would be "));
 }
 
-TEST_CASE_FIXTURE(Headless, "targets that would take all memory are refused before they are made") {
+TEST_CASE_FIXTURE(Headless,
+                  "targets beyond the memory limit are rejected before they are created") {
     Look look = look_of({});
     for (int i = 0; i < 40; ++i)
         look.passes.push_back(pass("p" + std::to_string(i), "void main() { color = vec4(1); }\n"));
@@ -233,7 +233,7 @@ TEST_CASE_FIXTURE(Headless, "targets that would take all memory are refused befo
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "every pass is one draw call, and its time is known some frames later") {
+                  "every pass is one draw call, and its time is available some frames later") {
     Executor executor = executor_of(
         look_of({counter(), pass("b", "void main() { color = vec4(1); }\n")}), {256, 256});
     CHECK(executor.pass_milliseconds() == std::vector<double>{0, 0});

@@ -8,7 +8,7 @@ Pass told(const std::string& body, BuiltIn says) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a pass is told where the button was pressed") {
+TEST_CASE_FIXTURE(Headless, "a pass reads the position of the mouse press") {
     Executor executor = executor_of(look_of({told("said", BuiltIn::press)}));
     Frame now = frame(1);
     now.press = {{7, 9}, {3, 4}, true, false};
@@ -16,7 +16,7 @@ TEST_CASE_FIXTURE(Headless, "a pass is told where the button was pressed") {
     CHECK(pixel(executor, 0) == Rgba{7, 9, 3, -4});
 }
 
-TEST_CASE_FIXTURE(Headless, "a keyboard is three rows of keys: down, pressed now, toggled") {
+TEST_CASE_FIXTURE(Headless, "the keyboard texture has three rows of keys: down, pressed, toggled") {
     Pass reader = pass("reader",
                        "uniform sampler2D keys;\nvoid main() { color = vec4("
                        "texelFetch(keys, ivec2(65, 0), 0).r, texelFetch(keys, ivec2(65, 1), 0).r, "
@@ -32,7 +32,7 @@ TEST_CASE_FIXTURE(Headless, "a keyboard is three rows of keys: down, pressed now
     CHECK(pixel(executor, 0) == Rgba{1, 0, 1, 256});
 }
 
-TEST_CASE_FIXTURE(Headless, "time and rate are told as of the frame's start") {
+TEST_CASE_FIXTURE(Headless, "start time and frame rate refer to the start of the frame") {
     Pass clock = pass(
         "clock", "uniform float start, rate;\nvoid main() { color = vec4(start, rate, 0, 1); }\n");
     clock.built_ins = {{"start", BuiltIn::time_before}, {"rate", BuiltIn::frame_rate}};

@@ -1,12 +1,13 @@
-// A pass that is drawn straight onto the target of who reads it, and the same picture without that.
+// A pass that is drawn directly onto the target of its reader gives the same result as with its own
+// target.
 #include "graph/looks.h"
 #include "graph/programs/settled_look.h"
 
 #include <limits>
 
 namespace {
-// Light that comes anew in each frame, and what glows of it: half of the glow is kept. The light
-// also writes alpha, which the glow does not keep.
+// New light in each frame, and its glow, of which half is kept. The light also writes alpha, which
+// the glow ignores.
 Look glowing_look() {
     Pass light =
         pass("light", "uniform int u_frame;\nvoid main() { color = vec4(u_frame, uv.x, 0, 7); }\n");
@@ -35,7 +36,7 @@ Executor sharing(const Look& look) {
     return executor;
 }
 
-// What is left of the frames' numbers after the n-th: each is halved once a frame.
+// The glow after n frames, where frame i adds i and the sum is halved each frame.
 float glow_after(int frames) {
     float glow = 0.0f;
     for (int n = 1; n <= frames; ++n)
@@ -44,45 +45,45 @@ float glow_after(int frames) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless,
-                  "what is drawn onto another pass's target is added to it, but for alpha") {
+TEST_CASE_FIXTURE(Headless, "a pass drawn onto another target is added to it, except for alpha") {
     Executor executor = sharing(glowing_look());
     CHECK(executor.plan().targets[0].onto == 1);
     for (int n = 1; n <= 4; ++n) {
         executor.draw(frame(n));
         CHECK(pixel(executor, 2)[0] == glow_after(n));
-        CHECK(pixel(executor, 2)[2] == 1.0f);  // the program was told
+        CHECK(pixel(executor, 2)[2] == 1.0f);  // the program's uniform is set
         CHECK(pixel(executor, 2)[3] == 1.0f);
         CHECK(executor.draw_calls() == 3);
     }
-    // Of 16 bytes a texel: the former glow read, the glow written, read again, the picture written.
+    // At 16 bytes per texel: the previous glow is read, the glow written and read, the picture
+    // written.
     CHECK(executor.bytes_per_pixel() == 4 * 16.0);
     REQUIRE(executor.set_seen({}).has_value());
-    CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // and the light written and read
+    CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // also the light is written and read
 }
 
-TEST_CASE_FIXTURE(Headless, "what is drawn onto another's target is drawn by itself for who asks") {
+TEST_CASE_FIXTURE(Headless,
+                  "a pass drawn onto another target is drawn separately when its picture is read") {
     Executor executor = sharing(glowing_look());
     for (int n = 1; n <= 3; ++n) {
         executor.draw(frame(n));
         if (n == 2)
-            continue;  // nobody asks
+            continue;  // not read
         CHECK(pixel(executor, 0) == Rgba{static_cast<float>(n), 0.125f, 0.0f, 7.0f});
         CHECK(pixel(executor, 0, 3)[1] == 0.875f);
         CHECK(red(executor, 2) == glow_after(n));
         CHECK(executor.draw_calls() == 3);
     }
-    executor.redraw(frame(9), {false, false, true});  // what was drawn onto it stays
+    executor.redraw(frame(9), {false, false, true});  // the pass drawn onto it is unchanged
     CHECK(red(executor, 0) == 3.0f);
     executor.redraw(frame(4), {true, false, true});
     CHECK(red(executor, 0) == 4.0f);
-    REQUIRE(executor.set_seen({}).has_value());  // it has a target of its own again
+    REQUIRE(executor.set_seen({}).has_value());  // it has its own target again
     executor.draw(frame(5));
     CHECK(red(executor, 0) == 5.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "history goes on when somebody begins and ends looking at what shares") {
+TEST_CASE_FIXTURE(Headless, "history continues when a sharing pass becomes displayed or hidden") {
     Executor executor = sharing(glowing_look());
     const std::vector<bool> seen[] = {{}, last_only, {true, false, true}, {false, true, true}};
     for (int n = 1; n <= 8; ++n) {
@@ -96,8 +97,7 @@ TEST_CASE_FIXTURE(Headless,
     }
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "in slices, and drawn again, a shared target holds what it holds at once") {
+TEST_CASE_FIXTURE(Headless, "slices and redraws give a shared target the same content") {
     Executor executor = sharing(glowing_look());
     executor.draw(frame(1));
     for (int n = 2; n <= 4; ++n) {
@@ -106,7 +106,7 @@ TEST_CASE_FIXTURE(Headless,
         }
         CHECK(red(executor, 2) == glow_after(n));
     }
-    executor.redraw(frame(4), {false, true, true});  // the light is due with the glow
+    executor.redraw(frame(4), {false, true, true});  // the light must be drawn with the glow
     CHECK(red(executor, 2) == glow_after(4));
     executor.redraw(frame(4), {true, false, true});
     CHECK(red(executor, 2) == glow_after(4));
@@ -114,18 +114,18 @@ TEST_CASE_FIXTURE(Headless,
     while (!executor.continue_frame(1e-9)) {
     }
     CHECK(red(executor, 2) == glow_after(4));
-    executor.rehearse(frame(5), 0);  // nothing is asked of it but that it comes back
+    executor.rehearse(frame(5), 0);  // it must return without an error
     executor.clear_history();
     executor.draw(frame(1));
     CHECK(red(executor, 2) == glow_after(1));
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that is frozen or left out has a target of its own again") {
+TEST_CASE_FIXTURE(Headless, "a frozen or left-out pass gets its own target again") {
     Executor executor = sharing(glowing_look());
     executor.draw(frame(1));
     REQUIRE(executor.set_runs({PassRun::frozen, PassRun::drawn, PassRun::drawn}).has_value());
     CHECK_FALSE(executor.plan().targets[0].onto.has_value());
-    executor.draw(frame(2));  // it holds nothing yet, and so is drawn once
+    executor.draw(frame(2));  // it is empty, and so is drawn once
     executor.draw(frame(3));
     CHECK(red(executor, 2) == 0.5f * (0.5f * 1.0f + 2.0f) + 2.0f);
     REQUIRE(executor.set_runs({}).has_value());
@@ -135,7 +135,7 @@ TEST_CASE_FIXTURE(Headless, "a pass that is frozen or left out has a target of i
     CHECK(executor.read_for(last_only) == std::vector<bool>{true, true, true});
 }
 
-TEST_CASE_FIXTURE(Headless, "numbers that are not finite are found where they were drawn onto") {
+TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they were drawn onto") {
     Look look = glowing_look();
     look.passes[0].fragment = fragment(
         "uniform int u_frame;\nvoid main() { color = vec4(u_frame == 2 ? 1.0 / 0.0 : 1.0); "
@@ -151,7 +151,8 @@ TEST_CASE_FIXTURE(Headless, "numbers that are not finite are found where they we
     CHECK(red(executor, 2) < std::numeric_limits<float>::infinity());
 }
 
-TEST_CASE_FIXTURE(Headless, "an edit decides anew who shares a target, and the glow goes on") {
+TEST_CASE_FIXTURE(Headless,
+                  "an edit redetermines which passes share a target, and feedback continues") {
     Executor executor = sharing(glowing_look());
     executor.draw(frame(1));
     Look edited = glowing_look();
@@ -166,9 +167,10 @@ TEST_CASE_FIXTURE(Headless, "an edit decides anew who shares a target, and the g
     CHECK(red(executor, 2) == glow_after(3));
 }
 
-TEST_CASE_FIXTURE(Headless, "programs that hold who was drawn onto whom end when that changes") {
+TEST_CASE_FIXTURE(Headless,
+                  "programs specialised for a shared target are dropped when sharing changes") {
     Look look = glowing_look();
-    std::swap(look.passes[0], look.passes[1]);  // drawn in one order, shared or not
+    std::swap(look.passes[0], look.passes[1]);  // drawn in the same order, shared or not
     Executor executor = sharing(look);
     REQUIRE(executor.plan().targets[1].onto == 0);
     SettledTexts texts;

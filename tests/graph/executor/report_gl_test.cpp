@@ -17,7 +17,7 @@ std::vector<double> numbers(const PassReport& report, const std::string& name) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a pass tells what each of its samplers reads, and how") {
+TEST_CASE_FIXTURE(Headless, "the report of a pass lists what each sampler reads and how") {
     Pass half = pass("half", "void main() { color = vec4(1.0); }\n");
     half.size[0].factor = half.size[1].factor = 0.5;
     half.format = Format::rgba16f;
@@ -43,12 +43,11 @@ TEST_CASE_FIXTURE(Headless, "a pass tells what each of its samplers reads, and h
     CHECK(sampler(report, "b").reads.value().label() == "last@1");
     CHECK(sampler(report, "b").extent == Extent{8, 4});
     CHECK(sampler(report, "c").reads.value().label() == "source");
-    CHECK(sampler(report, "c").extent.is_empty());  // none was brought
-    CHECK_FALSE(sampler(report, "d").reads);        // nothing feeds it
+    CHECK(sampler(report, "c").extent.is_empty());  // no source is set
+    CHECK_FALSE(sampler(report, "d").reads);        // without an input
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "a pass tells the built-in uniforms that it has, as they were written") {
+TEST_CASE_FIXTURE(Headless, "the report of a pass lists its built-in uniforms with their values") {
     Pass shown = pass("shown",
                       "uniform float u_time;\nuniform int u_frame;\nuniform vec2 u_resolution;\n"
                       "uniform vec2 u_mouse;\nuniform vec2 u_output_resolution;\n"
@@ -72,7 +71,7 @@ TEST_CASE_FIXTURE(Headless,
           Rgba{static_cast<float>(now.time), 2.0f, 16.0f, 5.0f});  // 8 + 8
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that accumulates tells the sample that it drew last") {
+TEST_CASE_FIXTURE(Headless, "the report of an accumulating pass has its last sample") {
     Pass sum = pass("sum",
                     "uniform sampler2D before;\nuniform int u_samples;\n"
                     "void main() { color = texture(before, uv) + float(u_samples); }\n",

@@ -1,8 +1,8 @@
-// A frame that is drawn in slices is the frame that is drawn at once.
+// A frame drawn in slices equals a frame drawn at once.
 #include "graph/looks.h"
 
 namespace {
-// Nothing fits in: a slice is one band of as few rows as there can be.
+// No time budget: each slice is one band with the minimum number of rows.
 constexpr double shortest = 1e-9;
 
 int slices_of(Executor& executor) {
@@ -12,7 +12,7 @@ int slices_of(Executor& executor) {
     return slices;
 }
 
-// Each pass differs in each pixel, so that a band that is lost or drawn twice shows.
+// Each pass varies per pixel, so that a lost or repeated band is detected.
 Look busy_look() {
     Pass noise = pass("noise",
                       "uniform float u_time;\nvoid main() { color = "
@@ -48,7 +48,7 @@ void check_same(const Executor& sliced, const Executor& whole) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "in slices all passes of a look come out as at once") {
+TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
     constexpr Extent extent{33, 27};
     Executor whole = executor_of(busy_look(), extent);
     Executor sliced = executor_of(busy_look(), extent);
@@ -57,7 +57,8 @@ TEST_CASE_FIXTURE(Headless, "in slices all passes of a look come out as at once"
         const bool is_beside = n % 2 == 0;
         sliced.begin_draw(frame(n), nullptr, is_beside);
         CHECK(sliced.is_amid_frame());
-        // 27 rows: 13 pairs and one, of each of 1 + 1 + 3 + 1 draws; the ends of passes between.
+        // 27 rows are 13 pairs and one row, for each of 1 + 1 + 3 + 1 draws, with pass ends
+        // between.
         const int slices = slices_of(sliced);
         CHECK(slices > 6);
         CHECK_FALSE(sliced.is_amid_frame());
@@ -70,7 +71,7 @@ TEST_CASE_FIXTURE(Headless, "in slices all passes of a look come out as at once"
     check_same(sliced, whole);
 }
 
-TEST_CASE_FIXTURE(Headless, "until a frame is whole the one before is told of") {
+TEST_CASE_FIXTURE(Headless, "until a frame is complete, the previous one is shown") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
     executor.begin_draw(frame(2), nullptr, true);
@@ -89,7 +90,7 @@ TEST_CASE_FIXTURE(Headless, "until a frame is whole the one before is told of") 
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "a frame drawn again in slices reads what it read and is seen when whole") {
+                  "a redraw in slices reads the same inputs, and is shown when complete") {
     Parameter gain = knob("gain", {}, 1.0, {{1, "gain"}});
     Pass show = pass("show",
                      "uniform sampler2D image; uniform float gain;\nvoid main() { color = "
@@ -109,7 +110,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 1) == 40.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a frame that is dropped leaves history as it was") {
+TEST_CASE_FIXTURE(Headless, "a dropped frame leaves history unchanged") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
     executor.begin_draw(frame(2), nullptr, true);
@@ -121,7 +122,7 @@ TEST_CASE_FIXTURE(Headless, "a frame that is dropped leaves history as it was") 
     CHECK(red(executor, 0, 0, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "samples add up over slices, and forgetting them drops the frame") {
+TEST_CASE_FIXTURE(Headless, "samples accumulate over slices, and a restart drops the frame") {
     Pass sum =
         pass("sum", "uniform int u_samples;\nvoid main() { color = vec4(1, u_samples, 0, 0); }\n");
     sum.accumulate = true;

@@ -1,4 +1,4 @@
-// Passes that a person has switched: bypassed, frozen, left out.
+// Passes switched by the user: bypassed, frozen or left out.
 #include "about.h"
 #include "graph/looks.h"
 
@@ -7,7 +7,7 @@ Pass numbered(const std::string& name) {
     return pass(name, "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n");
 }
 
-// Its input times ten.
+// Ten times its input.
 Pass tens(const std::string& name, const Input& input) {
     return pass(name,
                 "uniform sampler2D image;\nvoid main() { color = 10.0 * texture(image, uv); }\n",
@@ -24,7 +24,7 @@ constexpr PassRun frozen = PassRun::frozen;
 constexpr PassRun left_out = PassRun::left_out;
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a bypassed pass hands on its first input, at its own size") {
+TEST_CASE_FIXTURE(Headless, "a bypassed pass passes on its first input at its own size") {
     Look look = look_of({numbered("number"), tens("tens", reads("image", "number")),
                          tens("more", reads("image", "tens"))});
     look.passes[1].size.fill({Side::By::pixels, 2.0, {}});
@@ -36,15 +36,15 @@ TEST_CASE_FIXTURE(Headless, "a bypassed pass hands on its first input, at its ow
     CHECK(red(executor, 1) == 4.0f);
     CHECK(red(executor, 2) == 40.0f);
     CHECK(executor.target(1).extent() == Extent{2, 2});
-    executor.redraw(frame(4), {false, true, true});  // with the present values again
+    executor.redraw(frame(4), {false, true, true});  // again with the current values
     CHECK(red(executor, 2) == 40.0f);
     run(executor, {});
     executor.draw(frame(5));
     CHECK(red(executor, 2) == 500.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a bypass reads through the input's own filter and history") {
-    // A texel of 0 beside one of 1: between them linear filtering reads a half.
+TEST_CASE_FIXTURE(Headless, "a bypass uses the filter and history of its input") {
+    // Texels of 0 and 1: between them linear filtering reads 0.5.
     Pass halves = pass("halves", "void main() { color = vec4(floor(uv.x * 2.0)); }\n");
     halves.size = {Side{Side::By::pixels, 2.0, {}}, Side{Side::By::pixels, 1.0, {}}};
     Input smooth = reads("image", "halves", 0, {Filter::linear, Wrap::edge, false});
@@ -60,7 +60,7 @@ TEST_CASE_FIXTURE(Headless, "a bypass reads through the input's own filter and h
     CHECK(red(executor, 3) == 3.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a bypass goes between integer and floating targets") {
+TEST_CASE_FIXTURE(Headless, "a bypass converts between integer and float targets") {
     Look look = look_of({pass("light", "void main() { color = vec4(2.75, -3.0, 0, 1); }\n"),
                          tens("whole", reads("image", "light")),
                          pass("back",
@@ -83,7 +83,7 @@ TEST_CASE_FIXTURE(Headless, "a bypass goes between integer and floating targets"
 }
 
 namespace {
-// What a bypassed target of the second format has of the number that one of the first is given.
+// The value in a bypassed target of format `to`, whose input has format `from` and this number.
 float handed_on(Format from, const std::string& number, Format to) {
     const auto writing = [](Format format, const std::string& value) {
         const std::string type(
@@ -106,7 +106,7 @@ float handed_on(Format from, const std::string& number, Format to) {
 }  // namespace
 
 TEST_CASE_FIXTURE(Headless,
-                  "a bypass keeps a number that both targets hold, or gives the nearest") {
+                  "a bypass keeps a number that both formats hold, else the nearest one") {
     CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16i) == -3.0f);
     CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16ui) == 0.0f);
     CHECK(handed_on(Format::r8i, "-128", Format::rgba32f) == -128.0f);
@@ -126,7 +126,7 @@ TEST_CASE_FIXTURE(Headless, "a bypassed pass without a source is transparent bla
     CHECK(pixel(executor, 0) == Rgba{0, 0, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Headless, "a frozen pass keeps its picture, and was always so for its past") {
+TEST_CASE_FIXTURE(Headless, "a frozen pass keeps its picture, also in its history") {
     Executor executor =
         executor_of(look_of({numbered("number"), tens("now", reads("image", "number")),
                              tens("late", reads("image", "number", 2))}));
@@ -151,7 +151,7 @@ TEST_CASE_FIXTURE(Headless, "a frozen pass keeps its picture, and was always so 
     CHECK(red(executor, 2) == 40.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that reads its own past goes on from where it was frozen") {
+TEST_CASE_FIXTURE(Headless, "a pass with feedback continues from its frozen state") {
     Executor executor = executor_of(look_of({counter()}));
     for (int n = 1; n <= 3; ++n)
         executor.draw(frame(n));
@@ -164,8 +164,7 @@ TEST_CASE_FIXTURE(Headless, "a pass that reads its own past goes on from where i
     CHECK(red(executor, 0) == 4.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "what is frozen outlives a new beginning; what holds nothing is drawn once") {
+TEST_CASE_FIXTURE(Headless, "a frozen picture survives a restart, and an empty one is drawn once") {
     Executor executor = executor_of(look_of({numbered("number"), counter()}));
     run(executor, {frozen, drawn});
     executor.draw(frame(5));
@@ -184,8 +183,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == 10.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "passes that are left out are not drawn, and are forgotten with the past") {
+TEST_CASE_FIXTURE(Headless, "left-out passes are not drawn, and are cleared with history") {
     Executor executor = executor_of(look_of({numbered("number"), counter()}));
     executor.draw(frame(3));
     executor.draw(frame(4));
@@ -202,7 +200,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 1) == 1.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "the history of one pass is cleared without that of the others") {
+TEST_CASE_FIXTURE(Headless, "the history of one pass can be cleared alone") {
     Pass other = counter();
     other.name = "other";
     other.inputs = {reads("previous", "other", 1)};
@@ -218,7 +216,7 @@ TEST_CASE_FIXTURE(Headless, "the history of one pass is cleared without that of 
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "an accumulating pass that is frozen gathers no samples and lets time rest") {
+                  "a frozen accumulating pass takes no samples, and counts as converged") {
     Pass sum = counter();
     sum.accumulate = true;
     Executor executor = executor_of(look_of({sum}));

@@ -3,7 +3,7 @@
 #include "graph/looks.h"
 
 namespace {
-// Each texel's red is its column, its green its row from the top.
+// Red is the column, green the row from the top.
 Picture places(Extent extent) {
     Picture picture{extent, 3, Encoding::linear, {}};
     for (int y = 0; y < extent.height; ++y)
@@ -23,7 +23,7 @@ gpu::Texture gathered_texture(const Picture& picture, Format format) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "texels of several targets come together, in the order asked for") {
+TEST_CASE_FIXTURE(Headless, "texels of several targets are read together, in the requested order") {
     auto gatherer = Gatherer::make();
     REQUIRE(gatherer.has_value());
     const gpu::Texture large = gathered_texture(places({7, 5}), Format::rgba32f);

@@ -54,8 +54,8 @@ void check_same(const Statistics& seen, const Statistics& expected) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Measuring, "a target measured on the GPU comes to what its numbers come to") {
-    Picture picture = noise({333, 71});  // cuts the blocks at both ends
+TEST_CASE_FIXTURE(Measuring, "statistics of a target are the same on GPU and CPU") {
+    Picture picture = noise({333, 71});  // not a multiple of the block size
     check_same(measured(picture).statistics, statistics_of(picture));
     picture.pixels[picture.index(332, 70)] = std::numeric_limits<float>::quiet_NaN();
     picture.pixels[picture.index(100, 3) + 1] = std::numeric_limits<float>::infinity();
@@ -66,7 +66,7 @@ TEST_CASE_FIXTURE(Measuring, "a target measured on the GPU comes to what its num
     check_same(all, statistics_of(picture));
 }
 
-TEST_CASE_FIXTURE(Measuring, "blocks that hold nothing finite take no part") {
+TEST_CASE_FIXTURE(Measuring, "blocks without finite values are ignored") {
     const float no_number = std::numeric_limits<float>::quiet_NaN();
     Picture picture{{40, 40}, 1, Encoding::linear, std::vector<float>(1600, no_number)};
     CHECK(measured(picture).statistics == Statistics{.not_a_number = 1600});
@@ -78,7 +78,7 @@ TEST_CASE_FIXTURE(Measuring, "blocks that hold nothing finite take no part") {
     CHECK(one.not_a_number == 1599);
 }
 
-TEST_CASE_FIXTURE(Measuring, "only the channels that are looked at count") {
+TEST_CASE_FIXTURE(Measuring, "only displayed channels are measured") {
     const Picture picture{{1, 1}, 4, Encoding::linear, {0.25f, -1, 4, 0.5f}};
     CHECK(measured(picture).statistics.minimum == -1.0);
     CHECK(measured(picture).samples.channels == 3);
@@ -90,7 +90,7 @@ TEST_CASE_FIXTURE(Measuring, "only the channels that are looked at count") {
           about(0.2126 * 0.25 - 0.7152 + 0.0722 * 4, 1e-5));
 }
 
-TEST_CASE_FIXTURE(Measuring, "targets of one channel and of whole numbers are measured as one") {
+TEST_CASE_FIXTURE(Measuring, "single-channel and integer targets are measured as one channel") {
     const Picture grey{{2, 1}, 1, Encoding::linear, {1.0f, 3.0f}};
     const Measured lone = measured(grey, ChannelChoice::rgb, Format::r32f);
     CHECK(lone.statistics == Statistics{1.0, 3.0, 2.0, 2, 0, 0});
@@ -102,8 +102,8 @@ TEST_CASE_FIXTURE(Measuring, "targets of one channel and of whole numbers are me
           Statistics{70000, 70000, 70000, 16, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Measuring, "samples of a large target are spread as its numbers are") {
-    // Bands of 0, 1, 2, 3 in a period that divides the distance of the samples.
+TEST_CASE_FIXTURE(Measuring, "samples of a large target have the distribution of its values") {
+    // Bands of 0, 1, 2, 3 with a period that divides the distance of the samples.
     Picture bands{{1024, 512}, 1, Encoding::linear, {}};
     for (int i = 0; i < 1024 * 512; ++i)
         bands.pixels.push_back(static_cast<float>(i % 4));
@@ -111,11 +111,11 @@ TEST_CASE_FIXTURE(Measuring, "samples of a large target are spread as its number
     CHECK(all.samples.extent == Extent{256, 256});
     const Histogram histogram = histogram_of(all.samples, -0.5, 3.5, 4);
     for (const std::uint32_t count : histogram.bins[0])
-        CHECK(count / 65536.0 == about(0.25, 0.05));  // 7 standard deviations of chance
+        CHECK(count / 65536.0 == about(0.25, 0.05));  // 7 standard deviations of random samples
     CHECK(all.statistics.mean == 1.5);
 }
 
-TEST_CASE_FIXTURE(Measuring, "what has just been drawn is what is measured, time after time") {
+TEST_CASE_FIXTURE(Measuring, "the meter measures the latest drawn content, repeatedly") {
     auto canvas = gpu::Canvas::make({640, 480}, Format::rgba16f);
     REQUIRE(canvas.has_value());
     for (int i = 1; i <= 20; ++i) {
@@ -125,7 +125,7 @@ TEST_CASE_FIXTURE(Measuring, "what has just been drawn is what is measured, time
     }
 }
 
-TEST_CASE_FIXTURE(Measuring, "texels at a ceiling are counted, each once, whatever the size") {
+TEST_CASE_FIXTURE(Measuring, "clipped texels are counted once each, at any size") {
     for (const Extent extent : {Extent{333, 71}, Extent{1000, 3}, Extent{17, 600}}) {
         Picture picture = noise(extent);
         picture.pixels[picture.index(2, 1)] = std::numeric_limits<float>::infinity();

@@ -10,7 +10,7 @@ struct Seeing : Headless {
     Result<Viewer> viewer = Viewer::make();
     Result<gpu::Canvas> view = gpu::Canvas::make({1, 1}, Format::rgba8);
 
-    // What the view itself shows: display-encoded bytes.
+    // The result of the viewer itself: display-encoded bytes.
     double viewed(const Rgba& rgba, const ViewOptions& options) {
         REQUIRE((viewer && view));
         auto texel = gpu::Texture::make({1, 1}, Format::rgba32f);
@@ -24,7 +24,7 @@ struct Seeing : Headless {
 };
 }  // namespace
 
-TEST_CASE_FIXTURE(Seeing, "the light of a texel is told as its view shows it") {
+TEST_CASE_FIXTURE(Seeing, "the luminance of a texel matches the viewer's output") {
     const float nan = std::numeric_limits<float>::quiet_NaN();
     const std::vector<Rgba> texels{{0.2f, 0.5f, 0.8f, 1}, {0, 0, 0, 0},
                                    {2.5f, 0.1f, 0, 0.5f}, {-0.5f, 0.25f, 0.5f, 1},
@@ -49,6 +49,6 @@ TEST_CASE_FIXTURE(Seeing, "the light of a texel is told as its view shows it") {
             CAPTURE(options.is_false_color);
             CAPTURE(static_cast<int>(options.encoding));
             CHECK(std::abs(seen_luminance(texel, Format::rgba32f, options) -
-                           viewed(texel, options)) <= 0.01);  // a byte more or less
+                           viewed(texel, options)) <= 0.01);  // within a few 8-bit levels
         }
 }

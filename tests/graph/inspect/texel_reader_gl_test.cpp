@@ -38,17 +38,17 @@ Pass coded(const char* name, Format format, const char* type, const char* value)
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "texels come row by row from the top left one, or along any line") {
+TEST_CASE_FIXTURE(Headless, "texels are read row by row from the top left, or along a line") {
     Executor executor = executor_of(look_of({pass("places", places_body)}), {8, 5});
     executor.draw(frame(1));
     const gpu::Texture& texture = executor.target(0);
     CHECK(read(texture, {.count = {2, 3}, .first = {5, 1}}) ==
           Rows{place(5, 1), place(6, 1), place(5, 2), place(6, 2), place(5, 3), place(6, 3)});
     CHECK(read(texture, {.count = {4, 1}, .first = {2.5, 3.5}, .across = {2, -1}}) ==
-          Rows{place(2, 3), place(4, 2), place(6, 1), place(7, 0)});  // at the edge beyond it
+          Rows{place(2, 3), place(4, 2), place(6, 1), place(7, 0)});  // clamped to the edge
 }
 
-TEST_CASE_FIXTURE(Headless, "texels of every kind of target come as the numbers that they hold") {
+TEST_CASE_FIXTURE(Headless, "texels of every type of target are read as stored") {
     Executor executor =
         executor_of(look_of({coded("whole", Format::r32ui, "uvec4", "uvec4(70000u)"),
                              coded("lone", Format::r16f, "vec4", "vec4(65504.0)"),
@@ -64,7 +64,8 @@ TEST_CASE_FIXTURE(Headless, "texels of every kind of target come as the numbers 
     CHECK(std::abs(first(3)[0] - 0.2f) <= 1e-6f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a smaller level is a picture of its own: the mean of what it covers") {
+TEST_CASE_FIXTURE(Headless,
+                  "a mipmap level is read as a picture: the mean of the texels that it covers") {
     const char* const halves = "void main() { color = vec4(floor(uv.x * 2.0) * 8.0, 0, 0, 1); }\n";
     Look look = look_of({pass("halves", halves),
                          pass("small",

@@ -4,7 +4,7 @@
 #include <limits>
 
 namespace {
-/// A texel of what fades goes wrong in frame `frame`; the next pass adds a half to all of it.
+/// A texel of a fading pass becomes non-finite in frame `frame`; the next pass adds 0.5.
 Look going_wrong(const std::string& number, const std::string& frame) {
     const std::string glow =
         "uniform sampler2D previous;\n"
@@ -52,12 +52,12 @@ const std::string nan = "none / none";
 const std::string endless = "1.0 / none";
 }  // namespace
 
-TEST_CASE_FIXTURE(Tripping, "the first number that is not finite is found, with its place") {
+TEST_CASE_FIXTURE(Tripping, "the first non-finite value is found with pass, pixel and frame") {
     for (const std::string& number : {nan, endless, "-" + endless}) {
         open(going_wrong(number, "3"), Executor::Guard::watch);
         draw(1, 2);
         CHECK_FALSE(executor->take_trip(true));
-        draw(3, 9);  // what came of it later is not the first
+        draw(3, 9);  // later non-finite values that follow from it are not reported
         const auto trip = executor->take_trip(true);
         REQUIRE(trip);
         CHECK(*trip == Trip{0, 37, 40 - 1 - 5, 3});
@@ -65,7 +65,7 @@ TEST_CASE_FIXTURE(Tripping, "the first number that is not finite is found, with 
     }
 }
 
-TEST_CASE_FIXTURE(Tripping, "without waiting it is known some frames later") {
+TEST_CASE_FIXTURE(Tripping, "without waiting, the result is available some frames later") {
     open(going_wrong(nan, "2"), Executor::Guard::watch);
     std::optional<Trip> trip;
     for (int frame = 1; frame < 100 && !trip; ++frame) {
@@ -76,7 +76,9 @@ TEST_CASE_FIXTURE(Tripping, "without waiting it is known some frames later") {
     CHECK(trip->frame == 2);
 }
 
-TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and still told") {
+TEST_CASE_FIXTURE(
+    Tripping,
+    "with clamping, a non-finite value is replaced before it is read, and still reported") {
     open(going_wrong(nan, "3"), Executor::Guard::clamp);
     draw(1, 3);
     CHECK(green(0) == 0.0f);
@@ -92,7 +94,7 @@ TEST_CASE_FIXTURE(Tripping, "clamped, it is gone before anybody reads it, and st
     CHECK(green(0) == std::numeric_limits<float>::max());
 }
 
-TEST_CASE_FIXTURE(Tripping, "of many large passes it is told which one it was, and where") {
+TEST_CASE_FIXTURE(Tripping, "in many large passes, the right pass and pixel are found") {
     std::vector<Pass> passes;
     for (int i = 0; i < 12; ++i) {
         const std::string own = std::to_string(i);
@@ -116,7 +118,8 @@ TEST_CASE_FIXTURE(Tripping, "of many large passes it is told which one it was, a
     CHECK(*trip == Trip{10, 1234, 900 - 1 - 321, 1});
 }
 
-TEST_CASE_FIXTURE(Headless, "numbers are put right where they are and by a second picture alike") {
+TEST_CASE_FIXTURE(Headless,
+                  "replacing values in place and through a second picture are equivalent") {
     const float none = std::numeric_limits<float>::quiet_NaN();
     const float endless_light = std::numeric_limits<float>::infinity();
     auto programs = build_tripwire();
@@ -129,7 +132,7 @@ TEST_CASE_FIXTURE(Headless, "numbers are put right where they are and by a secon
         tripwire.mend(*target);
         return gpu::read_pixel(target->texture(), 4, 1);
     };
-    CHECK(Tripwire::best_mending() == Tripwire::Mending::in_place);  // on the tests' driver
+    CHECK(Tripwire::best_mending() == Tripwire::Mending::in_place);  // with the driver of the tests
     for (const auto way : {Tripwire::Mending::in_place, Tripwire::Mending::there_and_back}) {
         const std::array wrong{none, endless_light, -endless_light, 0.25f};
         const float most = std::numeric_limits<float>::max();
@@ -140,7 +143,7 @@ TEST_CASE_FIXTURE(Headless, "numbers are put right where they are and by a secon
     }
 }
 
-TEST_CASE_FIXTURE(Tripping, "a pass that nobody reads later is looked at in its turn") {
+TEST_CASE_FIXTURE(Tripping, "a pass that no later pass reads is checked in its turn") {
     const Look look = look_of({pass("one", "void main() { color = vec4(1.0); }\n"),
                                pass("bad",
                                     "uniform float none = 0.0;\n"
@@ -153,7 +156,8 @@ TEST_CASE_FIXTURE(Tripping, "a pass that nobody reads later is looked at in its 
     CHECK(trip->frame <= 2);
 }
 
-TEST_CASE_FIXTURE(Tripping, "all that is kept can be put right, and what is not watched stays") {
+TEST_CASE_FIXTURE(Tripping,
+                  "history can be sanitised afterwards, and with the detector off values stay") {
     open(going_wrong(nan, "2"), Executor::Guard::off);
     draw(1, 3);
     CHECK(std::isnan(green(0)));
@@ -166,7 +170,7 @@ TEST_CASE_FIXTURE(Tripping, "all that is kept can be put right, and what is not 
     CHECK_FALSE(executor->take_trip(true));
 }
 
-TEST_CASE_FIXTURE(Tripping, "frames that begin anew are counted anew") {
+TEST_CASE_FIXTURE(Tripping, "frame numbers restart with the history") {
     open(going_wrong(nan, "3"), Executor::Guard::watch);
     draw(1, 2);
     executor->clear_history();
@@ -177,8 +181,7 @@ TEST_CASE_FIXTURE(Tripping, "frames that begin anew are counted anew") {
 }
 
 TEST_CASE_FIXTURE(
-    Tripping,
-    "of frames that nobody sees what is kept is clamped, and the pass told that began it") {
+    Tripping, "in hidden frames history is clamped, and the first non-finite pass is reported") {
     const Look look =
         look_of({pass("calm", "void main() { color = vec4(1.0); }\n"),
                  pass("spark",

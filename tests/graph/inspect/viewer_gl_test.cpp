@@ -32,7 +32,7 @@ Picture grey(double number) {
     return {{1, 1}, 1, Encoding::linear, {static_cast<float>(number)}};
 }
 
-// 4 x 4: each texel's red is its column / 4, its green its row from the top / 4.
+// 4 x 4: red is the column / 4, green the row from the top / 4.
 Picture ramp() {
     Picture picture{{4, 4}, 4, Encoding::linear, {}};
     for (int y = 0; y < 4; ++y)
@@ -44,27 +44,27 @@ Picture ramp() {
 
 constexpr ViewOptions plain{.encoding = Encoding::display};
 
-// A view's texels have 8 bits.
+// Texels of a view have 8 bits.
 doctest::Approx shade(double expected) {
     return about(expected, 0.55 / 255.0 / expected);
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Viewing,
-                  "linear light is encoded for the display, encoded texels are shown as they are") {
+TEST_CASE_FIXTURE(
+    Viewing, "linear light is encoded for the display, and encoded texels are shown unchanged") {
     CHECK(shown(one({0.214041f, 1, 0, 0}), {})[0] == shade(0.5));
     CHECK(shown(one({0.2f, 1, 0, 0}), plain)[0] == shade(0.2));
     CHECK(shown(one({0.2f, 1, 0, 0}), plain)[3] == 1.0f);
 }
 
-TEST_CASE_FIXTURE(Viewing, "a stop of exposure doubles the light, also of encoded texels") {
+TEST_CASE_FIXTURE(Viewing, "one stop of exposure doubles the light, also of encoded texels") {
     CHECK(shown(one({0.107021f, 0, 0, 1}), {.exposure_stops = 1})[0] == shade(0.5));
     const Rgba encoded =
         shown(one({0.5f, 0, 0, 1}), {.exposure_stops = -1, .encoding = Encoding::display});
     CHECK(encoded[0] == shade(0.36078));  // sRGB of 0.10702
 }
 
-TEST_CASE_FIXTURE(Viewing, "one channel is shown in grey, luminance by BT.709") {
+TEST_CASE_FIXTURE(Viewing, "one channel is shown as grey, and luminance follows BT.709") {
     const Picture picture = one({0.1f, 0.4f, 0.8f, 0.6f});
     const auto grey = [&](ChannelChoice channels) {
         const Rgba seen = shown(picture, {.channels = channels, .encoding = Encoding::display});
@@ -79,17 +79,17 @@ TEST_CASE_FIXTURE(Viewing, "one channel is shown in grey, luminance by BT.709") 
     CHECK(grey(ChannelChoice::luminance) == shade(0.2126 * 0.1 + 0.7152 * 0.4 + 0.0722 * 0.8));
 }
 
-TEST_CASE_FIXTURE(Viewing, "a target of one channel is shown in grey") {
+TEST_CASE_FIXTURE(Viewing, "a single-channel target is shown as grey") {
     const Rgba seen = shown(grey(0.4), plain, {4, 4}, 0, 0, Format::r32f);
     for (std::size_t i = 0; i < 3; ++i)
         CHECK(seen[i] == shade(0.4));
 }
 
 TEST_CASE_FIXTURE(Viewing,
-                  "a region is magnified in whole texels, and outside of the picture is nothing") {
+                  "a region is magnified by whole texels, and outside the picture is transparent") {
     ViewOptions options = plain;
     options.left = 3;
-    options.bottom = 3;  // the top right texel in the view's bottom left quarter
+    options.bottom = 3;  // the top right texel, in the view's bottom left quarter
     options.width = 2;
     options.height = 2;
     CHECK(shown(ramp(), options, {4, 4}, 0, 3)[0] == shade(0.75));
@@ -98,7 +98,7 @@ TEST_CASE_FIXTURE(Viewing,
     CHECK(shown(ramp(), options, {4, 4}, 0, 0) == Rgba{0, 0, 0, 0});
 }
 
-TEST_CASE_FIXTURE(Viewing, "a smaller view is the mean of what it covers, upright") {
+TEST_CASE_FIXTURE(Viewing, "a smaller view is the mean of the covered texels, upright") {
     const Rgba all = shown(ramp(), plain, {1, 1});
     CHECK(all[0] == shade(0.375));
     const Rgba top_right = shown(ramp(), plain, {2, 2}, 1, 0);
@@ -106,8 +106,7 @@ TEST_CASE_FIXTURE(Viewing, "a smaller view is the mean of what it covers, uprigh
     CHECK(top_right[1] == shade(0.125));
 }
 
-TEST_CASE_FIXTURE(Viewing,
-                  "what is not a number shows as magenta, an integer target as its number") {
+TEST_CASE_FIXTURE(Viewing, "a NaN is shown as magenta, and an integer target by its value") {
     CHECK(shown(one({std::numeric_limits<float>::quiet_NaN(), 0, 0, 1}), {}) == Rgba{1, 0, 1, 1});
     auto whole = gpu::Canvas::make({1, 1}, Format::r32ui);
     auto to = gpu::Canvas::make({1, 1}, Format::rgba8);
@@ -117,13 +116,14 @@ TEST_CASE_FIXTURE(Viewing,
     CHECK(gpu::read_pixel(to->texture(), 0, 0) == Rgba{1, 1, 1, 1});
 }
 
-TEST_CASE_FIXTURE(Viewing, "what lies between black and white is spread over the screen") {
+TEST_CASE_FIXTURE(Viewing,
+                  "the range between black and white level is stretched over the display range") {
     ViewOptions options = plain;
     options.levels = {2, 6};
     CHECK(shown(one({3, 2, 7, 1}), options) == Rgba{shown(one({0.25f, 0, 1, 1}), plain)});
     options.encoding = Encoding::linear;
     CHECK(shown(one({2.856164f, 0, 0, 1}), options)[0] == shade(0.5));  // 2 + 4 * 0.214041
-    options.exposure_stops = 1;                                         // counts from black
+    options.exposure_stops = 1;  // relative to the black level
     CHECK(shown(one({2.428082f, 0, 0, 1}), options)[0] == shade(0.5));
     options.levels = {-1, 1};
     options.exposure_stops = 0;
@@ -139,7 +139,7 @@ constexpr Rgba green{0, 1, 0, 1};
 constexpr Rgba blue{0, 0, 1, 1};
 }  // namespace
 
-TEST_CASE_FIXTURE(Viewing, "flaws are marked in pure colours, and what is right is grey beside") {
+TEST_CASE_FIXTURE(Viewing, "invalid values are marked in pure colours, and valid ones are grey") {
     ViewOptions options = plain;
     options.marks_flaws = true;
     CHECK(shown(one({no_number, -1, infinity, 1}), options) == pure_red);
@@ -154,7 +154,7 @@ TEST_CASE_FIXTURE(Viewing, "flaws are marked in pure colours, and what is right 
     CHECK(shown(one({0, 0, 0, no_number}), options) == pure_red);
 }
 
-TEST_CASE_FIXTURE(Viewing, "one bad texel shows in a view that is smaller than the target") {
+TEST_CASE_FIXTURE(Viewing, "one invalid texel is visible in a view smaller than the target") {
     Picture picture{{60, 60}, 1, Encoding::linear, std::vector<float>(3600, 0.5f)};
     picture.pixels[picture.index(31, 17)] = no_number;
     picture.pixels[picture.index(5, 50)] = -1.0f;
@@ -167,7 +167,7 @@ TEST_CASE_FIXTURE(Viewing, "one bad texel shows in a view that is smaller than t
                 CHECK(shown(picture, options, {6, 6}, x, y)[0] == shade(0.735357));
 }
 
-TEST_CASE_FIXTURE(Viewing, "clipping is marked where the view has no more to show") {
+TEST_CASE_FIXTURE(Viewing, "clipped texels are marked at the limits of the view") {
     ViewOptions options = plain;
     options.marks_clipping = true;
     const Rgba white = shown(one({0.2f, 1.0f, 0.2f, 1}), options);
@@ -188,9 +188,9 @@ TEST_CASE_FIXTURE(Viewing, "clipping is marked where the view has no more to sho
     CHECK(shown(one({0.12f, 0, 0, 1}), options) != white);
 }
 
-TEST_CASE_FIXTURE(Viewing, "false colours are as bright as the number is large") {
+TEST_CASE_FIXTURE(Viewing, "false colours increase in brightness with the value") {
     ViewOptions options{.levels = {0, 2}, .is_false_color = true};
-    // The scheme's law: its brightness by NTSC weights is the place on the ramp.
+    // Property of the scheme: its NTSC luma equals the position on the ramp.
     for (const double place : {0.0, 0.125, 0.25, 0.5, 0.625, 0.75, 1.0}) {
         const Rgba color = shown(grey(2 * place), options);
         const double bright = 0.30 * color[0] + 0.59 * color[1] + 0.11 * color[2];
@@ -198,7 +198,7 @@ TEST_CASE_FIXTURE(Viewing, "false colours are as bright as the number is large")
         for (std::size_t i = 0; i < 3; ++i)
             CHECK(std::abs(color[i] - false_color(place)[i]) <= 0.55 / 255.0);
     }
-    // Half way it has turned to 1/6 - 3/4 of a circle: cos -0.866025, sin 0.5.
+    // At the middle the hue angle is 1/6 - 3/4 of a circle: cos -0.866025, sin 0.5.
     CHECK(false_color(0.5)[0] == about(0.5 + 0.125 * (0.14861 * 0.866025 + 1.78277 * 0.5), 1e-5));
     CHECK(false_color(0.5)[1] == about(0.5 + 0.125 * (0.29227 * 0.866025 - 0.90649 * 0.5), 1e-5));
     CHECK(false_color(0.5)[2] == about(0.5 - 0.125 * 1.97294 * 0.866025, 1e-5));
@@ -206,7 +206,7 @@ TEST_CASE_FIXTURE(Viewing, "false colours are as bright as the number is large")
     CHECK(std::abs(of_luminance[0] - false_color(0.2126)[0]) <= 0.55 / 255.0);
 }
 
-TEST_CASE_FIXTURE(Viewing, "a transparent picture lies over a checker, each texel by its alpha") {
+TEST_CASE_FIXTURE(Viewing, "a transparent picture is shown over a checkerboard by its alpha") {
     const ViewOptions over{.encoding = Encoding::display, .is_over_checker = true};
     const Rgba one_square = shown(one({1.0f, 0.5f, 0.0f, 0.0f}), over, {32, 32}, 0, 0);
     const Rgba other_square = shown(one({1.0f, 0.5f, 0.0f, 0.0f}), over, {32, 32}, 8, 0);
@@ -215,8 +215,8 @@ TEST_CASE_FIXTURE(Viewing, "a transparent picture lies over a checker, each texe
         CHECK(square[1] == square[2]);
         CHECK(square[3] == 1.0f);
     }
-    CHECK(std::abs(other_square[0] - one_square[0]) > 0.02f);  // two greys that are
-    CHECK(std::abs(other_square[0] - one_square[0]) < 0.10f);  // no more than told apart
+    CHECK(std::abs(other_square[0] - one_square[0]) > 0.02f);  // two greys with
+    CHECK(std::abs(other_square[0] - one_square[0]) < 0.10f);  // a small difference
     CHECK(shown(one({1, 1, 1, 0}), over, {32, 32}, 8, 8)[0] == one_square[0]);
     const Rgba half = shown(one({1.0f, 0.5f, 0.0f, 0.25f}), over, {32, 32}, 0, 0);
     const std::array<double, 3> colors{1.0, 0.5, 0.0};
@@ -226,7 +226,7 @@ TEST_CASE_FIXTURE(Viewing, "a transparent picture lies over a checker, each texe
     CHECK(shown(one({1.0f, 0.5f, 0.25f, 7.0f}), over)[2] == shade(0.25));
 }
 
-TEST_CASE_FIXTURE(Viewing, "a lone channel and marks are no picture, and lie over nothing") {
+TEST_CASE_FIXTURE(Viewing, "a single channel and false colours are shown without a checkerboard") {
     ViewOptions over{.encoding = Encoding::display, .is_over_checker = true};
     over.channels = ChannelChoice::red;
     CHECK(shown(one({1, 0, 0, 0}), over)[0] == 1.0f);

@@ -2,7 +2,7 @@
 
 #include <thread>
 
-TEST_CASE_FIXTURE(Headless, "what only the driver refuses is told at the author's file and line") {
+TEST_CASE_FIXTURE(Headless, "a driver error is reported in the author's file and line") {
     Look look = look_of({counter(), pass("bad", "void main() { color = vec4(oops); }\n")});
     Stage& bad = look.passes[1].fragment;
     bad.lines = with_line(bad.lines, 3, {"include/light.glsl", 88});
@@ -12,7 +12,7 @@ TEST_CASE_FIXTURE(Headless, "what only the driver refuses is told at the author'
     CHECK(programs.error().front().line == 88);
 }
 
-TEST_CASE_FIXTURE(Headless, "every pass's mistakes are told at once") {
+TEST_CASE_FIXTURE(Headless, "errors of all passes are reported at once") {
     const auto programs = build_programs(look_of({pass("a", "void main() { color = first; }\n"),
                                                   pass("b", "void main() { color = second; }\n")}));
     REQUIRE_FALSE(programs.has_value());
@@ -21,7 +21,7 @@ TEST_CASE_FIXTURE(Headless, "every pass's mistakes are told at once") {
     CHECK(all.find("second") != std::string::npos);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass cannot read what it is drawing, and a look needs a pass") {
+TEST_CASE_FIXTURE(Headless, "a pass must not read its own target, and a look needs a pass") {
     Look look = look_of({counter()});
     look.passes[0].inputs[0].frames_ago = 0;
     const auto programs = build_programs(look);
@@ -33,15 +33,15 @@ TEST_CASE_FIXTURE(Headless, "a pass cannot read what it is drawing, and a look n
     CHECK(to_string(none.error().front()) == "look.json: error: the look has no passes");
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "programs are taken over by text, each once, whatever the order and names") {
+TEST_CASE_FIXTURE(Headless, "programs are reused by text, each once, for any order and names") {
     const std::string body = "uniform float k;\nvoid main() { color = vec4(k); }\n";
     const Look look = look_of({pass("a", body), pass("b", body), counter()});
     const Programs first = programs_of(look);
     CHECK(first.passes[0].program != first.passes[1].program);
 
     Look edited = look_of({counter(), pass("c", body), pass("d", body), pass("e", body)});
-    Stage& moved = edited.passes[1].fragment;  // an edit above it moves its lines, not its text
+    Stage& moved =
+        edited.passes[1].fragment;  // an edit above it changes its lines, but not its text
     moved.lines = with_line(moved.lines, 3, {"test.frag", 99});
     const Programs second = programs_of(edited, &first);
     CHECK(second.passes[0].program == first.passes[2].program);
@@ -53,7 +53,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(programs_of(edited, &second).passes[1].program != second.passes[1].program);
 }
 
-TEST_CASE_FIXTURE(Headless, "programs made on a helper thread draw on the first one") {
+TEST_CASE_FIXTURE(Headless, "programs built on a worker thread draw in the first context") {
     const Look look = look_of({counter()});
     auto helper = gpu::Context::shared_with(**context);
     REQUIRE(helper.has_value());
@@ -71,15 +71,14 @@ TEST_CASE_FIXTURE(Headless, "programs made on a helper thread draw on the first 
     CHECK(red(executor, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "an executor draws and ends in the home of its programs, whoever calls") {
+TEST_CASE_FIXTURE(Headless, "an executor draws and is destroyed in the context of its programs") {
     auto home = gpu::Context::shared_with(**context);
     REQUIRE(home.has_value());
     const Look look = look_of({counter()});
     Programs programs = programs_of(look);
     programs.home = std::move(*home);
-    // Names of framebuffers count from 1 in each context: one of these would go with the
-    // executor's.
+    // Framebuffer names count from 1 in each context. One of these would be deleted with the
+    // executor's in the wrong context.
     std::vector<gpu::Canvas> ours;
     for (int i = 0; i < 4; ++i)
         ours.push_back(gpu::Canvas::make({1, 1}, Format::r32f).value());

@@ -9,7 +9,7 @@ Look painted(int number) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a text that comes back takes the program that it had") {
+TEST_CASE_FIXTURE(Headless, "a text that returns reuses its previous program") {
     RecentPrograms recent;
     CHECK(recent.all() == nullptr);
     const Programs first = programs_of(painted(1));
@@ -21,7 +21,8 @@ TEST_CASE_FIXTURE(Headless, "a text that comes back takes the program that it ha
     CHECK(back.passes[0].program == first.passes[0].program);
 }
 
-TEST_CASE_FIXTURE(Headless, "two passes of one text never share a program that both lists name") {
+TEST_CASE_FIXTURE(Headless,
+                  "two passes with one text do not share a program that both lists contain") {
     const std::string body = "uniform float k;\nvoid main() { color = vec4(k); }\n";
     const Programs one = programs_of(look_of({pass("a", body)}));
     const Programs all = joined(one, one.passes);
@@ -31,13 +32,13 @@ TEST_CASE_FIXTURE(Headless, "two passes of one text never share a program that b
     CHECK(two.passes[1].program != one.passes[0].program);
 }
 
-TEST_CASE_FIXTURE(Headless, "old programs are forgotten, and all of another context") {
+TEST_CASE_FIXTURE(Headless, "old programs and those of another context are dropped") {
     RecentPrograms recent;
     for (int i = 0; i < 40; ++i)
         recent.show(programs_of(painted(i)));
     const Programs newest = programs_of(painted(39), recent.all().get());
     CHECK(newest.passes[0].program == recent.all()->passes[0].program);
-    CHECK(recent.all()->passes.size() == 17);  // one is shown, sixteen were
+    CHECK(recent.all()->passes.size() == 17);  // one displayed and sixteen previous programs
 
     Programs elsewhere = newest;
     elsewhere.home = gpu::Context::shared_with(**context).value();

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 namespace {
-// Draws `expression` of one uniform of the given GLSL type.
+// Draws `expression` of one uniform with the given GLSL type.
 Rgba shown(const std::string& type, const std::string& expression, NumberType number, Value initial,
            const Values& values) {
     Executor executor = executor_of(look_of(
@@ -22,7 +22,7 @@ Value count_to(int size) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a value reaches a uniform of every scalar and vector type") {
+TEST_CASE_FIXTURE(Headless, "a value is set for every scalar and vector type") {
     for (int rows = 1; rows <= 4; ++rows)
         for (const Scalar scalar : {Scalar::floating, Scalar::integer, Scalar::natural}) {
             const NumberType type{scalar, rows, 1};
@@ -47,12 +47,12 @@ TEST_CASE_FIXTURE(Headless, "booleans are 0 or 1") {
           Rgba{1, 0, 1, 0});
 }
 
-TEST_CASE_FIXTURE(Headless, "matrices are filled column by column, square or not") {
+TEST_CASE_FIXTURE(Headless, "matrices are filled by columns, square or not") {
     for (int columns = 2; columns <= 4; ++columns)
         for (int rows = 2; rows <= 4; ++rows) {
             const NumberType type{Scalar::floating, rows, columns};
             CAPTURE(glsl_name(type));
-            // The last column's first and last row: (columns-1)*rows + 1 and columns*rows.
+            // The first and last row of the last column: (columns-1)*rows + 1 and columns*rows.
             const std::string ends =
                 fmt::format("vec4(k[{0}][0], k[{0}][{1}], k[0][1], 0)", columns - 1, rows - 1);
             const Rgba seen = shown(glsl_name(type), ends, type, count_to(rows * columns), {});
@@ -61,8 +61,7 @@ TEST_CASE_FIXTURE(Headless, "matrices are filled column by column, square or not
         }
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "large integers arrive whole, and unfit values are brought into shape") {
+TEST_CASE_FIXTURE(Headless, "large integers are exact, and unsuitable values are converted") {
     const NumberType natural{Scalar::natural, 1, 1};
     CHECK(shown("uint", "vec4(k >> 16u, k & 0xffffu, 0, 0)", natural, 0.0, {{"k", 4294967295.0}}) ==
           Rgba{65535, 65535, 0, 0});
@@ -71,8 +70,8 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(shown("float", "vec4(k)", {}, 2.0, {{"k", Value::of_path("x.png")}})[0] == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "one parameter drives several passes, and a renamed uniform another one") {
+TEST_CASE_FIXTURE(
+    Headless, "one parameter sets several passes, and a renamed uniform has its own parameter") {
     const std::string body = "uniform float amount;\nvoid main() { color = vec4(amount); }\n";
     const Look look = look_of({pass("a", body), pass("b", body), pass("c", body)},
                               {knob("amount", {}, 1.0, {{0, "amount"}, {1, "amount"}}),
@@ -83,13 +82,13 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == 5.0f);
     CHECK(red(executor, 1) == 5.0f);
     CHECK(red(executor, 2) == 2.0f);
-    executor.set_values({{"amount_c", 8.0}});  // the other one goes back to its default
+    executor.set_values({{"amount_c", 8.0}});  // the other one returns to its default
     executor.draw(frame(2));
     CHECK(red(executor, 0) == 1.0f);
     CHECK(red(executor, 2) == 8.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "set fixes a uniform in one pass, also where two share a text") {
+TEST_CASE_FIXTURE(Headless, "`set` fixes a uniform in one pass, also if two passes share a text") {
     const std::string body = "uniform vec2 way;\nvoid main() { color = vec4(way, 0, 0); }\n";
     Look look = look_of({pass("x", body), pass("y", body)});
     look.passes[0].set = {{"way", Value({1, 0})}};
@@ -119,7 +118,7 @@ TEST_CASE_FIXTURE(Headless, "values survive an edit of the look") {
     CHECK(red(executor, 0) == 12.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "the program's own uniforms say time, frame, sizes, mouse and view") {
+TEST_CASE_FIXTURE(Headless, "built-in uniforms are set: time, frame, sizes, mouse and view") {
     Look look = look_of({pass("clock",
                               "uniform float u_time, u_time_delta; uniform int u_frame;\n"
                               "void main() { color = vec4(u_time, u_time_delta, u_frame, 0); }\n"),
@@ -145,7 +144,7 @@ TEST_CASE_FIXTURE(Headless, "the program's own uniforms say time, frame, sizes, 
     CHECK(pixel(executor, 3) == Rgba{1, 2, 3, 2});
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass is told where the lines and columns of its source lie") {
+TEST_CASE_FIXTURE(Headless, "a pass reads the raster of its source: lines and columns") {
     const Look look = look_of({pass("lines",
                                     "uniform vec3 u_source_lines;\n"
                                     "void main() { color = vec4(u_source_lines, 0); }\n"),
@@ -163,7 +162,7 @@ TEST_CASE_FIXTURE(Headless, "a pass is told where the lines and columns of its s
     CHECK(pixel(executor, 1) == Rgba{-0.5f, 1.0f / 128.0f, 256, 0});
 }
 
-TEST_CASE_FIXTURE(Headless, "hundreds of parameters each reach their own uniform") {
+TEST_CASE_FIXTURE(Headless, "each of hundreds of parameters sets its own uniform") {
     std::string declarations;
     std::string sum = "0.0";
     std::vector<Parameter> parameters;
@@ -182,7 +181,7 @@ TEST_CASE_FIXTURE(Headless, "hundreds of parameters each reach their own uniform
     CHECK(red(executor, 0) == static_cast<float>(expected));
 }
 
-TEST_CASE_FIXTURE(Headless, "a colour reaches its uniform as light, or as a display is sent it") {
+TEST_CASE_FIXTURE(Headless, "a colour is set as linear light, or display-encoded") {
     const auto color = [](Encoding encoding) {
         Parameter tint =
             knob("tint", {Scalar::floating, 4, 1}, Value({0.21404, 1.0, 0.0, 0.25}), {{0, "tint"}});
@@ -194,14 +193,15 @@ TEST_CASE_FIXTURE(Headless, "a colour reaches its uniform as light, or as a disp
         return pixel(executor, 0);
     };
     CHECK(color(Encoding::linear)[0] == doctest::Approx(0.21404));
-    // IEC 61966-2-1; alpha is no light.
+    // IEC 61966-2-1; alpha is not encoded.
     const Rgba encoded = color(Encoding::display);
     CHECK(encoded[0] == doctest::Approx(0.5).epsilon(1e-4));
     CHECK(encoded[1] == doctest::Approx(1.0));
     CHECK(encoded[3] == 0.25f);
 }
 
-TEST_CASE_FIXTURE(Headless, "an event is on for one frame, until it is let go and comes again") {
+TEST_CASE_FIXTURE(Headless,
+                  "an event is on for one frame, until it is released and triggered again") {
     Parameter event = knob("hit", {Scalar::boolean, 1, 1}, 0.0, {{0, "hit"}});
     event.control = Control::event;
     Executor executor = executor_of(look_of(

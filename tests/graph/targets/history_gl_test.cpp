@@ -1,6 +1,6 @@
 #include "graph/looks.h"
 
-TEST_CASE_FIXTURE(Headless, "after n frames a counter holds n, and starts again when cleared") {
+TEST_CASE_FIXTURE(Headless, "a counter holds n after n frames, and restarts when cleared") {
     Executor executor = executor_of(look_of({counter()}));
     for (int n = 1; n <= 5; ++n) {
         executor.draw(frame(n));
@@ -9,11 +9,11 @@ TEST_CASE_FIXTURE(Headless, "after n frames a counter holds n, and starts again 
     executor.clear_history();
     executor.draw(frame(6));
     CHECK(red(executor, 0) == 1.0f);
-    executor.draw(frame(1));  // the first frame clears by itself
+    executor.draw(frame(1));  // the first frame also clears
     CHECK(red(executor, 0) == 1.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "name@2 is the picture of two frames ago, transparent black before") {
+TEST_CASE_FIXTURE(Headless, "name@2 is the picture of two frames ago, or transparent black") {
     const Look look =
         look_of({pass("number", "uniform int u_frame;\nvoid main() { color = vec4(u_frame); }\n"),
                  pass("late", "uniform sampler2D old;\nvoid main() { color = texture(old, uv); }\n",
@@ -27,7 +27,7 @@ TEST_CASE_FIXTURE(Headless, "name@2 is the picture of two frames ago, transparen
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "a redraw shows other values and does not move history") {
+TEST_CASE_FIXTURE(Headless, "a redraw uses new values without advancing history") {
     Pass show = pass("show",
                      "uniform sampler2D counted; uniform float gain;\n"
                      "void main() { color = texture(counted, uv) * gain; }\n",
@@ -48,7 +48,7 @@ TEST_CASE_FIXTURE(Headless, "a redraw shows other values and does not move histo
     CHECK(red(executor, 1) == 40.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "an edited look goes on with the history of what stayed the same") {
+TEST_CASE_FIXTURE(Headless, "an edited look keeps the history of unchanged passes") {
     const Look before = look_of({counter()});
     Executor executor = executor_of(before);
     for (int n = 1; n <= 3; ++n)
@@ -63,15 +63,15 @@ TEST_CASE_FIXTURE(Headless, "an edited look goes on with the history of what sta
     REQUIRE(executor.replace(after, programs).has_value());
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 7.0f);
-    CHECK(red(executor, 1) == 4.0f);  // more slots than before, the newest ones kept
-    CHECK(red(executor, 2) == 0.0f);  // its first frame had already left the two slots
+    CHECK(red(executor, 1) == 4.0f);  // more slots, the newest ones kept
+    CHECK(red(executor, 2) == 0.0f);  // its first frame was no longer in the two slots
     executor.draw(frame(5));
     CHECK(red(executor, 2) == 2.0f);
     executor.draw(frame(6));
     CHECK(red(executor, 2) == 3.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a target whose format or size changes starts anew, others do not") {
+TEST_CASE_FIXTURE(Headless, "a target with another format or size restarts, and others continue") {
     Look look = look_of({counter(), counter()});
     look.passes[1].name = "half";
     look.passes[1].inputs = {reads("previous", "half", 1)};
@@ -91,9 +91,8 @@ TEST_CASE_FIXTURE(Headless, "a target whose format or size changes starts anew, 
     CHECK(red(executor, 0) == 1.0f);
 }
 
-TEST_CASE_FIXTURE(Headless,
-                  "what a pass remembers is stretched to another size where it keeps it") {
-    // The left half of the first picture is 0 and the right one 1; after that it stays as it was.
+TEST_CASE_FIXTURE(Headless, "the history of a pass is resampled on resize if the pass keeps it") {
+    // The left half of the first picture is 0 and the right one 1; then it is constant.
     Look look = look_of({pass("kept",
                               "uniform sampler2D previous;\nuniform float drawn;\n"
                               "void main() { color = drawn > 0.5 ? vec4(step(0.5, uv.x)) "
@@ -119,7 +118,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(gpu::read_picture(executor.target(0)).pixels.back() == 0.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads what the edited look gives it") {
+TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads the inputs of the edited look") {
     Look look = look_of(
         {pass("one", "void main() { color = vec4(1); }\n"),
          pass("two", "void main() { color = vec4(2); }\n"),
@@ -136,7 +135,7 @@ TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads what the edited
     CHECK(red(executor, 2) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "an undone edit draws with what was turned meanwhile") {
+TEST_CASE_FIXTURE(Headless, "an undone edit draws with the values changed meanwhile") {
     Look look = look_of({pass("base", "uniform float gain;\nvoid main() { color = vec4(gain); }\n"),
                          pass("show",
                               "uniform float gain;\nuniform sampler2D image;\n"
@@ -162,7 +161,7 @@ TEST_CASE_FIXTURE(Headless, "an undone edit draws with what was turned meanwhile
     CHECK(red(executor, 1) == 5.0f * 5.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at work") {
+TEST_CASE_FIXTURE(Headless, "a look that cannot be loaded leaves the previous one active") {
     Executor executor = executor_of(look_of({counter()}));
     executor.draw(frame(1));
     Look large = look_of({counter()});
@@ -175,7 +174,7 @@ TEST_CASE_FIXTURE(Headless, "a look that cannot be had leaves the one before at 
     CHECK(red(executor, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a later pass read without @ gives its last frame") {
+TEST_CASE_FIXTURE(Headless, "a later pass read without @ gives its previous frame") {
     const Look look = look_of(
         {pass("early", "uniform sampler2D later;\nvoid main() { color = texture(later, uv); }\n",
               {reads("later", "number")}),
@@ -186,7 +185,7 @@ TEST_CASE_FIXTURE(Headless, "a later pass read without @ gives its last frame") 
     CHECK(red(executor, 0) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass that reads itself takes a step with each repetition") {
+TEST_CASE_FIXTURE(Headless, "a pass with feedback advances once per repetition") {
     Look look = look_of({counter()}, {knob("rounds", {Scalar::integer}, 3.0, {})});
     look.passes[0].repeat = "rounds";
     Executor executor = executor_of(look);

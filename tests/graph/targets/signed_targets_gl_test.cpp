@@ -1,4 +1,4 @@
-// Targets of whole numbers of either sign, by everyone who reads a target.
+// Signed integer targets, with every reader of a target.
 #include "about.h"
 #include "gpu/objects/draw.h"
 #include "graph/inspect/gatherer.h"
@@ -22,7 +22,7 @@ std::vector<FormatFacts> signed_formats() {
     return found;
 }
 
-// Of two's complement; as a float the largest of 32 bits is 2^31.
+// Two's complement; as a float the maximum of 32 bits is 2^31.
 float least_of(const FormatFacts& facts) {
     return -static_cast<float>(std::exp2(8 * facts.bytes / facts.channels - 1));
 }
@@ -30,14 +30,14 @@ float most_of(const FormatFacts& facts) {
     return static_cast<float>(std::exp2(8 * facts.bytes / facts.channels - 1) - 1);
 }
 
-// As far as the format has channels, then 0, 0, 1.
+// The channels of the format, then 0, 0, 1.
 Rgba held(const FormatFacts& facts, const Rgba& written) {
     Rgba numbers{0, 0, 0, 1};
     std::copy_n(written.begin(), facts.channels, numbers.begin());
     return numbers;
 }
 
-/// Writes the ends of what the format holds, -5 and 127, and reads that through an isampler2D.
+/// Writes the format's minimum and maximum, -5 and 127, and reads them through an isampler2D.
 struct Ends {
     explicit Ends(const FormatFacts& facts)
         : written(held(facts, {least_of(facts), -5.0f, most_of(facts), 127.0f})) {
@@ -60,7 +60,7 @@ struct Ends {
 };
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "numbers below zero are read back, and by the next pass, as written") {
+TEST_CASE_FIXTURE(Headless, "negative numbers are read back exactly, and by the next pass") {
     REQUIRE(signed_formats().size() == 9);
     for (const FormatFacts& facts : signed_formats()) {
         CAPTURE(facts.name);
@@ -74,7 +74,7 @@ TEST_CASE_FIXTURE(Headless, "numbers below zero are read back, and by the next p
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "readouts have numbers below zero as they are written") {
+TEST_CASE_FIXTURE(Headless, "texel readers return negative numbers as written") {
     auto reader = TexelReader::make();
     auto gatherer = Gatherer::make();
     REQUIRE((reader && gatherer));
@@ -90,7 +90,7 @@ TEST_CASE_FIXTURE(Headless, "readouts have numbers below zero as they are writte
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "the least and the greatest number of a signed target are measured") {
+TEST_CASE_FIXTURE(Headless, "minimum and maximum of a signed target are measured") {
     auto programs = MeterPrograms::make();
     REQUIRE(programs.has_value());
     Meter meter(std::make_shared<const MeterPrograms>(std::move(*programs)));
@@ -112,7 +112,7 @@ TEST_CASE_FIXTURE(Headless, "the least and the greatest number of a signed targe
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "views show numbers below zero between levels, and mark them") {
+TEST_CASE_FIXTURE(Headless, "views show negative numbers between levels, and mark them") {
     auto viewer = Viewer::make();
     auto to = gpu::Canvas::make({4, 4}, Format::rgba8);
     auto from = gpu::Canvas::make({2, 2}, Format::rgba16i);
@@ -140,7 +140,7 @@ TEST_CASE_FIXTURE(Headless, "views show numbers below zero between levels, and m
     CHECK(black[1] == 64);  // 0.25 of 255
 }
 
-TEST_CASE_FIXTURE(Headless, "what a pass counts down stays when another one is edited") {
+TEST_CASE_FIXTURE(Headless, "negative feedback of a pass is kept when another pass is edited") {
     Pass down = pass("down", "", {reads("previous", "down", 1)});
     down.format = Format::r8i;
     down.fragment = signed_stage(
@@ -160,7 +160,7 @@ TEST_CASE_FIXTURE(Headless, "what a pass counts down stays when another one is e
     CHECK(red(executor, 1) == 2.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a sampler of the other sign reads transparent black") {
+TEST_CASE_FIXTURE(Headless, "a sampler of the wrong type reads transparent black") {
     const auto read_as = [](const char* sampler, Format format, const char* type) {
         Look look = look_of({pass("whole", ""), pass("back",
                                                      std::string("uniform ") + sampler +

@@ -29,7 +29,7 @@ Look listening() {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "a pass reads the sound as it is at the frame's end") {
+TEST_CASE_FIXTURE(Headless, "a pass reads the sound at the end of the frame") {
     Executor executor = executor_of(listening());
     const CountedTexels texels;
     Frame heard = frame(30);
@@ -48,7 +48,7 @@ TEST_CASE_FIXTURE(Headless, "without a sound a pass reads silence") {
     CHECK(red(executor, 0) == 0.5f);
 }
 
-TEST_CASE_FIXTURE(Headless, "the sound is one of the pictures that can be looked into") {
+TEST_CASE_FIXTURE(Headless, "the sound texture is one of the textures that can be inspected") {
     Executor executor = executor_of(listening());
     executor.draw(frame(1));
     const TextureChoice wanted{Input::From::sound, {}, 0, 0, eight};
@@ -60,7 +60,7 @@ TEST_CASE_FIXTURE(Headless, "the sound is one of the pictures that can be looked
     CHECK(executor.report(0).samplers.front().reads == wanted);
 }
 
-TEST_CASE_FIXTURE(Headless, "an edited look that begins to listen hears at once") {
+TEST_CASE_FIXTURE(Headless, "an edited look that starts to use sound reads it at once") {
     Executor executor = executor_of(look_of({counter()}));
     executor.draw(frame(1));
     const Look edited = listening();
@@ -72,7 +72,7 @@ TEST_CASE_FIXTURE(Headless, "an edited look that begins to listen hears at once"
     CHECK(red(executor, 0) == 113.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass is told when its frame begins, and the date") {
+TEST_CASE_FIXTURE(Headless, "a pass reads the start time of its frame, and the date") {
     Pass clock =
         pass("clock",
              "uniform float start; uniform float since; uniform vec4 date;\n"

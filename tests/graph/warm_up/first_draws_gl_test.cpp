@@ -11,8 +11,9 @@ Look three_passes() {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless,
-                  "each new program is drawn with once, by its pass's name, and no known one") {
+TEST_CASE_FIXTURE(
+    Headless,
+    "each new program is drawn with once, under its pass's name, and known ones are skipped") {
     const Look look = three_passes();
     const Programs programs = programs_of(look);
     Programs known;
@@ -30,7 +31,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(FirstDraws({look, programs, &programs, {}, {1280, 720}}, *idle).is_done());
 }
 
-TEST_CASE_FIXTURE(Headless, "what first draws were made with goes on as before a first frame") {
+TEST_CASE_FIXTURE(Headless, "an executor used for first draws continues as before a first frame") {
     const Look look = three_passes();
     const Programs programs = programs_of(look);
     FirstDraws draws({.look = look,
@@ -47,10 +48,10 @@ TEST_CASE_FIXTURE(Headless, "what first draws were made with goes on as before a
     Frame frame;
     frame.number = 1;
     executor->draw(frame);
-    CHECK(red(*executor, 0) == 1.0f);  // the counter begins with its first frame
+    CHECK(red(*executor, 0) == 1.0f);  // the counter starts with its first frame
 }
 
-TEST_CASE_FIXTURE(Headless, "cancelled first draws go no further, and say how far they came") {
+TEST_CASE_FIXTURE(Headless, "cancelled first draws stop, and report their progress") {
     const Look look = three_passes();
     const Programs programs = programs_of(look);
     int begun = 0;
@@ -67,7 +68,7 @@ TEST_CASE_FIXTURE(Headless, "cancelled first draws go no further, and say how fa
     CHECK(progress.state().total == 3);
 }
 
-TEST_CASE_FIXTURE(Headless, "linking is counted pass by pass, and ends when nobody wants it") {
+TEST_CASE_FIXTURE(Headless, "linking reports progress per pass, and can be cancelled") {
     const Look look = three_passes();
     PassProgress progress;
     REQUIRE(build_programs(look, nullptr, nullptr, &progress).has_value());
@@ -80,7 +81,7 @@ TEST_CASE_FIXTURE(Headless, "linking is counted pass by pass, and ends when nobo
     CHECK(to_string(none.error().front()) == "look.json: error: opening was cancelled");
 }
 
-TEST_CASE_FIXTURE(Headless, "an image that was made beforehand reads as one that is set") {
+TEST_CASE_FIXTURE(Headless, "an image texture made in advance is the same as one that is set") {
     Look look = look_of({pass("show",
                               "uniform sampler2D paper;\n"
                               "void main() { color = texture(paper, uv); }\n",

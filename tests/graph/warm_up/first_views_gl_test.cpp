@@ -15,7 +15,7 @@ Plan plan_of(const PlannedTarget& target) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "pictures of every format can be looked at before there are any") {
+TEST_CASE_FIXTURE(Headless, "views of every format can be warmed up before there is a picture") {
     FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     gpu::ErrorLog errors;
     for (const FormatFacts& facts : all_formats())
@@ -32,7 +32,7 @@ TEST_CASE_FIXTURE(Headless, "pictures of every format can be looked at before th
             }
 }
 
-TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
+TEST_CASE_FIXTURE(Headless, "each kind of picture is warmed up once") {
     FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     const auto is_new = [&views](const Look& look, const PlannedTarget& target) {
         const std::size_t before = views.owed();
@@ -49,7 +49,7 @@ TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
     transparent.passes[0].has_alpha = true;
     CHECK(is_new(transparent, usual));
     PlannedTarget other = usual;
-    other.extent = {640, 480};  // no side is a power of two either
+    other.extent = {640, 480};  // again without a power of two
     CHECK_FALSE(is_new(light, other));
     other.extent = {1024, 720};
     CHECK(is_new(light, other));
@@ -58,5 +58,5 @@ TEST_CASE_FIXTURE(Headless, "each kind of picture is looked at once") {
     PlannedTarget single{{1, 1}, Format::rgba16f, 1, false};
     CHECK(is_new(light, single));
     single.mipmapped = true;
-    CHECK_FALSE(is_new(light, single));  // one level is all that there is
+    CHECK_FALSE(is_new(light, single));  // it has only one level
 }

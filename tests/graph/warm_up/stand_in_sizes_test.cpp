@@ -16,7 +16,7 @@ Look scaled(const std::vector<double>& factors) {
     return look_of(std::move(passes));
 }
 
-// Of each target, whether its sides are powers of two.
+// For each target, whether its sides are powers of two.
 std::vector<std::pair<bool, bool>> kinds(const Look& look, const PictureSizes& sizes) {
     std::vector<std::pair<bool, bool>> found;
     const auto plan = plan_targets(look, sizes.viewport, sizes.source, {}).value();
@@ -27,7 +27,8 @@ std::vector<std::pair<bool, bool>> kinds(const Look& look, const PictureSizes& s
 }
 }  // namespace
 
-TEST_CASE("a third of a stand-in is a power of two only where a third of the picture is") {
+TEST_CASE(
+    "scaled targets of a substitute size are powers of two only where those of the picture are") {
     const PictureSizes whole{{1280, 720}, {320, 240}};  // a third: 427 x 240; a twelfth: 107 x 60
     const Look look = scaled({1.0 / 3.0, 1.0 / 12.0, 1.0});
     CHECK(kinds(look, {{96, 96}, {96, 96}}) != kinds(look, whole));  // its third is 32
@@ -37,7 +38,7 @@ TEST_CASE("a third of a stand-in is a power of two only where a third of the pic
     }
 }
 
-TEST_CASE("sides of the picture that are powers of two are so in a stand-in") {
+TEST_CASE("power-of-two sides of the picture stay powers of two in a substitute size") {
     const PictureSizes whole{{1024, 768}, {320, 240}};  // halves: 512 x 384
     const Look look = scaled({1.0, 0.5});
     const PictureSizes small = small_like(look, whole);
@@ -46,6 +47,6 @@ TEST_CASE("sides of the picture that are powers of two are so in a stand-in") {
     CHECK(quarter_like(look, whole).value().viewport == Extent{256, 192});
 }
 
-TEST_CASE("of a small picture no quarter stands in") {
+TEST_CASE("a small picture has no quarter-size substitute") {
     CHECK_FALSE(quarter_like(scaled({1.0}), {{300, 200}, {320, 240}}).has_value());
 }

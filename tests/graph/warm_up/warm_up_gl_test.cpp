@@ -11,7 +11,7 @@ Look shading_look(std::vector<Pass> passes) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as it is") {
+TEST_CASE_FIXTURE(Headless, "warm-up does not affect a program in use") {
     const Look look = shading_look({pass("a", shade_text)});
     const Programs first = programs_of(look);
     Executor executor(look, first);
@@ -31,7 +31,7 @@ TEST_CASE_FIXTURE(Headless, "warming up leaves a program that is drawn with as i
     CHECK(red(executor, 0) == 3.0f);
 }
 
-TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the same as without") {
+TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the same afterwards") {
     Pass points = pass("points", "void main() { color = vec4(1.0); }\n");
     points.draw = Draw::points;
     points.vertex.file = "test.vert";
@@ -55,10 +55,10 @@ TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the 
     REQUIRE(executor.resize({4, 4}, {}).has_value());
     executor.draw(frame(1));
     CHECK(red(executor, 2) == 3.0f);
-    CHECK(red(executor, 0) == 0.0f);  // no beam, no light
+    CHECK(red(executor, 0) == 0.0f);  // without a beam there is no light
 }
 
-TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while others are drawn") {
+TEST_CASE_FIXTURE(Headless, "a warmed-up program can be deleted while others are in use") {
     const auto helper = gpu::Context::shared_with(**context);
     REQUIRE(helper.has_value());
     const Look kept = shading_look({pass("kept", shade_text)});
@@ -92,7 +92,8 @@ TEST_CASE_FIXTURE(Headless, "a program that was warmed up can be deleted while o
     const Programs late = programs_of(next);
     on_helper([&] { warm_up->draw({next, late, nullptr, {}, {64, 64}}, progress); });
     gpu::finish();
-    stays.draw(frame(2));  // ended here in Mesa, had the helper drawn with nothing of its own
+    stays.draw(
+        frame(2));  // Mesa crashes here unless the helper also draws with programs of its own
     stays.draw(frame(3));
     CHECK(red(stays, 0) == 1.0f);
     on_helper([&] { warm_up.reset(); });
