@@ -10,7 +10,7 @@ namespace bench {
 
 using ValueTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// A preset of Phosphor as the program draws it, and the article's points for the plain programs.
+/// A Phosphor preset as the program draws it, and the article's points for the plain programs.
 struct Engine {
     Offline offline;
     Player player;
@@ -42,10 +42,10 @@ private:
     }
 };
 
-/// Of red, per pixel of the full picture.
+/// Of the red channel, per pixel of the full picture.
 struct Spread {
     double energy = 0.0;
-    double variance = 0.0;  // px^2, of one axis
+    double variance = 0.0;  // px^2, per axis
 };
 
 inline Spread spread_of(const Picture& picture, Extent full) {

@@ -1,7 +1,7 @@
 #pragma once
 
 // The shaders of the plain programs: the article's formulas, and the same picture in fewer steps.
-// Linear light up to the tone map; nothing here is encoded for the display, as in the article.
+// Linear light up to the tone map; as in the article, nothing is display-encoded.
 namespace bench::texts {
 
 constexpr const char* cover_vertex = R"(#version 410 core
@@ -23,7 +23,7 @@ void main() {
 }
 )";
 
-// Two Gaussians, cut to the point's square.
+// Two Gaussians, clipped to the point's square.
 constexpr const char* beam_fragment = R"(#version 410 core
 uniform vec3 beam_color;
 flat in float strength;
@@ -47,7 +47,7 @@ void main() {
 }
 )";
 
-// What is left of the light; the beam is added by the draw after this one.
+// Decays the light; the next draw adds the beam.
 constexpr const char* fading_fragment = R"(#version 410 core
 uniform sampler2D previous;
 uniform float most;
@@ -76,7 +76,7 @@ void main() {
 }
 )";
 
-// A texel of half the size: the mean of four, in one reading between them.
+// Downsamples to half size: the mean of four texels by one linear sample between them.
 constexpr const char* halve_fragment = R"(#version 410 core
 uniform sampler2D image;
 uniform float most;
@@ -86,7 +86,7 @@ void main() {
 }
 )";
 
-// The same of more texels, smoother: (1 3 3 1) / 8 each way, two texels a reading.
+// Downsamples with a smoother filter: (1 3 3 1) / 8 per axis, two texels per sample.
 constexpr const char* reduce_fragment = R"(#version 410 core
 uniform sampler2D image;
 out vec4 color;
@@ -102,7 +102,7 @@ void main() {
 }
 )";
 
-// Back to twice the size; `share` of what comes from there, the rest of this size's own.
+// Upsamples to twice the size: `share` of the smaller level, the rest from this level.
 constexpr const char* widen_fragment = R"(#version 410 core
 uniform sampler2D image;
 uniform sampler2D own;
@@ -114,7 +114,7 @@ void main() {
 }
 )";
 
-// The glass alone: what it leaves of the light at each pixel.
+// The glass alone: its transmission at each pixel.
 constexpr const char* glass = R"(
 vec2 place_of(vec2 size) {
     vec2 place = 2.0 * gl_FragCoord.xy / size - 1.0;
@@ -166,7 +166,7 @@ void main() {
 }
 )";
 
-// The colour comes here, and the ceiling of each channel.
+// Applies the colour and the ceiling of each channel here.
 constexpr const char* composite_one_colour = R"(
 void main() {
     vec2 place = place_of(size);

@@ -1,6 +1,6 @@
-// Cost of a beam by its number of samples: making, merging, uploading and drawing them, compared
-// with a plain GL program that draws each sample (bench/plain_beam.h). Pictures are compared before
-// times.
+// Cost of a beam by its number of samples: generating, merging, uploading and drawing them,
+// compared with a plain GL program that draws each sample (bench/plain_beam.h). Pictures are
+// compared before times.
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
@@ -21,7 +21,7 @@ using bench::Bound;
 using bench::Figure;
 using bench::wanted;
 
-/// Vector beam's first pass alone, with its values as constants.
+/// Only the first pass of Vector beam, specialised.
 class OurBeam {
 public:
     explicit OurBeam(int samples) : m_prepared(prepared(samples)), m_executor(made(m_prepared)) {
@@ -33,7 +33,7 @@ public:
         wanted(m_executor.set_runs(std::move(runs)));
     }
 
-    /// Of the next frame, behind the last one of the frame before: the figure is closed.
+    /// The next frame, preceded by its own last point: the figure is closed.
     Beam closed() {
         Beam beam = samples();
         beam.insert(beam.begin(), beam.back());
@@ -91,7 +91,7 @@ double sum_of(const Picture& picture, std::size_t channel) {
     return sum;
 }
 
-// All light of ours is in green; of each picture all light is as much.
+// The program's light is in green. Both pictures are scaled to the same total light.
 double root_mean_square(const Picture& plain, const Picture& ours) {
     const double scale = sum_of(plain, 0) / sum_of(ours, 1);
     double difference = 0.0;
@@ -133,7 +133,7 @@ void compare_with_plain(int samples, std::optional<Bound> bound) {
     constexpr double seconds = 5.0;
     OurBeam ours(samples);
     auto plain = wanted(bench::PlainBeam::make(screen, spot_px));
-    for (int i = 0; i < 2; ++i) {  // the first frame has no sample before it
+    for (int i = 0; i < 2; ++i) {  // the first frame has no previous sample
         plain.draw(ours.closed());
         ours.draw();
     }

@@ -9,8 +9,8 @@
 
 namespace bench {
 
-/// A lab without a window, with the looks of the source tree and a folder of its own for the rest.
-/// Ends the program if GL is missing.
+/// A lab without a window, with the looks of the source tree and its own folder for everything
+/// else. Ends the program if GL is missing.
 class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {

@@ -19,7 +19,7 @@ constexpr Extent picture_extent{1280, 720};
 constexpr double seconds = 15.0;
 const bench::Topic topic{"bloom", "Phosphor's bloom passes at 1280 x 720"};
 
-/// The passes of the bloom as the settled article has them, without those before and behind.
+/// The bloom passes of the specialised article preset, without the passes before and after.
 class Bloom {
 public:
     explicit Bloom(const std::string& radius)
@@ -45,7 +45,7 @@ public:
     Bloom(const Bloom&) = delete;
     Bloom& operator=(const Bloom&) = delete;
 
-    /// Whichever context is current.
+    /// May be called with any current context.
     void draw() {
         m_engine.offline.make_current();
         m_executor.redraw(m_frame, m_passes);
@@ -66,12 +66,12 @@ private:
 
     Engine m_engine;
     Executor m_executor;
-    Beam m_point{{0.0f, 0.0f, 1000.0f, 0.0f}};  // far above the least of half floats
+    Beam m_point{{0.0f, 0.0f, 1000.0f, 0.0f}};  // far above the smallest half float
     std::vector<bool> m_passes;
     Frame m_frame;
 };
 
-// The largest rise on the way out from the brightest texel along its row, as a share of it.
+// The largest increase along the row, from the brightest texel outwards, relative to that texel.
 double worst_rise(const Picture& picture) {
     const auto light = [&picture](int x, int y) {
         return static_cast<double>(picture.pixels[picture.index(x, y)]);
@@ -116,7 +116,7 @@ void tell_shape(const std::string& key, const std::string& whose, double wanted_
                  .bound = bench::at_most(2.0)});
 }
 
-// `sigma` in px of the whole picture; the article's radius of 3 is 9.82 of them.
+// `sigma` in px of the full picture; the article's radius of 3 corresponds to 9.82 px.
 std::string radius_of(double sigma) {
     return fmt::format("{:.4f}", sigma / (2.0 * std::sqrt(2.6795)));
 }
@@ -124,7 +124,7 @@ std::string radius_of(double sigma) {
 void compare_with_taps() {
     constexpr double sigma = 17.0;
     Bloom pyramid(radius_of(sigma));
-    // Cut at 24 texels a Gaussian of 8.685 has 8.5, which are 17 px.
+    // Cut at 24 texels, a Gaussian of 8.685 has a sigma of 8.5 texels, which is 17 px.
     const auto plain = wanted(
         bench::PlainBlur::make({picture_extent.width / 2, picture_extent.height / 2}, 49, 8.685));
     tell_shape("sigma-17", "pyramid, sigma 17 px", sigma, pyramid);

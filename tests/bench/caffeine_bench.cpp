@@ -1,8 +1,9 @@
-// How much faster Caffeine reaches the error of the article's method. Errors: RMS of linear light
-// and of displayed values (clamped, gamma 2.2), each method against 8192 samples of its own with
-// other random numbers, over four runs, as few pixels can hold most of an error. The article's dark
-// areas are brighter, and a display's curve is steep in the dark, so the same error of light is
-// larger on a display for ours. Times are measured in alternation.
+// How much faster Caffeine reaches the error of the article's method. Errors are the RMS of linear
+// light and of displayed values (clamped, gamma 2.2). Each method is compared with 8192 of its own
+// samples with other random numbers. Errors are averaged over four runs, because a few pixels can
+// contribute most of an error. The article's dark areas are brighter, and a display's curve is
+// steep in the dark, so the same light error is larger on a display for Caffeine. Times are
+// measured in alternation.
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
 #include "looks/path_tracer.h"
@@ -31,7 +32,7 @@ Result<PathTracer> tracer_of(const Method& method, int seed, Extent size) {
     return PathTracer::create(std::move(settings), size, batch);
 }
 
-/// After each of the sample counts.
+/// The error at each of the sample counts.
 using Errors = std::array<double, sample_counts.size()>;
 struct Measured {
     Errors light{};
@@ -67,7 +68,7 @@ Result<Measured> errors_of(const Method& method) {
     return squares;
 }
 
-/// The samples after which errors that fall by a power between two counts come down to `error`.
+/// The number of samples at which the error reaches `error`, interpolated by a power law.
 double samples_until(const Errors& errors, double error) {
     std::size_t i = 1;
     while (i + 1 < errors.size() && errors[i] > error)
@@ -78,7 +79,7 @@ double samples_until(const Errors& errors, double error) {
     return std::exp(from + (to - from) * std::log(errors[i - 1] / error) / fall);
 }
 
-/// Ours relative to the article's method, which is the reference.
+/// Cost of our method relative to the article's method, which is the reference.
 Result<bench::Cost> cost_of(const Method& ours, const Method& articles) {
     auto plain = tracer_of(articles, 0, speed_size);
     auto own = tracer_of(ours, 0, speed_size);
@@ -183,7 +184,7 @@ Result<void> measure(const std::string& roughness) {
 }
 }  // namespace
 
-/// Arguments: the roughnesses to measure; without any, 0 and 0.3.
+/// Arguments: the roughnesses to measure; without arguments, 0 and 0.3.
 int main(int count, char** arguments) {
     std::vector<std::string> chosen(arguments + 1, arguments + count);
     if (chosen.empty())

@@ -42,7 +42,7 @@ double milliseconds_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// A lab of some size without a window, in a folder of its own.
+/// A lab without a window and with its own folder.
 class ConstantsBench : public bench::BenchLab {
 public:
     ConstantsBench(const fs::path& folder, Extent picture) : BenchLab(folder, picture) {
@@ -59,7 +59,7 @@ public:
             turn();
         return milliseconds_since(start) / 5.0;
     }
-    // Until a frame is drawn with it.
+    // The time until a frame is drawn with it.
     double until_seen(const char* name, double value) {
         const auto start = Clock::now();
         set(name, value, false);
@@ -108,7 +108,7 @@ int main() {
     for (const Extent picture : {Extent{320, 180}, Extent{640, 360}, Extent{1280, 720}}) {
         ConstantsBench bench(folder, picture);
         std::vector<double> times;
-        for (int i = 0; i < 9; ++i)  // none of them twice: the driver remembers
+        for (int i = 0; i < 9; ++i)  // all different, because the driver caches them
             times.push_back(bench.until_seen("GLOW", 0.05 * i + 1e-5 * picture.width));
         const std::string size = fmt::format("{} x {}", picture.width, picture.height);
         bench::tell(topic,

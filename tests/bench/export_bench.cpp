@@ -37,7 +37,7 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Idle share of the cores' time within a second.
+// Idle share of all cores within one second.
 double idle_share() {
     const auto read = [] {
         std::ifstream file("/proc/stat");
@@ -57,7 +57,7 @@ double idle_share() {
     return (after[3] - before[3]) / all;
 }
 
-// Waits a while for an idle machine.
+// Waits up to `most_seconds` for an idle machine.
 double idle_before(int most_seconds) {
     double idle = idle_share();
     for (int i = 1; i < most_seconds && idle < quiet; ++i)
@@ -65,7 +65,7 @@ double idle_before(int most_seconds) {
     return idle;
 }
 
-// KiB of this program in memory, now ("VmRSS") or at most ("VmHWM").
+// Memory of this process in KiB: current ("VmRSS") or peak ("VmHWM").
 double memory(const std::string& which) {
     std::ifstream file("/proc/self/status");
     std::string word;
@@ -76,7 +76,7 @@ double memory(const std::string& which) {
     return 0.0;
 }
 
-/// The Phosphor look whose picture has half floats, as EXR wants them, or bytes.
+/// The Phosphor look with a picture in half floats, as EXR needs, or in bytes.
 fs::path look_with(const std::string& texel, const fs::path& folder) {
     fs::path look = folder / texel;
     fs::copy(fs::path(AFTERGLOW_SOURCE_DIR) / "shaders/phosphor", look,
@@ -136,7 +136,7 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
                         .go_on = [](std::int64_t) { return true; }};
     Run run;
     run.idle = idle_before(patience);
-    std::ofstream("/proc/self/clear_refs") << 5;  // the most so far is what it has now
+    std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak to the current value
     const double memory_before = memory("VmRSS");
     const double cpu = bench::busy_seconds();
     const auto start = Clock::now();
@@ -150,7 +150,7 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
     return run;
 }
 
-/// The runs before which the machine was quiet; where it never was, all.
+/// The runs on an idle machine; all runs if there are none.
 std::vector<Run> counting(std::vector<Run> runs) {
     const auto is_busy = [](const Run& run) { return run.idle < quiet; };
     if (!std::ranges::all_of(runs, is_busy))
@@ -192,7 +192,7 @@ struct Kind {
     std::string texel;
     std::string ending;
     double frame_bytes;
-    double most;  // of the wall time to ideal
+    double most;  // limit of wall time relative to ideal
 };
 
 void measure_kind(const Kind& kind, const Measuring& measuring) {
@@ -200,7 +200,7 @@ void measure_kind(const Kind& kind, const Measuring& measuring) {
     const fs::path& folder = measuring.folder;
     Offline offline = open_look(look_with(kind.texel, folder), folder);
     const auto names = parse_frame_names((folder / ("f_%04d" + kind.ending)).string());
-    run(offline, *names, true, 0);  // all code and tables are there
+    run(offline, *names, true, 0);  // loads all code and tables
     tell_runs(kind.key + "-one-by-one",
               fmt::format("{} of {}, sequential", kind.ending, kind.texel),
               {run(offline, *names, false, measuring.patience)}, {});
@@ -217,7 +217,7 @@ void measure_kind(const Kind& kind, const Measuring& measuring) {
                         .bound = bench::at_most(most_frames)});
 }
 
-/// A picture of a look, as it is read, after some frames.
+/// A picture of a look after some frames, as read back.
 RawPicture read_picture_of(Offline& offline) {
     constexpr int settling = 30;
     for (int i = 0; i < settling; ++i)

@@ -8,12 +8,12 @@
 
 namespace bench {
 
-/// Whether a run is valid, by the ratio of its reference to itself.
+/// Whether a run is valid, by the ratio of the reference to itself.
 inline bool is_itself(double ratio) {
     return std::abs(ratio - 1.0) <= 0.015;
 }
 
-/// The goal of a figure.
+/// The target of a figure.
 struct Bound {
     enum class Side { at_most, at_least };
     Side side = Side::at_most;
@@ -38,7 +38,7 @@ struct Figure {
     std::string what;
     double value = 0.0;
     std::string unit = {};              // "": a ratio
-    std::optional<Bound> bound = {};    // none: reported only
+    std::optional<Bound> bound = {};    // nullopt: reported only
     std::optional<double> itself = {};  // reference noise: the reference relative to itself
     std::optional<double> idle = {};    // idle share of the machine before the run
     std::string detail = {};            // the values behind the number
@@ -47,7 +47,7 @@ struct Figure {
 enum class Verdict { none, pass, miss, noise };
 Verdict verdict_of(const Figure& figure);
 
-/// Prints a line; adds a line of JSON to the file that AFTERGLOW_BENCH_FIGURES names, from which
+/// Prints a line, and adds a line of JSON to the file named by AFTERGLOW_BENCH_FIGURES, from which
 /// write_table.py makes the table. Ends the program if that file can't be written or the value is
 /// not finite.
 void tell(const Topic& topic, const Figure& figure);

@@ -31,11 +31,11 @@ struct Candidate {
     ValueTexts values;
     Way way;
     GLenum format;
-    double most;   // of ours to plain
+    double most;   // limit of ours relative to plain
     double least;  // dB
 };
 
-// Without bloom: the kinds of bloom differ.
+// Without bloom, because the kinds of bloom differ.
 void tell_pictures(const Candidate& candidate) {
     constexpr int frames = 16;
     ValueTexts values = candidate.values;
@@ -50,7 +50,7 @@ void tell_pictures(const Candidate& candidate) {
         engine.draw();
     }
     const auto decibels = [&](const Picture& picture) {
-        constexpr double same = 200.0;  // stands for infinitely many
+        constexpr double same = 200.0;  // stands for infinity
         return std::min(wanted(difference_between(literal.picture(), picture, 0.0)).psnr_db, same);
     };
     bench::tell(topic, {.key = candidate.key + "-picture",
@@ -62,7 +62,7 @@ void tell_pictures(const Candidate& candidate) {
                         .detail = fmt::format("plain GL {:.1f} dB", decibels(plain.picture()))});
 }
 
-// The bloom of one point in one frame, compared with that of the literal program.
+// The bloom of one point in one frame, compared with the literal program.
 void tell_bloom(const Candidate& candidate, const char* pass) {
     Beam point{{0.0f, 0.0f, 1.0f, 0.0f}};
     Engine engine(candidate.preset, candidate.values, picture_extent, {"persistence", pass});
@@ -121,7 +121,7 @@ void compare(const Candidate& candidate) {
                                    costs_of_openings(candidate), bench::at_most(candidate.most)));
 }
 
-// With hardly any pixels, the cost of the calls is left.
+// With very few pixels, only the cost of the calls remains.
 void tell_small_cost(const Candidate& candidate) {
     bench::tell(topic, bench::more_figure(
                            candidate.key + "-calls",

@@ -19,7 +19,7 @@ struct Setting {
     std::string preset;  // "": Default
     std::vector<std::pair<std::string, std::string>> values;
     std::optional<bench::Bound> megabytes;
-    std::optional<bench::Bound> bytes;  // a pixel of the picture
+    std::optional<bench::Bound> bytes;  // per pixel of the picture
 };
 
 Offline settled(const Setting& setting) {

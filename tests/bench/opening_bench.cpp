@@ -34,7 +34,7 @@ struct Attempt {
     const char* name;
 };
 
-/// A lab of 640 x 480 px without a window, in a folder of its own.
+/// A lab of 640 x 480 px without a window and with its own folder.
 class OpeningBench : public bench::BenchLab {
 public:
     explicit OpeningBench(const fs::path& folder) : BenchLab(folder, {640, 480}) {
@@ -43,7 +43,7 @@ public:
             turn();
     }
 
-    /// False if it does not open.
+    /// Returns false if the preset does not open.
     bool open(const fs::path& preset, const Attempt& attempt) {
         const auto start = std::chrono::steady_clock::now();
         std::vector<Turn> turns;
@@ -101,7 +101,7 @@ int main() {
     }
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
-    // The driver opens its cache once a process.
+    // The driver opens its cache once per process.
     setenv("MESA_SHADER_CACHE_DIR", (folder / "driver").c_str(), 1);
     bool is_open = true;
     for (const char* preset : {"crt/crt-royale.slangp", "crt/crt-guest-advanced.slangp",

@@ -1,6 +1,6 @@
 // Cost of an update of a paused lab: without changes, and while a parameter of the last pass or of
 // the bloom changes, compared with an executor that draws only these passes. A slow picture is
-// drawn in slices. Their number depends on wall time, and so on the load of the machine.
+// drawn in slices. The number of slices depends on wall time, and so on the load of the machine.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "gpu/counted_draws.h"
@@ -30,13 +30,13 @@ public:
     }
 
     void turn() { m_lab->update(1.0 / 60.0); }
-    /// As many turns as a picture takes that is drawn in slices.
+    /// Updates until a picture drawn in slices is complete.
     void finish_picture() {
         m_is_sliced = false;
         for (turn(); m_lab->is_amid_frame(); turn())
             m_is_sliced = true;
     }
-    /// The latest one was.
+    /// Whether the latest picture was drawn in slices.
     bool is_sliced() const { return m_is_sliced; }
     Extent extent() const { return m_lab->size().extent(); }
     void set(const std::string& name, double value) {

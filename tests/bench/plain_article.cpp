@@ -10,7 +10,7 @@ namespace bench {
 using plain::Surface;
 
 namespace {
-// Variance in pixels that the article's blur adds: its taps stand 3 texels of half the size apart.
+// Variance in px^2 that the article's blur adds: its taps are 3 texels of half size apart.
 double variance_of_article() {
     const std::array weights{0.19648255, 0.29690696, 0.21959561, 0.04393693,
                              0.01096343, 0.00183638, 0.00021493};
@@ -21,14 +21,14 @@ double variance_of_article() {
         sum += 2.0 * weights[static_cast<std::size_t>(i)];
         moment += 2.0 * weights[static_cast<std::size_t>(i)] * apart * apart;
     }
-    return moment / sum + 0.25;  // and that of a texel of half the size
+    return moment / sum + 0.25;  // plus that of a texel of half size
 }
 
-// What going down to 1 / 2^levels of the size and back to the half spreads light by, px^2: 3/4 of a
-// texel's square at each step, but 1/4 at the first.
+// The variance in px^2 added by downsampling to 1 / 2^levels of the size and upsampling to half
+// size: 3/4 of a squared texel per step, but 1/4 in the first one.
 double variance_of_levels(int levels) {
     const double there_and_back = 0.5 * (std::pow(4.0, levels) - 1.0);
-    return there_and_back - 0.5 - 0.75;  // the last step back is not taken
+    return there_and_back - 0.5 - 0.75;  // without the last upsampling
 }
 
 Extent halved(Extent extent) {
@@ -154,7 +154,7 @@ Result<void> PlainArticle::add_literal() {
 }
 
 Result<void> PlainArticle::add_best() {
-    // One number for all channels goes on until the weakest of them is at its end.
+    // A single number for all channels grows until the weakest channel reaches its ceiling.
     const double most_kept = m_settings.way == Way::best_colour ? ceiling : ceiling / beam_color[0];
     if (auto added = add(texts::fading_fragment,
                          {&(*m_glowing)[0], {{"previous", &(*m_glowing)[1], Reading::exact}}},
@@ -172,7 +172,7 @@ Result<void> PlainArticle::add_best() {
         false);
 }
 
-// As many levels as the article's width lies below, and so much of the last one as it asks for.
+// The levels below the article's width, and the share of the last one that gives this width.
 Result<Surface* const*> PlainArticle::add_pyramid() {
     constexpr int levels = 4;
     const double share = (variance_of_article() - variance_of_levels(levels - 1)) /

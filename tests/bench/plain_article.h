@@ -12,7 +12,7 @@
 
 namespace bench {
 
-/// How the article's frame is drawn: as it says, or the same picture in fewer steps.
+/// How the article's frame is drawn: literally, or the same picture in fewer steps.
 enum class Way { literal, best_colour, best_one_colour };
 
 struct ArticleSettings {
@@ -22,7 +22,7 @@ struct ArticleSettings {
     double bloom_intensity = 0.6;
 };
 
-/// The article's frame as a plain GL program draws it: nothing is looked up, checked or timed.
+/// The article's frame in plain GL, without lookups, checks or timers.
 class PlainArticle {
 public:
     static Result<PlainArticle> make(const ArticleSettings& settings);
@@ -34,7 +34,7 @@ public:
     Picture phosphor() const { return read((*m_glowing)[0]->read(), m_settings.extent); }
 
 private:
-    enum class Reading { exact, linear, cut };  // cut: there is no light beyond the edge
+    enum class Reading { exact, linear, cut };  // cut: black beyond the edge
     struct Read {
         const char* uniform;
         plain::Surface* const* surface;
@@ -67,7 +67,8 @@ private:
     ArticleSettings m_settings;
     std::vector<std::unique_ptr<plain::Surface>> m_surfaces;  // the last one is the screen
     std::vector<std::unique_ptr<plain::Surface*>> m_places;
-    std::array<std::unique_ptr<plain::Surface>, 2> m_phosphor;  // this frame's, the one before
+    std::array<std::unique_ptr<plain::Surface>, 2>
+        m_phosphor;  // this frame's and the previous one's
     std::unique_ptr<std::array<plain::Surface*, 2>> m_glowing;
     plain::Surface* m_bloom = nullptr;
     std::vector<Made> m_steps;

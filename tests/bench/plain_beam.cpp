@@ -27,7 +27,8 @@ void main() {
 }
 )";
 
-// The error function by a rational form (Abramowitz and Stegun 7.1.27), off by at most 5e-4.
+// The error function by a rational approximation (Abramowitz and Stegun 7.1.27), error at most
+// 5e-4.
 constexpr const char* way_fragment = R"(#version 410 core
 uniform float sigma;
 in vec2 at;

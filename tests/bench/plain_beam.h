@@ -11,15 +11,15 @@
 
 namespace bench {
 
-/// A beam as a plain GL program draws it: a rectangle around the way between any two samples, five
-/// sigmas out, with the integral of the spot along it; all samples, as they come.
+/// A beam in plain GL: a rectangle around each segment, five sigmas wide on each side, with the
+/// integral of the spot along the segment. All samples are drawn without merging.
 class PlainBeam {
 public:
     /// `sigma`: px.
     static Result<PlainBeam> make(Extent extent, double sigma);
 
     void draw(std::span<const BeamPoint> points);
-    /// Light in every channel; the top row first.
+    /// Light in every channel; top row first.
     Picture picture() const;
 
 private:

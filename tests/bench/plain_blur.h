@@ -7,14 +7,14 @@
 
 namespace bench {
 
-/// A Gaussian tap by tap, across and then down, as a plain GL program draws it.
+/// A separable Gaussian blur in plain GL, tap by tap, horizontal then vertical.
 class PlainBlur {
 public:
-    /// `taps`: an odd number, a texel apart; their weights add up to 1. `sigma` in texels.
+    /// `taps`: an odd number, one texel apart; their weights sum to 1. `sigma` in texels.
     static Result<PlainBlur> make(Extent extent, int taps, double sigma);
 
     void draw() const;
-    /// What is blurred: a single lit texel in the middle.
+    /// The input: a single lit texel in the middle.
     Picture lit() const { return read(m_lit); }
     Picture blurred() const { return read(*m_down); }
 

@@ -11,7 +11,7 @@ void append_bytes(png_structp png, png_bytep data, std::size_t size) {
 }
 }  // namespace
 
-// Without a handler of its own libpng prints an error and aborts.
+// Without an error handler libpng prints an error and aborts.
 std::vector<std::uint8_t> plain_png(Extent extent, std::span<const std::uint8_t> rgba) {
     std::vector<std::uint8_t> bytes;
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);

@@ -69,7 +69,7 @@ PlainReload::PlainReload(const Executor& of, const ReloadLook& look)
     before->make_current();
 }
 
-PlainReload::~PlainReload() = default;  // its objects go with the context
+PlainReload::~PlainReload() = default;  // its objects are deleted with the context
 
 GLuint PlainReload::build(const std::string& fragment) const {
     parse(EShLangVertex, m_vertex);
@@ -90,7 +90,7 @@ GLuint PlainReload::build(const std::string& fragment) const {
     return program;
 }
 
-// Each sampler reads a texture of its own.
+// Each sampler reads its own texture.
 void PlainReload::use(GLuint program) const {
     glUseProgram(program);
     GLint count = 0;

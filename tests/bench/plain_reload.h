@@ -11,21 +11,21 @@
 
 namespace bench {
 
-/// What a reload of the last pass cannot do without, in a context of its own: glslang's parse, GL's
-/// compile and link, and a first draw as large as the picture.
+/// The minimum for a reload of the last pass, in its own context: glslang's parse, GL's compile and
+/// link, and a first draw with the size of the picture.
 class PlainReload {
 public:
-    /// Takes the texts that the executor's last pass is drawn with; `look` is what it draws.
+    /// Uses the texts of the executor's last pass; `look` is the look that it draws.
     PlainReload(const Executor& of, const ReloadLook& look);
     ~PlainReload();
     PlainReload(const PlainReload&) = delete;
     PlainReload& operator=(const PlainReload&) = delete;
 
-    /// CPU time of the process for a text that has not been before, without that of drawing it a
-    /// second time, in milliseconds.
+    /// CPU time of the process in milliseconds for a new text, minus that of drawing it a second
+    /// time.
     double over_a_frame(int number);
 
-    /// Wall time until such a text is parsed, compiled and linked, in milliseconds.
+    /// Wall time in milliseconds until a new text is parsed, compiled and linked.
     double until_linked(int number);
 
 private:

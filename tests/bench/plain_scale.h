@@ -8,11 +8,11 @@
 
 namespace bench {
 
-/// A look of many small passes, each of which mixes what the one before drew with what it drew
-/// itself a frame ago, by uniforms of its own.
+/// A look with many small passes. Each mixes the output of the previous pass with its own previous
+/// frame, controlled by its own uniforms.
 struct ScaleTexts {
     std::string manifest;                // look.json
-    std::vector<std::string> fragments;  // pass0.frag and on
+    std::vector<std::string> fragments;  // pass0.frag and so on
 };
 
 struct ScaleSize {
@@ -27,7 +27,7 @@ ScaleTexts scale_texts(const ScaleSize& size);
 std::string scale_parameter(int pass, int parameter);
 double scale_initial(int pass, int parameter);
 
-/// The same passes by the calls to GL alone that they need.
+/// The same passes with only the GL calls that they need.
 class PlainScale {
 public:
     static Result<PlainScale> make(const ScaleSize& size);
@@ -45,7 +45,7 @@ private:
     explicit PlainScale(const ScaleSize& size);
 
     std::vector<Pass> m_passes;
-    std::array<std::vector<plain::Surface>, 2> m_targets;  // of this frame and of the one before
+    std::array<std::vector<plain::Surface>, 2> m_targets;  // of this frame and of the previous one
     std::size_t m_now = 0;
     gpu::Name<plain::delete_vertex_array_name> m_vertices;
     gpu::Name<plain::delete_sampler_name> m_sampler;

@@ -73,7 +73,7 @@ struct Folders {
     std::string text;
 };
 
-/// A lab on that look, without a window.
+/// A lab with that look, without a window.
 class ReloadBench {
 public:
     ReloadBench(const fs::path& folder, const Folders& folders) : m_folders(folders) {
@@ -93,7 +93,7 @@ public:
         while (m_lab->player().frame_number() < 10)
             frame();
         for (const auto start = Clock::now(); milliseconds_since(start) < 2500.0;)
-            frame();  // what follows the first picture is done
+            frame();  // finishes the work after the first picture
     }
     ~ReloadBench() { m_lab.reset(); }
     ReloadBench(const ReloadBench&) = delete;
@@ -101,7 +101,7 @@ public:
 
     const Lab& lab() const { return *m_lab; }
 
-    /// Values are static from now on, or one of them changes.
+    /// Makes values static from now on, or changes one of them.
     void rest(bool rests) {
         if (!rests)
             m_lab->edit([this](Document& document) {
@@ -115,15 +115,15 @@ public:
             frame(0.1);
     }
 
-    /// Of the process.
+    /// CPU time of the process.
     double steady_milliseconds() {
         const double start = busy_seconds();
         frame();
         return 1e3 * (busy_seconds() - start);
     }
 
-    /// CPU time of the process from the save to the first new frame, over one such frame. No time
-    /// passes and no frame is drawn while the text is read.
+    /// CPU time of the process from the save to the first new frame, minus one such frame. No time
+    /// passes and no frame is drawn while the text is loaded.
     double over_a_frame(const std::string& text, bool by_rename) {
         m_folders.save(text, by_rename);
         const double start = busy_seconds();
@@ -139,10 +139,10 @@ public:
                bench::median({steady_milliseconds(), steady_milliseconds(), steady_milliseconds()});
     }
 
-    /// The longest frame on the drawing thread, over a steady one.
+    /// The longest frame on the drawing thread, compared with the same time without an edit.
     struct Gap {
-        double with_edit = 0.0;  // until the text is the picture's, and five frames more
-        double without = 0.0;    // as many frames in which nothing is edited
+        double with_edit = 0.0;  // until the text is displayed, plus five frames
+        double without = 0.0;    // over the same number of frames without an edit
     };
     Gap longest_gap(const std::string& text, bool by_rename) {
         std::vector<double> edited;
@@ -182,7 +182,7 @@ private:
     double m_turned = 1.5;
 };
 
-/// The reloader alone: when a save is linked, before anything is drawn with it.
+/// Only the reloader: the time from a save until it is linked, before any draw.
 class LinkBench {
 public:
     LinkBench(const fs::path& folder, const Folders& folders)
@@ -249,7 +249,7 @@ void measure_links(const bench::Topic& topic, const fs::path& folder, const Fold
                         .bound = bench::at_most(1.3)});
 }
 
-/// How edits are saved, and whether values change meanwhile.
+/// How edits are saved, and whether values change at the same time.
 struct Way {
     const char* key;
     const char* name;
@@ -321,7 +321,7 @@ void measure_frames(const bench::Topic& topic, const fs::path& folder, const Fol
 int main() {
     std::string name = (fs::temp_directory_path() / "afterglow-bench-XXXXXX").string();
     const fs::path folder = mkdtemp(name.data());
-    // A cache of shaders from an earlier run would answer for the compiler.
+    // A shader cache from an earlier run would replace the compiler.
     setenv("MESA_SHADER_CACHE_DIR", (folder / "driver").c_str(), 1);
     setenv("LP_NUM_THREADS", "0", 1);
     std::setvbuf(stdout, nullptr, _IOLBF, 0);

@@ -20,7 +20,7 @@ using bench::wanted;
 
 const bench::Topic topic{"scale", "Large looks: 50 passes of 8 x 8 px, 1,000 parameters"};
 
-/// The parameter that is dragged, in the middle of the look.
+/// The dragged parameter, in the middle of the look.
 struct Knob {
     int pass = 0;
     int parameter = 0;
@@ -34,7 +34,7 @@ double place_of(int turn) {
     return 0.3 + 0.05 * (turn % 7);
 }
 
-/// No parameter has its default.
+/// Values in which no parameter has its default.
 Values all_turned(const ScaleSize& size) {
     Values values;
     for (int pass = 0; pass < size.passes; ++pass)
@@ -50,7 +50,7 @@ Look look_at(const std::filesystem::path& folder) {
     return wanted(prepare(request, library)).document.drawn_look();
 }
 
-/// The executor with nothing around it.
+/// Only the executor.
 class OwnExecutor {
 public:
     OwnExecutor(const Look& look, Values values, Extent extent)
@@ -81,7 +81,7 @@ private:
     Frame m_frame;
 };
 
-/// All that a window does for a frame but the panels.
+/// Everything that a window does for a frame, except the panels.
 class ScaleLab : public bench::BenchLab {
 public:
     ScaleLab(const std::filesystem::path& folder, const std::filesystem::path& look,
@@ -100,7 +100,7 @@ public:
     void set(const std::string& name, double value) {
         m_lab->edit([&](Document& document) { document.set_value(name, Value(value), true); });
     }
-    // So little time that values do not come to rest, which would make constants of them.
+    // Such short updates that values do not count as static, so that programs are not specialised.
     void draw(double /*seconds*/ = 0.0) {
         m_lab->update(1e-5);
         while (m_lab->is_amid_frame())
@@ -108,14 +108,14 @@ public:
     }
 };
 
-/// The reference, and which figures are measured: those whose keys contain a text.
+/// The reference, and a text: figures whose key contains it are measured.
 struct Yardstick {
     PlainScale& plain;
     ScaleSize size;
     std::string only;
 };
 
-/// Both draw the same frames; during a drag, one parameter changes in each.
+/// Both draw the same frames. During a drag, one parameter changes in each frame.
 template <class Ours>
 void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
     constexpr double seconds = 6.0;
@@ -191,7 +191,7 @@ void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::st
 }  // namespace
 
 int main(int count, char** arguments) {
-    setenv("LP_NUM_THREADS", "0", 0);  // its threads cost more than such draws
+    setenv("LP_NUM_THREADS", "0", 0);  // its threads cost more than these draws
     const TemporaryFolder folder;
     const std::string only = count > 1 ? arguments[1] : "";
     measure(folder, {}, only);

@@ -33,9 +33,9 @@ public:
             frame();
         return 1e3 * (bench::busy_seconds() - start) / frames;
     }
-    /// False where the driver refuses such programs.
+    /// Returns false if the driver rejects specialised programs.
     bool settle() {
-        constexpr double longest = 0.1;  // of a turn, so that it need not be waited for
+        constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_frames = 300;
         int frames = 0;
         while (!m_lab->renderer()->executor().is_settled() && ++frames < most_frames)
@@ -44,7 +44,7 @@ public:
         frame();
         return frames < most_frames;
     }
-    /// As the first change of a drag does; too small to see.
+    /// The first change of a drag; too small to be visible.
     void turn_a_knob() {
         const Look& look = m_lab->document()->look();
         const auto knob = std::ranges::find_if(look.parameters, [&](const Parameter& parameter) {

@@ -13,7 +13,7 @@
 
 namespace bench {
 
-/// CPU time of the whole process, all threads of the driver included.
+/// CPU time of the whole process, including the driver's threads.
 inline double busy_seconds() {
     timespec now{};
     clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
@@ -46,7 +46,7 @@ struct Cost {
     bool counts() const { return is_itself(itself); }
 };
 
-/// Rounds of the reference, with rounds of ours between them.
+/// Rounds of the reference, with our rounds between them.
 class CostOfTurns {
 public:
     explicit CostOfTurns(int frames) : m_frames(frames) {}
@@ -93,8 +93,8 @@ Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
     return turns.cost();
 }
 
-/// The same within some seconds of CPU time, in many short rounds, as the clock of a machine may
-/// change within seconds.
+/// The same within a number of seconds of CPU time, in many short rounds, because the clock rate of
+/// a machine may change within seconds.
 template <class Plain, class Ours>
 Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
     constexpr double turn_seconds = 0.02;
@@ -111,7 +111,7 @@ Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
         plain, ours);
 }
 
-/// Ours relative to plain.
+/// Our cost relative to plain.
 inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
                            std::optional<Bound> bound = {}) {
     return {.key = std::move(key),
@@ -123,8 +123,8 @@ inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
                                   cost.plain_milliseconds)};
 }
 
-/// The same over the valid ones of several openings: the place of code and textures in memory makes
-/// either side faster or slower for as long as it is open.
+/// The same over the valid ones of several openings. The location of code and textures in memory
+/// makes either side faster or slower for as long as it is open.
 inline Figure ratio_figure(std::string key, std::string what, const std::vector<Cost>& openings,
                            std::optional<Bound> bound = {}) {
     std::vector<Cost> told;
@@ -147,7 +147,7 @@ inline Figure ratio_figure(std::string key, std::string what, const std::vector<
     return figure;
 }
 
-/// Ours minus plain.
+/// Our cost minus plain.
 inline Figure more_figure(std::string key, std::string what, const Cost& cost, Bound bound) {
     Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
     figure.value = cost.more;

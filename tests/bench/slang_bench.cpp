@@ -27,7 +27,7 @@ Cost cost_of(plain::Pair& pair) {
     constexpr int rounds = 5;
     constexpr double least_seconds = 0.1;
     const auto plain = [&] { pair.draw_plain(); };
-    bench::seconds_of(4, plain);  // the first ones compile
+    bench::seconds_of(4, plain);  // the first frames compile
     const int frames = static_cast<int>(least_seconds / (bench::seconds_of(4, plain) / 4)) + 1;
     return bench::side_by_side(rounds, frames, plain, [&] { pair.draw_ours(); });
 }

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 const bench::Topic topic{"strip", "Pass strip: an update of the lab and its views at 1280 x 720"};
 
-/// A lab whose values rest, with what the window shows of it.
+/// A lab with static values, and the views of its window.
 class StripLab : public bench::BenchLab {
 public:
     StripLab(const fs::path& folder, const std::string& look, bool shows_strip)
@@ -34,7 +34,7 @@ public:
     StripLab(const StripLab&) = delete;
     StripLab& operator=(const StripLab&) = delete;
 
-    /// Of CPU time. What became due while the other lab had its turns is drawn before.
+    /// CPU time. Overdue work that accumulated while the other lab was measured is drawn first.
     double seconds_of(int turns) {
         constexpr int overdue = 2;
         m_context->make_current();
@@ -48,7 +48,7 @@ public:
 
 private:
     void settle() {
-        constexpr double longest = 0.1;  // of a turn, so that it need not be waited for
+        constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_turns = 300;
         for (int i = 0; i < most_turns && !m_lab->renderer()->executor().is_settled(); ++i)
             turn(longest);

@@ -16,7 +16,7 @@ namespace bench {
     std::exit(EXIT_FAILURE);
 }
 
-/// The value; ends the program with the problems if it is missing.
+/// Returns the value; ends the program with the errors if there is none.
 template <class T>
 T wanted(Result<T> result) {
     if (!result)

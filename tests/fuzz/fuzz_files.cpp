@@ -70,7 +70,7 @@ void require_places(const Stage& stage) {
     require(stage.lines.size() == ends + (is_open ? 1 : 0), "every line has a place");
 }
 
-// By libFuzzer's name.
+// The name that libFuzzer calls.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,  // NOLINT
                                       std::size_t size) {
     fuzz_one({reinterpret_cast<const char*>(data), size});

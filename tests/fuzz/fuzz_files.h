@@ -9,37 +9,37 @@
 #include <string_view>
 #include <vector>
 
-/// A folder in memory that holds the files of one run; gone when the program ends.
+/// A folder in memory with the files of one run. It is deleted at the end of the program.
 class FuzzFolder {
 public:
-    /// `names` are the files' paths below the folder, in the order in which runs fill them.
+    /// `names` are the paths of the files in the folder, in the order of the pieces of an input.
     explicit FuzzFolder(std::vector<std::string> names);
     ~FuzzFolder();
     FuzzFolder(const FuzzFolder&) = delete;
     FuzzFolder& operator=(const FuzzFolder&) = delete;
 
-    /// Writes the pieces of `input`, between form feeds, to the files; those for which there is no
-    /// piece are removed.
+    /// Splits `input` at form feeds and writes the pieces to the files. Files without a piece are
+    /// deleted.
     void fill(std::string_view input);
 
-    /// The path of a file by its place.
+    /// The path of the file with this index.
     std::filesystem::path file(std::size_t index) const { return m_folder / m_names[index]; }
 
 private:
     std::filesystem::path m_folder;
     std::vector<std::string> m_names;
-    std::vector<std::string> m_texts;  // as they are on the disk
+    std::vector<std::string> m_texts;  // the content on disk
     std::vector<bool> m_is_there;
 };
 
-/// What a program does with one random text; each program has its own.
+/// Processes one random text. Each fuzz program defines it.
 void fuzz_one(std::string_view input);
 
-/// Ends the program, and so shows the run, where a rule is broken.
+/// Aborts if a rule is broken, so that the fuzzer records the run.
 void require(bool is_kept, const char* rule);
 
-/// What is refused says why, and in which file.
+/// Requires a reason and a file in each error.
 void require_reasons(const Diagnostics& errors);
 
-/// Every line of a stage knows where it was written.
+/// Requires an origin for every line of a stage.
 void require_places(const Stage& stage);

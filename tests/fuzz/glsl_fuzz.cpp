@@ -1,4 +1,4 @@
-// Fragment shaders alone: what is read of a text before a compiler sees it.
+// Single fragment shaders: everything that reads the text before a compiler.
 
 #include "formats/bare/varyings.h"
 #include "formats/glsl/modern_glsl.h"

@@ -1,4 +1,4 @@
-// The includes of looks of our own, of Shadertoy's folders and of fragment shaders alone.
+// Includes in native looks, Shadertoy folders and single fragment shaders.
 
 #include "fuzz/fuzz_files.h"
 #include "glsl/text/include.h"

@@ -1,4 +1,4 @@
-// Shaders of the Interactive Shader Format, up to what a compiler gets.
+// ISF shaders, up to the text for the compiler.
 
 #include "formats/isf/body.h"
 #include "formats/isf/controls.h"

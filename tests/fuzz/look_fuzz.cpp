@@ -1,5 +1,5 @@
-// Whole looks with the compilers behind the readers, which are slower by a hundred times: the first
-// letter of a text chooses the kind of file.
+// Whole looks, compilers included, which are a hundred times slower. The first letter of a text
+// selects the kind of file.
 
 #include "formats/look_format.h"
 #include "fuzz/fuzz_files.h"

@@ -1,4 +1,4 @@
-// Presets of libretro: a file with #reference and #include to three others, and itself.
+// libretro presets: a file with #reference and #include to three others, and to itself.
 
 #include "formats/slang/preset.h"
 #include "formats/slang/write.h"

@@ -1,4 +1,4 @@
-// Shaders of libretro: includes, pragmas, parameters and what a person reads of them.
+// libretro shaders: includes, pragmas, parameters and their labels.
 
 #include "formats/slang/controls.h"
 #include "formats/slang/shader.h"

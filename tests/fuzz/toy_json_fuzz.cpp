@@ -1,4 +1,4 @@
-// Shaders of Shadertoy as JSON, in either dialect, up to what a compiler gets.
+// Shadertoy shaders as JSON, in both dialects, up to the text for the compiler.
 
 #include "formats/shadertoy/toy_json.h"
 #include "formats/shadertoy/toy_look.h"

@@ -1,4 +1,4 @@
-// Shaders of Shadertoy as texts: Common, Buffer A and Image, up to what a compiler gets.
+// Shadertoy shaders as text: Common, Buffer A and Image, up to the text for the compiler.
 
 #include "base/text.h"
 #include "formats/shadertoy/toy_files.h"

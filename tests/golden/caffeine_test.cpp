@@ -11,15 +11,16 @@ const GoldenLook caffeine{
     .always = {{"dither", "false"}, {"samples_per_frame", "2"}},
     .companions = {{"article_gamma", {{"as_written", "true"}}},
                    {"white", {{"tone_map", "1"}, {"exposure", "3"}}}},
-    .ends = {{"orbit_turn", {"0,-70,0", "60,0,30"}}},  // half turns about all three axes are none
+    .ends = {{"orbit_turn", {"0,-70,0", "60,0,30"}}},  // half turns about all three axes cancel
     .fewest_presets = 5,
 };
 }  // namespace
 
-TEST_CASE("caffeine: each parameter's ends look as they did, and one changes the picture") {
+TEST_CASE(
+    "caffeine: each parameter's ends match their golden pictures, and one changes the picture") {
     check_parameters(caffeine);
 }
 
-TEST_CASE("caffeine: each preset looks as it did, and no two look the same") {
+TEST_CASE("caffeine: each preset matches its golden picture, and all presets differ") {
     check_presets(caffeine);
 }

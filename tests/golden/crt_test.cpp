@@ -20,10 +20,10 @@ const GoldenLook crt{
 };
 }  // namespace
 
-TEST_CASE("crt: each parameter's ends look as they did, and one changes the picture") {
+TEST_CASE("crt: each parameter's ends match their golden pictures, and one changes the picture") {
     check_parameters(crt);
 }
 
-TEST_CASE("crt: each preset looks as it did, and no two look the same") {
+TEST_CASE("crt: each preset matches its golden picture, and all presets differ") {
     check_presets(crt);
 }

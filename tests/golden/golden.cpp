@@ -26,13 +26,13 @@ Prepared prepared(const RenderRequest& request) {
     return std::move(*result);
 }
 
-/// Draws one look again and again. Making its programs takes longer than all its frames, so they
-/// are kept from picture to picture.
+/// Draws one look repeatedly. Building its programs takes longer than drawing all its frames, so
+/// they are kept between pictures.
 class Drawer {
 public:
     explicit Drawer(Extent size) : m_size(size) {}
 
-    /// Frames side by side, from a fresh start.
+    /// Frames side by side, from a restart.
     Picture strip(const std::vector<int>& frames, Document document);
 
 private:
@@ -73,7 +73,7 @@ Picture Drawer::strip(const std::vector<int>& frames, Document document) {
     return strip;
 }
 
-/// One picture above the other.
+/// The first picture above the second one.
 Picture stacked(const Picture& above, const Picture& below) {
     Picture both = above;
     both.extent.height += below.extent.height;
@@ -117,7 +117,7 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     return ends;
 }
 
-/// A look on its way through the sweep.
+/// The state of a look's sweep over its parameters.
 class Sweep {
 public:
     explicit Sweep(const GoldenLook& look) : m_look(look), m_drawer(look.cell) {}
@@ -136,7 +136,7 @@ public:
     }
 
 private:
-    /// As it is swept; on a signal other than the sweep's, if there is one.
+    /// The document of the sweep; with another signal if one is given.
     const Document& base(const std::string& signal) {
         auto found = m_bases.find(signal);
         if (found == m_bases.end()) {

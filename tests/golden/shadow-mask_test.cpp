@@ -25,10 +25,11 @@ const GoldenLook shadow_mask{
 };
 }  // namespace
 
-TEST_CASE("shadow-mask: each parameter's ends look as they did, and one changes the picture") {
+TEST_CASE(
+    "shadow-mask: each parameter's ends match their golden pictures, and one changes the picture") {
     check_parameters(shadow_mask);
 }
 
-TEST_CASE("shadow-mask: each preset looks as it did, and no two look the same") {
+TEST_CASE("shadow-mask: each preset matches its golden picture, and all presets differ") {
     check_presets(shadow_mask);
 }

@@ -8,14 +8,15 @@ GoldenLook stack(const char* id, int frame) {
 }
 }  // namespace
 
-TEST_CASE("phosphor+crt: each preset looks as it did, and no two look the same") {
+TEST_CASE("phosphor+crt: each preset matches its golden picture, and all presets differ") {
     check_presets(stack("phosphor+crt", 6));
 }
 
-TEST_CASE("vector-beam+shadow-mask: each preset looks as it did, and no two look the same") {
+TEST_CASE(
+    "vector-beam+shadow-mask: each preset matches its golden picture, and all presets differ") {
     check_presets(stack("vector-beam+shadow-mask", 6));
 }
 
-TEST_CASE("crt+crt: each preset looks as it did, and no two look the same") {
+TEST_CASE("crt+crt: each preset matches its golden picture, and all presets differ") {
     check_presets(stack("crt+crt", 1));
 }

@@ -15,7 +15,7 @@ std::array<std::uint32_t, 3> color_at(std::uint32_t x, std::uint32_t y, Extent e
     const auto step = static_cast<std::uint32_t>(frame);
     const std::uint32_t moved = x + 3 * step;
     switch (4 * y / height) {
-        case 0:  // shades
+        case 0:  // gradients
             return {255 * moved / width % 256, 255 - 255 * x / width, 1020 * y / height};
         case 1:  // tiles
             return (moved / 8 + y / 8) % 2 == 0 ? std::array{224u, 80u, 32u}

@@ -5,11 +5,11 @@
 
 namespace plain {
 
-/// A picture of a game, as it were, that moves: shades, edges, single pixels and noise; each frame
-/// another one, the same in every run.
+/// A moving test picture that resembles a game: gradients, edges, single pixels and noise. Each
+/// frame differs; all runs give the same frames.
 Bytes moving_picture(Extent extent, int frame);
 
-/// The same as the program holds pictures.
+/// The same picture as the program's Picture.
 Picture picture_of(const Bytes& bytes);
 
 }  // namespace plain

@@ -7,23 +7,24 @@
 
 namespace plain {
 
-/// Over all pixels and channels of two pictures, 1 being white.
+/// Over all pixels and channels of two pictures; 1 is white.
 struct Difference {
     double mean = 0.0;
     double largest = 0.0;
 };
 Difference difference_of(const std::vector<float>& a, const std::vector<float>& b);
 
-/// A preset that is drawn by the program and by the plain chain, in one context.
+/// A preset drawn by the program and by the plain chain, in one context.
 class Pair {
 public:
     static Result<Pair> open(const std::filesystem::path& preset, Extent original, Extent viewport);
 
-    /// Both show this from the next frame on.
+    /// Sets the original of both, from the next frame.
     Result<void> set_original(const Bytes& picture);
     void draw_ours() { m_ours->advance(); }
     void draw_plain() { m_plain->draw(); }
-    /// Draws so many frames of a picture that moves; the worst of the first and the last one.
+    /// Draws `frames` frames of a moving picture. Returns the larger difference of the first and
+    /// last frame.
     Result<Difference> compare(int frames);
 
     Offline& ours() { return *m_ours; }
@@ -35,7 +36,7 @@ private:
 
     Extent m_original;
     bool m_reads_the_past = false;
-    std::unique_ptr<Offline> m_ours;  // first: its context outlives the chain
+    std::unique_ptr<Offline> m_ours;  // first: its context must outlive the chain
     std::unique_ptr<Chain> m_plain;
 };
 

@@ -1,5 +1,5 @@
-// Chains of libretro's shaders as the program draws them against a plain chain of the GL calls that
-// RetroArch's rules ask for, rule by rule.
+// Chains of libretro's shaders drawn by the program, compared with a plain chain of the GL calls
+// that RetroArch's rules require, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/offline/corpus.h"
@@ -41,7 +41,7 @@ std::string shader_of(const std::string& color, const std::vector<std::string>& 
     return text + "void main() { FragColor = " + color + "; }\n";
 }
 
-// Turned a little, so that every filter, wrap and border is seen.
+// Slightly rotated, so that every filter, wrap mode and border has an effect.
 constexpr const char* turned = "mat2(1.1, 0.13, -0.13, 1.1) * (at - 0.5) + 0.47";
 const std::string reads_source = shader_of(fmt::format("texture(Source, {})", turned), {"Source"});
 const std::string copies = shader_of("texture(Source, at)", {"Source"});
@@ -57,7 +57,7 @@ public:
         }
         return m_folder.write("a.slangp", text + lines);
     }
-    /// Over six frames of a moving picture of 37 x 23 pixels in a view of 61 x 47.
+    /// Over six frames of a moving picture of 37 x 23 px in a view of 61 x 47 px.
     plain::Difference difference(const std::vector<std::string>& shaders,
                                  const std::string& lines) const {
         auto pair = plain::Pair::open(preset(shaders, lines), {37, 23}, {61, 47});
@@ -75,7 +75,7 @@ private:
     TemporaryFolder m_folder;
 };
 
-// One level of 255 may round the other way; what is read wrongly is far from that.
+// Rounding may differ by one 8-bit level; a wrong read differs by much more.
 void check_same(const plain::Difference& difference) {
     CHECK(difference.mean <= 2e-4);
     CHECK(difference.largest <= 2.0 / 255.0);
@@ -86,14 +86,14 @@ void check_same(const std::vector<std::string>& shaders, const std::string& line
 }
 }  // namespace
 
-TEST_CASE("parity: the last pass stretched to the view, also where a texel's edge is met") {
+TEST_CASE("parity: the last pass is scaled to the view, also at exact texel edges") {
     check_same({copies}, "scale_type0 = source\nscale0 = 2.0\n");
     check_same({reads_source},
                "scale_type_x0 = absolute\nscale_x0 = 122\nscale_type_y0 = viewport\n"
                "scale_y0 = 2.0\n");
 }
 
-TEST_CASE("parity: filter and wrap belong to what is read") {
+TEST_CASE("parity: filter and wrap belong to the texture that is read") {
     const std::string two =
         shader_of(fmt::format("texture(Source, {0}) * 0.5 + texture(Original, {0}) * 0.3 +"
                               " texture(PassOutput0, {0}) * 0.2",
@@ -106,7 +106,7 @@ TEST_CASE("parity: filter and wrap belong to what is read") {
                        fmt::format("{0}wrap_mode0 = {1}\nwrap_mode2 = {1}\n", linear, wrap));
 }
 
-TEST_CASE("parity: smaller levels, and how a pass goes between them") {
+TEST_CASE("parity: mipmaps, and the filter between their levels") {
     const std::string small =
         shader_of(fmt::format("textureLod(Source, {}, 1.4)", turned), {"Source"});
     for (const char* filter : {"", "filter_linear1 = true\n", "filter_linear1 = false\n"})
@@ -115,12 +115,12 @@ TEST_CASE("parity: smaller levels, and how a pass goes between them") {
                        fmt::format("mipmap_input1 = true\n{}{}", filter, behind));
 }
 
-TEST_CASE("parity: the formats of targets") {
+TEST_CASE("parity: formats of targets") {
     const std::string dark = shader_of("texture(Source, at) * 0.37", {"Source"});
     const std::string twice = shader_of("texture(Source, at) * 2.0", {"Source"});
     check_same({dark, twice}, "scale_type0 = source\nsrgb_framebuffer0 = true\n");
     check_same({dark, twice}, "scale_type0 = source\nfloat_framebuffer0 = true\n");
-    check_same({dark, twice}, "float_framebuffer0 = true\n");  // without a scale it says nothing
+    check_same({dark, twice}, "float_framebuffer0 = true\n");  // no effect without a scale
     for (const char* format : {"R8_UNORM", "R8G8_UNORM", "R8G8B8A8_SRGB", "R16_SFLOAT",
                                "A2B10G10R10_UNORM_PACK32", "R32G32B32A32_SFLOAT"})
         check_same({shader_of("texture(Source, at) * 0.37", {"Source"},
@@ -139,7 +139,7 @@ TEST_CASE("parity: the formats of targets") {
             "");
 }
 
-TEST_CASE("parity: sizes are rounded, and told") {
+TEST_CASE("parity: sizes are rounded, and passed as uniforms") {
     const std::string sizes = shader_of(
         "vec4(push.SourceSize.xy / 128.0, push.OutputSize.y / 128.0, 1.0) * 0.5 +"
         " u.OriginalSize.zwzw + vec4(u.FinalViewportSize.xy / 512.0, 0.0, 0.0) +"
@@ -158,7 +158,7 @@ TEST_CASE("parity: frames are counted from 0, modulo each pass's own number") {
     check_same({count, count}, "frame_count_mod0 = 4\n");
 }
 
-TEST_CASE("parity: what was drawn and shown in former frames") {
+TEST_CASE("parity: feedback and history") {
     const std::string mixes = shader_of(
         fmt::format("texture(Source, at) * 0.4 + texture(LaterFeedback, {}) * 0.5", turned),
         {"Source", "LaterFeedback"});
@@ -172,7 +172,7 @@ TEST_CASE("parity: what was drawn and shown in former frames") {
                "filter_linear0 = true\n");
 }
 
-TEST_CASE("parity: textures, and one that is missing") {
+TEST_CASE("parity: textures, also a missing one") {
     const ParityFolder folder;
     folder.save_lut("lut.png");
     const std::string shader = shader_of(
@@ -186,13 +186,13 @@ TEST_CASE("parity: textures, and one that is missing") {
     check_same(folder.difference({shader}, lines + "lut_linear = false\nsmall_linear = false\n"));
 }
 
-TEST_CASE("parity: an alias is another name before the format's own") {
+TEST_CASE("parity: an alias overrides a built-in name") {
     check_same({shader_of("texture(Source, at).bgra", {"Source"}), copies,
                 shader_of("texture(Original, at)", {"Original"})},
                "alias0 = Original\n");
 }
 
-TEST_CASE("parity: gl_FragCoord counts up in the picture and down in the passes before it") {
+TEST_CASE("parity: gl_FragCoord counts up in the picture and down in earlier passes") {
     const std::string rows =
         shader_of("texture(Source, at) * 0.5 + gl_FragCoord.y / 128.0", {"Source"});
     check_same({rows, rows}, "");

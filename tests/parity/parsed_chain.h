@@ -4,12 +4,12 @@
 #include "formats/slang/shader.h"
 #include "glsl/compile/translate.h"
 
-/// A preset's numbers and its shaders' texts, as the program reads them, and nothing that the
-/// program makes of them.
+/// The numbers of a preset and the texts of its shaders as parsed by the program, without anything
+/// derived from them.
 struct ParsedChain {
     SlangPreset preset;
-    std::vector<SlangShader> shaders;       // one a pass
-    std::vector<Translation> translations;  // likewise
+    std::vector<SlangShader> shaders;       // one per pass
+    std::vector<Translation> translations;  // one per pass
 };
 
 Result<ParsedChain> parse_chain(const std::filesystem::path& preset);

@@ -63,13 +63,13 @@ std::vector<double> size_member(Extent extent) {
     return {1.0 * extent.width, 1.0 * extent.height, 1.0 / extent.width, 1.0 / extent.height};
 }
 
-// From 0..1 to clip space, by column; upside down on the screen.
+// From 0..1 to clip space, column-major; flipped vertically for the screen.
 std::vector<double> matrix(bool is_screen) {
     const double y = is_screen ? -1.0 : 1.0;
     return {2, 0, 0, 0, 0, 2 * y, 0, 0, 0, 0, 1, 0, -1, -y, 0, 1};
 }
 
-// Members that are the same in each frame.
+// Members that have the same value in each frame.
 std::optional<std::vector<double>> fixed_member(const std::string& name, Extent original) {
     static const std::map<std::string, double> numbers{
         {"FrameDirection", 1}, {"FrameTimeDelta", 16667}, {"OriginalFPS", 60},

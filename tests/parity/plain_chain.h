@@ -17,7 +17,7 @@ void delete_sampler_name(GLuint id);
 void delete_vertex_array_name(GLuint id);
 void delete_buffer_name(GLuint id);
 
-/// RGBA bytes, the top row first.
+/// RGBA bytes with the top row first.
 struct Bytes {
     Extent extent;
     std::vector<std::uint8_t> rgba;
@@ -29,10 +29,10 @@ public:
     Surface(Extent extent, GLenum format, bool has_levels);
 
     void upload(const Bytes& picture) const;
-    void make_levels() const;  // of a texture that has some
-    /// Draws into it from now on.
+    void make_levels() const;  // only for a texture with mipmaps
+    /// Binds it as the draw target.
     void aim() const;
-    /// The same, and clears it.
+    /// Binds and clears it.
     void begin() const;
     void copy_to(const Surface& other) const;
     std::vector<float> read() const;  // RGBA, first row first
@@ -48,16 +48,16 @@ private:
     gpu::Name<delete_framebuffer_name> m_framebuffer;
 };
 
-/// Draws a chain in the current context as RetroArch's GL driver does, with no call to GL more than
-/// the rules ask for.
+/// Draws a chain in the current context as RetroArch's GL driver does, with only the GL calls that
+/// the rules require.
 class Chain {
 public:
     static Result<Chain> make(const ParsedChain& parsed, Extent original, Extent viewport);
 
-    /// The original of the frames to come; of the size that the chain was made for.
+    /// Sets the original of the next frames. It must have the size that the chain was made for.
     void set_original(const Bytes& picture) const { m_original.front().upload(picture); }
     void draw();
-    /// What is on the screen: RGBA, the top row first.
+    /// The picture on the screen: RGBA, top row first.
     std::vector<float> picture() const;
 
 private:
@@ -89,9 +89,9 @@ private:
 
     Extent m_viewport;
     std::vector<Extent> m_sizes;
-    std::vector<Surface> m_original;                 // this frame's, those before it
-    std::vector<Surface> m_targets;                  // of each pass; the last one is the screen
-    std::vector<std::unique_ptr<Surface>> m_former;  // null: nobody reads it
+    std::vector<Surface> m_original;                 // this frame's, then previous ones
+    std::vector<Surface> m_targets;                  // one per pass; the last one is the screen
+    std::vector<std::unique_ptr<Surface>> m_former;  // null: not read
     std::vector<std::unique_ptr<Surface>> m_luts;    // null: missing
     std::vector<Pass> m_passes;
     std::vector<std::pair<State, gpu::Name<delete_sampler_name>>> m_samplers;

@@ -21,7 +21,7 @@ std::string alias_of(const ParsedChain& chain, int pass) {
     return preset.empty() ? chain.shaders[static_cast<std::size_t>(pass)].alias : preset;
 }
 
-// Reads a texture whose state is that of `pass`.
+// The state of a texture that belongs to `pass`.
 State pass_state(const ParsedChain& chain, int pass, bool has_levels) {
     State state;
     if (pass >= count_of(chain))

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-/// What RetroArch's GL driver makes of a preset, by its rules, written without the program's own
-/// plan, names and executor.
+/// The rules of RetroArch's GL driver for a preset, implemented without the program's own plan,
+/// names and executor.
 namespace plain {
 
-/// A picture that a shader may name.
+/// A texture that a shader may name.
 struct Read {
     enum class Of { history, source, output, feedback, lut };
 
@@ -24,14 +24,14 @@ struct Read {
     bool operator==(const Read&) const = default;
 };
 
-/// All names of a chain. What is there already stays: aliases come before the format's own names.
+/// All names of a chain. An existing entry is not replaced: aliases precede built-in names.
 struct Names {
     std::map<std::string, Read> textures;
     std::map<std::string, Read> sizes;
 };
 Names names_of(const ParsedChain& chain);
 
-/// How a texture is read.
+/// How a texture is sampled.
 struct State {
     bool is_linear = false;
     bool is_linear_between_levels = false;
@@ -40,21 +40,21 @@ struct State {
 
     bool operator==(const State&) const = default;
 };
-/// Of what pass `reader` reads.
+/// The state of a texture read by pass `reader`.
 State state_of(const ParsedChain& chain, const Read& read, int reader);
 
-/// Whether the last pass is drawn at a size of its own, and copied to the screen by one more.
+/// Whether the last pass has its own size and an extra pass copies it to the screen.
 bool ends_with_copy(const ParsedChain& chain);
-/// The pass behind it reads smaller levels of it.
+/// Whether the next pass reads mipmaps of this pass.
 bool has_levels(const ParsedChain& chain, int pass);
-/// GL's name of the target's format; the screen is RGBA8.
+/// The GL format of the pass's target; the screen is RGBA8.
 GLenum format_of(const ParsedChain& chain, int pass);
-/// Of every pass, of the copy too.
+/// The sizes of all passes, the copy included.
 std::vector<Extent> sizes_of(const ParsedChain& chain, Extent original, Extent viewport);
-/// How many former originals are read.
+/// The number of previous originals that are read.
 int history_of(const ParsedChain& chain, const Names& names);
 bool has_feedback(const ParsedChain& chain, const Names& names, int pass);
-/// In force: the preset's, else the first declaration's.
+/// The current value: the preset's, else the first declaration's.
 std::optional<double> parameter_of(const ParsedChain& chain, const std::string& name);
 
 }  // namespace plain
