@@ -1,5 +1,5 @@
-// The shared GLSL of a beam's segments, run on the graphics library, against closed forms and
-// against quadrature in double precision.
+// The shared GLSL of beam segments, run by GL, compared with closed forms and with quadrature in
+// double precision.
 #include "looks/drawn_look.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 constexpr int side = 96;  // px of the picture
 
 struct Place {
-    double x = 0.0;  // px from the picture's middle, y up
+    double x = 0.0;  // px from the centre of the picture, y up
     double y = 0.0;
 };
 
@@ -20,14 +20,14 @@ BeamPoint point_at(Place place, double charge, double age = 0.0) {
             static_cast<float>(charge), static_cast<float>(age)};
 }
 
-/// A segment of even charge around the picture's middle, in `pieces` equal parts.
+/// A segment of constant charge around the centre of the picture, in `pieces` equal parts.
 struct Way {
     double length = 10.0;  // px
     double degrees = 0.0;
-    double seconds = 0.0;  // from start to end, which is at the frame's end
+    double seconds = 0.0;  // from start to end; the end is the end of the frame
     double charge = 1.0;
     int pieces = 1;
-    bool is_kept_apart = false;  // the look is given all pieces, which would be joined to one
+    bool is_kept_apart = false;  // prevents the pieces from being merged into one
 
     Place at(double share) const {
         const double radians = degrees * std::numbers::pi / 180.0;
@@ -39,7 +39,7 @@ struct Way {
         for (int i = 0; i <= pieces; ++i) {
             const double share = static_cast<double>(i) / pieces;
             made.push_back(point_at(at(share), charge / pieces, seconds * (1.0 - share)));
-            if (is_kept_apart)  // by colours, which this look does not show
+            if (is_kept_apart)  // by colours, which this look ignores
                 made.tints.push_back({1.0f, 1.0f, i % 2 == 0 ? 1.0f : 0.5f});
         }
         return made;
@@ -75,7 +75,7 @@ bool is_finite(const Picture& picture) {
                        [](float value) { return std::isfinite(value); });
 }
 
-/// exp(x x) erfc(x): by the C library where it can, else by its asymptotic series (Abramowitz and
+/// exp(x x) erfc(x): by the C library where possible, else by its asymptotic series (Abramowitz and
 /// Stegun, 7.1.23).
 double erfcx(double x) {
     if (x < 20.0)
@@ -84,8 +84,8 @@ double erfcx(double x) {
     return (1.0 - square * (0.5 - square * 0.75)) / (x * std::sqrt(std::numbers::pi));
 }
 
-/// The light of an even way at a pixel: Simpson's rule over its time, and over the pixel's area
-/// the same readings' mean.
+/// The light of a uniform segment at a pixel: Simpson's rule over its time, and the mean of the
+/// same samples over the pixel's area.
 double light_of(const Way& way, double sigma, double rate, Place pixel) {
     constexpr int steps = 1000;
     double sum = 0.0;
@@ -100,7 +100,7 @@ double light_of(const Way& way, double sigma, double rate, Place pixel) {
 }
 }  // namespace
 
-TEST_CASE("erf.glsl is erf within 2e-6, and exp(x x) erfc(x) within a 2e-6th") {
+TEST_CASE("erf.glsl computes erf to 2e-6, and exp(x x) erfc(x) to a relative 2e-6") {
     DrawnLook look("tests/looks/erf", {160, 1});
     look.draw();
     const Picture values = look.target("values");
@@ -117,7 +117,7 @@ TEST_CASE("erf.glsl is erf within 2e-6, and exp(x x) erfc(x) within a 2e-6th") {
     }
 }
 
-TEST_CASE("a segment leaves its charge, whatever its length, direction and width") {
+TEST_CASE("the light of a segment is its charge, for any length, direction and width") {
     Screen screen;
     for (const double sigma : {0.3, 0.5, 1.2, 3.0})
         for (const double sigmas : {0.0, 0.01, 0.1, 1.0, 3.0, 30.0})
@@ -132,7 +132,7 @@ TEST_CASE("a segment leaves its charge, whatever its length, direction and width
             }
 }
 
-TEST_CASE("a turned segment keeps its sum") {
+TEST_CASE("a rotated segment has the same total light") {
     Screen screen;
     const Way level{.length = 30.0};
     const double sum = sum_of(screen.drawn(level.beam(), 1.2));
@@ -142,7 +142,7 @@ TEST_CASE("a turned segment keeps its sum") {
     }
 }
 
-TEST_CASE("a segment in 2 or 16 pieces is the same segment, decay included") {
+TEST_CASE("a segment in 2 or 16 pieces equals one segment, with decay") {
     Screen screen;
     for (const double length : {0.1, 1.0, 12.0, 36.0})
         for (const double rate : {0.0, 100.0, 2000.0})
@@ -158,15 +158,15 @@ TEST_CASE("a segment in 2 or 16 pieces is the same segment, decay included") {
                 way.is_kept_apart = true;
                 const Picture split = screen.drawn(way.beam(), 1.2, rate);
                 CHECK(largest_difference(whole, split) < 1e-5 * largest_of(whole));
-                // The pieces were drawn: rounding differs.
+                // The pieces were drawn separately: rounding differs.
                 CHECK(largest_difference(joined, split) > 0.0);
             }
 }
 
-TEST_CASE("a segment whose charge grows is the same in 4 pieces") {
+TEST_CASE("a segment with increasing charge is the same in 4 pieces") {
     Screen screen;
     const Way way{.length = 20.0};
-    // A lead-in with a current of 1 tells what the next one grows from; then it grows to 5.
+    // A lead-in with current 1 sets the start current of the next segment, which increases to 5.
     Beam lead_in{point_at(way.at(0), 0.0, 0.008)};
     for (int i = 1; i <= 4; ++i)
         lead_in.push_back(point_at(way.at(i / 8.0), 0.25, 0.008 - 0.001 * i));
@@ -184,7 +184,7 @@ TEST_CASE("a segment whose charge grows is the same in 4 pieces") {
     }
 }
 
-TEST_CASE("decay inside a segment is that of quadrature") {
+TEST_CASE("decay within a segment matches quadrature") {
     Screen screen;
     for (const double length : {0.0, 0.02, 0.6, 25.0})
         for (const double folds : {0.001, 0.3, 1.9, 2.1, 8.0, 40.0}) {
@@ -207,9 +207,9 @@ TEST_CASE("decay inside a segment is that of quadrature") {
         }
 }
 
-TEST_CASE("what overflows in the article's formula is finite here") {
+TEST_CASE("values that overflow in the article's formula are finite here") {
     Screen screen;
-    // Its example: f f = 132, with 512 segments a frame and a decay time of 20 us.
+    // Example of the article: f f = 132, with 512 segments per frame and a decay time of 20 us.
     const double rate = 1.0 / 20e-6;
     const Way way{.length = 0.05, .seconds = 1.0 / 60.0 / 512.0};
     const double folds = rate * way.seconds;
@@ -220,9 +220,9 @@ TEST_CASE("what overflows in the article's formula is finite here") {
         CHECK(is_finite(screen.drawn(Way{.length = 20.0, .seconds = 0.01}.beam(), 1.2, huge)));
 }
 
-TEST_CASE("a beam at rest fades while it rests") {
+TEST_CASE("a resting beam decays while it rests") {
     Screen screen;
-    // Seed 002 leaves this out, errata 11: a resting spot that is 10 ms old at the frame's end.
+    // Seed 002 omits this, erratum 11: a resting spot that is 10 ms old at the end of the frame.
     const Beam beam{point_at({0.3, 0.2}, 1.0, 0.0101), point_at({0.3, 0.2}, 1.0, 0.01)};
     const double rate = 1.0 / 0.005;
     const double expected = std::exp(-2.0) * (1.0 - std::exp(-0.02)) / 0.02;

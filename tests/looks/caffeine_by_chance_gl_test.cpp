@@ -1,5 +1,5 @@
-// Caffeine against the plainest path tracer there is, which meets the lamp by chance alone: what is
-// sought on purpose, weighted and cut must come to the same light.
+// Caffeine compared with the simplest path tracer, which hits the lamp only by chance. Importance
+// sampling, weights and path termination must give the same light.
 #include "looks/path_tracer.h"
 #include "problems_of.h"
 
@@ -53,8 +53,8 @@ struct Ray {
     Vector direction;
 };
 
-/// Caffeine's two oxygens alone over the coffee; the lamp in sight and out of focus, its edge half
-/// hidden.
+/// Only Caffeine's two oxygen atoms over the coffee. The lamp is visible and out of focus, with
+/// half of its edge hidden.
 struct Scene {
     std::array<Ball, 2> oxygens{
         {{{-0.4926797, -2.8180554, -1.2094732}, 1.5}, {{-2.2301338, 0.7988624, 1.0899730}, 1.5}}};
@@ -155,7 +155,7 @@ Ray bounced(const Ray& ray, double away, const Vector& normal, const Material& m
     return {place + normal * 1e-9, unit(mirrored * (1.0 - share) + even * share)};
 }
 
-/// What one path brings, for each number of bounces.
+/// The light of one path, for each number of bounces.
 std::array<double, most_bounces + 1> light_of(const Scene& scene, Ray ray, Chance& chance) {
     std::array<double, most_bounces + 1> light{};
     const auto add = [&](int rays, double brightness) {
@@ -192,7 +192,7 @@ struct Estimate {
     double mean = 0.0;
     double error = 0.0;  // one standard deviation of the mean
 };
-/// For each number of bounces, each pixel, the top row first.
+/// For each number of bounces and each pixel, top row first.
 using Estimates = std::array<std::vector<Estimate>, most_bounces + 1>;
 
 Estimates estimates_by_chance(const Scene& scene, int paths) {
@@ -219,7 +219,7 @@ Estimates estimates_by_chance(const Scene& scene, int paths) {
 }
 }  // namespace
 
-TEST_CASE("every pixel has the light that comes there by chance, after any number of bounces") {
+TEST_CASE("every pixel matches the brute-force path tracer, for any number of bounces") {
     const Scene scene;
     const Estimates right = estimates_by_chance(scene, 20000);
     for (const int bounces : {0, 1, most_bounces}) {
@@ -234,11 +234,11 @@ TEST_CASE("every pixel has the light that comes there by chance, after any numbe
         for (std::size_t i = 0; i < pixels.size(); ++i) {
             sum += light[3 * i];
             right_sum += pixels[i].mean;
-            const double error = std::max(pixels[i].error, 1e-3);  // our own
+            const double error = std::max(pixels[i].error, 1e-3);  // at least our own error
             deviations += std::pow((light[3 * i] - pixels[i].mean) / error, 2.0);
         }
         INFO("light " << sum << " against " << right_sum);
         CHECK(std::abs(sum / right_sum - 1.0) < 0.005);
-        CHECK(deviations / static_cast<double>(pixels.size()) < 1.6);  // 1 by chance
+        CHECK(deviations / static_cast<double>(pixels.size()) < 1.6);  // expected value 1
     }
 }

@@ -1,5 +1,5 @@
-// Caffeine against closed forms and brute force: points, lamp, surfaces, and how fast its error
-// falls.
+// Caffeine compared with closed forms and brute force: sample points, lamp, surfaces, and the
+// convergence of its error.
 #include "looks/path_tracer.h"
 #include "problems_of.h"
 
@@ -31,8 +31,8 @@ Point unit(const Point& p) {
     return {p[0] / length, p[1] / length, p[2] / length};
 }
 
-/// The coffee alone, at y = 5 above the whole molecule, seen in its middle at 45 degrees; the lamp
-/// of radius 3 and brightness 1 stands 10 above it, or 10 away where the mirrored ray goes.
+/// Only the coffee, at y = 5 above the whole molecule, seen at its centre at 45 degrees. The lamp
+/// of radius 3 and brightness 1 is 10 above it, or 10 away in the mirror direction.
 struct Plane {
     bool is_lamp_mirrored = false;
     double roughness = 1.0;
@@ -58,8 +58,8 @@ struct Plane {
                 {"coffee_roughness", std::to_string(roughness)},
                 {"coffee_matt", std::to_string(matt)}};
     }
-    /// The lamp's share of the directions that the article's lobe goes to: by brute force over the
-    /// even points of its sphere.
+    /// The lamp's share of the directions sampled by the article's lobe: brute force over uniform
+    /// points of its sphere.
     double lamp_share() const {
         const Point mirrored{0.0, std::sqrt(0.5), -std::sqrt(0.5)};
         const Point axis = is_lamp_mirrored ? mirrored : Point{0.0, 1.0, 0.0};
@@ -92,7 +92,7 @@ double light_of(const Plane& plane, int samples = 512) {
 }  // namespace
 
 TEST_CASE(
-    "the first 2^k points of every dimension lie one in each 2^k-th, of the first two one in each "
+    "the first 2^k points of each dimension are stratified, and the first two dimensions fill each "
     "box") {
     PathTracer empty = tracer({});
     empty.light_after(64);
@@ -120,21 +120,20 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("a matt plane under a round lamp gives the light of the closed form, once") {
-    // E = pi L (r / d)^2 for a sphere overhead (the view factor of a sphere), and E / pi comes
-    // back.
+TEST_CASE("a matt plane under a spherical lamp has the light of the closed form") {
+    // E = pi L (r / d)^2 for a sphere overhead (view factor of a sphere); E / pi is reflected.
     const double expected = radiance * 0.09;
     CHECK(std::abs(light_of({.roughness = 0.0, .matt = 1.0}) / expected - 1.0) < 0.003);
     CHECK(std::abs(light_of({.roughness = 1.0, .matt = 0.0}) / expected - 1.0) < 0.003);
 }
 
-TEST_CASE("a mirror shows the lamp as it is") {
+TEST_CASE("a mirror shows the lamp unchanged") {
     CHECK(std::abs(light_of({.is_lamp_mirrored = true, .roughness = 0.0, .matt = 0.0}) / radiance -
                    1.0) < 1e-5);
     CHECK(light_of({.is_lamp_mirrored = false, .roughness = 0.0, .matt = 0.0}) < 1e-9);
 }
 
-TEST_CASE("a rough surface gathers the lamp by the share of its lobe, however it is sampled") {
+TEST_CASE("a rough surface reflects the lamp by its lobe's share, with any sampling") {
     for (const double roughness : {0.15, 0.5, 0.8}) {
         CAPTURE(roughness);
         const Plane plane{.is_lamp_mirrored = true, .roughness = roughness, .matt = 0.0};
@@ -146,7 +145,7 @@ TEST_CASE("a rough surface gathers the lamp by the share of its lobe, however it
     CHECK(std::abs(light_of(half) / (radiance * shares) - 1.0) < 0.01);
 }
 
-TEST_CASE("in a white room of even light all that is white is lost in it") {
+TEST_CASE("white objects are invisible in a uniform white room") {
     PathTracer room = tracer({{"light_intensity", "0"},
                               {"light_height", "500"},
                               {"ambient", "1,1,1"},
@@ -159,12 +158,13 @@ TEST_CASE("in a white room of even light all that is white is lost in it") {
                               {"bounces", "32"}},
                              {16, 16});
     for (const double light : room.light_after(64))
-        CHECK(std::abs(light - 1.0) < 0.004);  // what is still under way after 32 bounces
+        CHECK(std::abs(light - 1.0) < 0.004);  // the remaining light after 32 bounces
 }
 
-TEST_CASE("the lens spreads evenly over its disk: half the light comes through the inner half") {
-    // A small bright thing far out of focus is a disk of even light: the mean distance from its
-    // middle is 2/3 of its radius.
+TEST_CASE(
+    "the lens is sampled uniformly: the mean distance in its blur disk is 2/3 of the radius") {
+    // A small bright object far out of focus becomes a uniform disk: the mean distance from its
+    // centre is 2/3 of its radius.
     PathTracer disk = tracer({{"coffee_height", "-900"},
                               {"atom_scale", "0.05"},
                               {"ambient", "0,0,0"},
@@ -191,8 +191,9 @@ TEST_CASE("the lens spreads evenly over its disk: half the light comes through t
     CHECK(std::abs(distances / sum / radius - 2.0 / 3.0) < 0.02);
 }
 
-TEST_CASE("the error falls faster than by chance, and is below half of the article's") {
-    // Each method against 8192 samples of its own, taken with other numbers; the look's own scene.
+TEST_CASE("the error falls faster than random sampling, and is below half of the article's") {
+    // Each method is compared with 8192 of its own samples with other random numbers, in the look's
+    // own scene.
     const Extent size{32, 32};
     const auto errors_of = [&](const char* pass, const char* as_written,
                                const std::vector<int>& samples) {

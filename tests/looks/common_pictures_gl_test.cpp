@@ -1,4 +1,4 @@
-// Each shipped look with pictures in common, and the same bits without.
+// Each built-in look gives identical pictures with and without shared pictures.
 #include "looks/drawn_look.h"
 
 #include <cmath>
@@ -26,7 +26,7 @@ Beam figure(int frame) {
     return beam;
 }
 
-/// A look that is drawn for who looks at its last pass alone.
+/// A look of which only the last pass is displayed.
 class Seen {
 public:
     Seen(const Look& look, const Programs& programs, const Values& values, Executor::Frames frames)
@@ -50,7 +50,7 @@ private:
     Renderer m_renderer;
 };
 
-// How much smaller the targets are.
+// Returns the ratio of target memory with and without shared pictures.
 double check_bits(const std::string& name, const Values& values) {
     CAPTURE(name);
     const std::filesystem::path shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
@@ -68,7 +68,7 @@ double check_bits(const std::string& name, const Values& values) {
 }
 }  // namespace
 
-TEST_CASE("every look has the same bits with pictures in common") {
+TEST_CASE("every look gives identical pictures with shared pictures") {
     for (const char* look : {"caffeine", "crt", "phosphor", "shadow-mask", "vector-beam"})
         CHECK(check_bits(look, {}) <= 1.0);
     for (const double bloom : {0.0, 1.0})
@@ -76,6 +76,6 @@ TEST_CASE("every look has the same bits with pictures in common") {
             check_bits("phosphor", {{"bloom_kind", bloom}, {"beam_kind", kind}});
 }
 
-TEST_CASE("a measured tube's charge and light have a picture in common") {
+TEST_CASE("the charge and the light of a measured tube share a picture") {
     CHECK(check_bits("phosphor", {{"tube", 5.0}}) < 0.85);
 }

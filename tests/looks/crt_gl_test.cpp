@@ -1,4 +1,4 @@
-// The crt look against closed forms: each stage alone, and all of them off.
+// The crt look compared with closed forms: each stage alone, and all of them off.
 #include "lab/offline/offline.h"
 #include "looks/drawn_picture.h"
 #include "model/look/color.h"
@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace {
-/// Every stage off by itself.
+/// Each stage switched off separately.
 Values stages_off() {
     return {{"aberration", Value(0.0)},
             {"tone_map", Value(6.0)},
@@ -37,7 +37,7 @@ int differing_codes(const Picture& drawn, const Picture& source) {
     return count;
 }
 
-/// The light that a drawn pixel stands for.
+/// The linear light of a drawn pixel.
 double light_at(const Picture& drawn, int x, int y, std::size_t channel = 1) {
     return srgb_decode(static_cast<double>(drawn.pixels[drawn.index(x, y) + channel]));
 }
@@ -50,7 +50,7 @@ double mean_light(const Picture& drawn) {
 }
 }  // namespace
 
-TEST_CASE("crt off is a plain copy, and so are all its stages off") {
+TEST_CASE("crt switched off copies its source, as does crt with all stages off") {
     for (const char* text : {"harbour", "checker,size=160x90"}) {
         CAPTURE(text);
         const auto source = make_pattern(text);
@@ -60,7 +60,7 @@ TEST_CASE("crt off is a plain copy, and so are all its stages off") {
     }
 }
 
-TEST_CASE("light above 1 goes through unharmed, to the next look of a stack too") {
+TEST_CASE("light above 1 is kept, also for the next look of a stack") {
     const Picture bright = flat_field({4, 4}, 7.5f, 1.25f, 0.5f);
     for (const Values& off : {Values{{"crt", Value(0.0)}}, stages_off()}) {
         const Picture drawn = drawn_look("crt", bright, off);
@@ -87,7 +87,7 @@ TEST_CASE("light above 1 goes through unharmed, to the next look of a stack too"
     CHECK(std::abs(light_at(offline->picture(), 8, 8) - 0.5) < 0.004);
 }
 
-TEST_CASE("a white dot splits into red and blue, each at the aberration's distance") {
+TEST_CASE("a white dot splits into red and blue at the aberration's distance") {
     const auto source = make_pattern("dot,size=64x8");
     const Picture drawn =
         drawn_look("crt", *source, with(stages_off(), {{"aberration", Value(3.0)}}));
@@ -98,7 +98,7 @@ TEST_CASE("a white dot splits into red and blue, each at the aberration's distan
     }
 }
 
-TEST_CASE("scanlines keep the mean of the light at every period, or darken by half their depth") {
+TEST_CASE("scanlines keep the mean light at every period, or darken by half their depth") {
     const Picture grey = flat_field({4, 72}, 0.4f, 0.4f, 0.4f);
     for (const double period : {3.0, 4.0, 4.5, 7.2}) {
         CAPTURE(period);
@@ -125,7 +125,7 @@ TEST_CASE("scanlines are the mean of the sine over each pixel") {
 namespace {
 constexpr double turn = 6.28318530717958648;
 
-// The mean over pixel y of 1 - s (1 + cos(2 pi (y - crest) / period)) / 2 turned over: 1 at crests.
+// The mean over pixel y of 1 - s (1 - cos(2 pi (y - crest) / period)) / 2, which is 1 at crests.
 double stripe_mean(int y, double period, double crest, double strength) {
     const auto area = [&](double at) {
         return std::sin(turn * (at - crest) / period) * period / turn;
@@ -141,9 +141,9 @@ Values by_source_lines(double interlace) {
 }
 }  // namespace
 
-TEST_CASE("in source lines a scanline has its crest in the middle of each line") {
+TEST_CASE("a scanline per source line has its crest at the centre of the line") {
     const Picture field = flat_field({4, 24}, 1.0f, 1.0f, 1.0f);
-    for (const int height : {96, 72, 60}) {  // 4, 3 and 2.5 px a line
+    for (const int height : {96, 72, 60}) {  // 4, 3 and 2.5 px per line
         CAPTURE(height);
         const double line = height / 24.0;
         const Picture drawn = drawn_look_at("crt", {4, height}, field, by_source_lines(0.0));
@@ -157,18 +157,18 @@ TEST_CASE("in source lines a scanline has its crest in the middle of each line")
     }
 }
 
-TEST_CASE("an interlaced source has its even lines in one field and its odd ones in the next") {
+TEST_CASE("an interlaced source shows its even lines in one field and its odd lines in the next") {
     const Picture field = flat_field({4, 24}, 1.0f, 1.0f, 1.0f);
     for (const int number : {2, 3}) {  // ends of frames: 2/60 s, an even field, and 3/60 s
         CAPTURE(number);
-        const double crest = 2.0 * (number % 2) + 1.0;  // the middle of line 0 or 1, of 2 px
+        const double crest = 2.0 * (number % 2) + 1.0;  // the centre of line 0 or 1, of 2 px
         const Picture drawn = drawn_look_at("crt", {4, 48}, field, by_source_lines(2.0), number);
         for (int y = 0; y < 48; ++y)
             CHECK(std::abs(light_at(drawn, 1, y) - stripe_mean(y, 4.0, crest, 0.6)) < 2e-4);
     }
 }
 
-TEST_CASE("by itself a source is interlaced from 289 lines to 576") {
+TEST_CASE("a source is interlaced automatically from 289 to 576 lines") {
     for (const int lines : {288, 289, 576, 577}) {
         CAPTURE(lines);
         const Picture field = flat_field({2, lines}, 1.0f, 1.0f, 1.0f);
@@ -180,7 +180,7 @@ TEST_CASE("by itself a source is interlaced from 289 lines to 576") {
     }
 }
 
-TEST_CASE("as the article wrote it 4 px scanlines have two levels of the display value") {
+TEST_CASE("as written in the article, 4 px scanlines have two levels of the display value") {
     const Picture field = flat_field({4, 8}, 2.0f, 2.0f, 2.0f);
     const Picture drawn =
         drawn_look("crt", field, {{"as_written", Value(1.0)}, {"aberration", Value(0.0)}});
@@ -191,13 +191,13 @@ TEST_CASE("as the article wrote it 4 px scanlines have two levels of the display
     }
 }
 
-TEST_CASE("fringes come before the tone map, and scanlines after it") {
+TEST_CASE("aberration precedes the tone map, and scanlines follow it") {
     Picture dot = flat_field({16, 8}, 0.0f, 0.0f, 0.0f);
     for (std::size_t c = 0; c < 3; ++c)
         dot.pixels[dot.index(8, 4) + c] = 4.0f;
     const Picture fringes = drawn_look(
         "crt", dot, with(stages_off(), {{"aberration", Value(3.0)}, {"tone_map", Value(5.0)}}));
-    // Khronos neutral of a light of 4 in one channel.
+    // Khronos neutral for a light of 4 in one channel.
     CHECK(std::abs(light_at(fringes, 5, 4, 0) - 0.983) < 1e-3);
     CHECK(std::abs(light_at(fringes, 5, 4, 1) - 0.306) < 1e-3);
     CHECK(std::abs(light_at(fringes, 11, 4, 2) - 0.983) < 1e-3);
@@ -209,7 +209,7 @@ TEST_CASE("fringes come before the tone map, and scanlines after it") {
     CHECK(std::abs(mean_light(lines) - 0.75) < 1e-4);
 }
 
-TEST_CASE("the tone map is the chosen one, after the exposure") {
+TEST_CASE("the chosen tone map is applied after the exposure") {
     const Picture field = flat_field({4, 4}, 1.25f, 1.25f, 1.25f);
     const Values reinhard = with(
         stages_off(), {{"tone_map", Value(1.0)}, {"exposure", Value(3.0)}, {"white", Value(0.0)}});
@@ -218,11 +218,11 @@ TEST_CASE("the tone map is the chosen one, after the exposure") {
     CHECK(std::abs(
               light_at(drawn_look("crt", field, with(to_white, {{"tone_map", Value(0.0)}})), 1, 1) -
               1.0) < 1e-4);
-    // 3.75 / 4.75; the white belongs to the extended form.
+    // 3.75 / 4.75; the white point applies to the extended form.
     CHECK(std::abs(light_at(drawn_look("crt", field, reinhard), 1, 1) - 0.7895) < 1e-3);
 }
 
-TEST_CASE("a moving pattern shows at each frame's end what it is at that time") {
+TEST_CASE("a moving pattern is drawn for the end time of each frame") {
     auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
     const RenderRequest request{

@@ -9,7 +9,8 @@
 #include <filesystem>
 #include <memory>
 
-/// A look of a folder of the source tree with every target in 32-bit floats, fed by hand.
+/// A look from a folder of the source tree, with every target in 32-bit floats. Tests supply its
+/// beam.
 class DrawnLook {
 public:
     DrawnLook(const std::filesystem::path& folder, Extent extent, const Values& values = {}) {
@@ -35,15 +36,15 @@ public:
         m_context->make_current();
         m_renderer->set_values(values);
     }
-    /// The next frame is the first: nothing glows, and the beam comes from nowhere.
+    /// The next frame is the first one: no light is left, and the beam has no previous point.
     void restart() {
         m_number = 0;
         m_renderer->clear_history();
     }
 
-    /// A frame of 1/fps with these points of the beam.
+    /// Draws a frame of 1/fps with these beam points.
     void draw(const Beam& beam = {}, double fps = 60.0) {
-        m_context->make_current();  // another look's may have been
+        m_context->make_current();  // another look's context may be current
         ++m_number;
         m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
     }
@@ -60,7 +61,7 @@ private:
     std::int64_t m_number = 0;
 };
 
-/// A channel summed over all pixels.
+/// The sum of a channel over all pixels.
 inline double sum_of(const Picture& picture, std::size_t channel = 0) {
     double sum = 0.0;
     for (std::size_t i = channel; i < picture.pixels.size(); i += 4)

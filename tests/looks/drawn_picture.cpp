@@ -9,7 +9,8 @@
 #include <doctest/doctest.h>
 
 namespace {
-/// A look ready to draw. Its programs take most of a test's time, so the last one is kept.
+/// A look that is ready to draw. Building its programs takes most of a test's time, so the last one
+/// is cached.
 struct ReadyLook {
     std::string id;
     std::unique_ptr<gpu::Context> context;

@@ -5,12 +5,12 @@
 
 #include <string>
 
-/// What one of the program's looks on pictures makes of `source` in its first frame, at the size
-/// of the source: the target of `pass` ("": the last one) with every target in 32-bit floats.
+/// The first frame of a built-in look with the source `source`, at the size of the source: the
+/// target of `pass` ("": the last one), with every target in 32-bit floats.
 Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
                    const std::string& pass = "");
 
-/// The same of a picture of `size`, in frame `number` of 60 a second.
+/// The same for a picture of `size`, in frame `number` at 60 fps.
 Picture drawn_look_at(const std::string& look, Extent size, const Picture& source,
                       const Values& values, int number = 1, const std::string& pass = "");
 

@@ -1,4 +1,4 @@
-// The shared GLSL against closed forms and published tables, run on software GL.
+// The shared GLSL compared with closed forms and published tables, run on software GL.
 #include "about.h"
 #include "looks/glsl_function.h"
 #include "model/look/color.h"
@@ -10,7 +10,7 @@
 #include <cstdint>
 
 namespace {
-/// x: a grey; w: the number of the tone map.
+/// x: a grey; w: the index of the tone map.
 constexpr const char* tone_maps =
     "#include \"tonemap.glsl\"\n"
     "vec4 f(vec4 x) { return vec4(tone_mapped(x.rgb, int(x.w), 4.0), 1.0); }\n";
@@ -19,7 +19,7 @@ Vec4 grey(double level, int curve) {
     return {level, level, level, static_cast<double>(curve)};
 }
 
-/// B. Wrensch's polynomial for AgX's curve; its mean squared error is published as 3.7e-6.
+/// B. Wrensch's polynomial for AgX's curve; its published mean squared error is 3.7e-6.
 double agx_polynomial(double x) {
     const double x2 = x * x;
     const double x4 = x2 * x2;
@@ -27,7 +27,7 @@ double agx_polynomial(double x) {
            0.1191 * x - 0.00232;
 }
 
-/// PCG3D in C++, from the paper.
+/// PCG3D in C++, as in the paper.
 std::array<std::uint32_t, 3> pcg3d(std::array<std::uint32_t, 3> v) {
     const auto mix = [&v] {
         v[0] += v[1] * v[2];
@@ -44,7 +44,7 @@ std::array<std::uint32_t, 3> pcg3d(std::array<std::uint32_t, 3> v) {
 }
 }  // namespace
 
-TEST_CASE("the sRGB curve and its inverse are those of IEC 61966-2-1") {
+TEST_CASE("the sRGB curve and its inverse match IEC 61966-2-1") {
     const auto inputs = ramp_inputs(0.0, 1.0, 512);
     const auto encoded = run_glsl(
         "#include \"color.glsl\"\nvec4 f(vec4 x) { return vec4(srgb_encode(x.rgb), 1); }\n",
@@ -65,7 +65,7 @@ TEST_CASE("the sRGB curve and its inverse are those of IEC 61966-2-1") {
     CHECK(is_near(beyond[2], 0.01292, 1e-6));
 }
 
-TEST_CASE("BT.1886 has its published ends and middle, and an inverse") {
+TEST_CASE("BT.1886 matches its published end points and midpoint, and has an inverse") {
     const auto lights = run_glsl(
         "#include \"color.glsl\"\nvec4 f(vec4 x) { return vec4("
         "bt1886_decode(vec3(x.x), 100.0, 0.1).x, bt1886_decode(vec3(x.x), 100.0, 0.0).x, "
@@ -79,7 +79,7 @@ TEST_CASE("BT.1886 has its published ends and middle, and an inverse") {
     CHECK(is_near(lights[3][2], 0.3, 1e-5));
 }
 
-TEST_CASE("each tone map has its published values") {
+TEST_CASE("each tone map matches its published values") {
     struct Point {
         int curve;
         double light;
@@ -112,7 +112,7 @@ TEST_CASE("each tone map has its published values") {
     CHECK(is_near(plain[1], 0.5, 1e-6));
 }
 
-TEST_CASE("AgX follows its published curve") {
+TEST_CASE("AgX matches its published curve") {
     constexpr int count = 257;
     std::vector<Vec4> inputs;
     for (int i = 0; i < count; ++i)
@@ -125,10 +125,10 @@ TEST_CASE("AgX follows its published curve") {
         squares += std::pow(shown - agx_polynomial(i / (count - 1.0)), 2.0);
     }
     CHECK(squares / count < 1e-5);
-    CHECK(is_near(std::pow(drawn.back()[0], 1.0 / 2.2), 0.5, 2e-3));  // the curve's pivot
+    CHECK(is_near(std::pow(drawn.back()[0], 1.0 / 2.2), 0.5, 2e-3));  // the pivot of the curve
 }
 
-TEST_CASE("every tone map rises from black, ends at 1 and leaves grey grey") {
+TEST_CASE("every tone map rises from black to 1 and keeps grey neutral") {
     constexpr int count = 200;
     std::vector<Vec4> inputs;
     for (int curve = 0; curve < 6; ++curve)
@@ -146,7 +146,7 @@ TEST_CASE("every tone map rises from black, ends at 1 and leaves grey grey") {
     }
 }
 
-TEST_CASE("the barrel keeps the sides' middles, shrinks the middle, and can be undone") {
+TEST_CASE("the barrel distortion keeps the centres of the sides and can be inverted") {
     std::vector<Vec4> inputs;
     for (int i = 0; i < 41; ++i)
         for (int j = 0; j < 41; ++j)
@@ -174,10 +174,10 @@ TEST_CASE("the barrel keeps the sides' middles, shrinks the middle, and can be u
     CHECK(is_near(bent[1][1], -1.0, 1e-6));
     CHECK(is_near(bent[2][0], 0.00092, 1e-8));
     CHECK(is_near(bent[3][0], 1.08, 1e-6));
-    CHECK(is_near(bent[4][0] / bent[4][1], 2.0, 1e-5));  // lines through the middle stay straight
+    CHECK(is_near(bent[4][0] / bent[4][1], 2.0, 1e-5));  // lines through the centre stay straight
 }
 
-TEST_CASE("scanlines keep their mean at every period and their depth by a closed form") {
+TEST_CASE("scanlines keep their mean at every period, and their depth follows a closed form") {
     constexpr const char* body =
         "#include \"glass.glsl\"\n"
         "vec4 f(vec4 x) { return vec4(scanline_factor(x.x, x.y, 0.3)); }\n";
@@ -195,12 +195,12 @@ TEST_CASE("scanlines keep their mean at every period and their depth by a closed
             mean += rows[36 * i + y][0] / 36.0;
         CHECK(is_near(mean, 0.85, 0.85 * 0.0005));
     }
-    // Over a pixel a sine of period p keeps sin(pi / p) / (pi / p) of its depth.
+    // The mean over a pixel reduces a sine of period p by sin(pi / p) / (pi / p).
     const double quarter = std::acos(-1.0) / 4.0;
     CHECK(is_near(rows.back()[0], 0.85 + 0.15 * std::sin(quarter) / quarter, 1e-5));
 }
 
-TEST_CASE("the noise is PCG3D, even and without drift") {
+TEST_CASE("the noise is PCG3D, uniform and without bias") {
     const std::string body =
         "#include \"noise.glsl\"\nvec4 f(vec4 x) { return vec4(noise(uvec2(x.xy), uint(x.z)), 1); "
         "}\n";
@@ -225,7 +225,7 @@ TEST_CASE("the noise is PCG3D, even and without drift") {
     CHECK(is_near(std::sqrt(square - mean * mean), 1.0 / std::sqrt(12.0), 0.03 / std::sqrt(12.0)));
 }
 
-TEST_CASE("dither lets an 8-bit screen show the levels between its steps") {
+TEST_CASE("dither makes levels between 8-bit steps visible") {
     std::vector<Vec4> inputs;
     for (int level = 0; level < 16; ++level)
         for (int y = 0; y < 32; ++y)
@@ -244,7 +244,7 @@ TEST_CASE("dither lets an 8-bit screen show the levels between its steps") {
     }
 }
 
-TEST_CASE("a hue that is kept has the brightest channel tone mapped and the others along with it") {
+TEST_CASE("with hue kept, the tone map applies to the brightest channel and scales the others") {
     const auto drawn = run_glsl(
         "#include \"tonemap.glsl\"\n"
         "vec4 f(vec4 x) { return vec4(tone_mapped_keeping_hue(x.rgb, int(x.w), 0.0), 1.0); }\n",

@@ -1,4 +1,4 @@
-// The masks of shaders/include/mask.glsl: over whole cells no light is lost, in any channel.
+// The masks of shaders/include/mask.glsl: over whole cells no light is lost in any channel.
 #include "looks/glsl_function.h"
 
 #include <doctest/doctest.h>
@@ -7,7 +7,7 @@
 #include <span>
 
 namespace {
-/// x, y: a pixel's middle; z: the kind of mask; w: its pitch.
+/// x, y: the centre of a pixel; z: the kind of mask; w: its pitch.
 constexpr const char* mask =
     "#include \"mask.glsl\"\nvec4 f(vec4 x) { return vec4(mask_light("
     "Mask(int(x.z), x.w, 1.0, 0.8, 0.5), x.xy, 1.0), 1.0); }\n";
@@ -28,18 +28,19 @@ Vec4 mean(std::span<const Vec4> values) {
     return sum;
 }
 
-/// A whole number of cells across and down; of the dots' hexagons as nearly as pixels allow.
+/// A whole number of cells horizontally and vertically; for hexagonal dots as close as pixels
+/// allow.
 std::vector<Vec4> whole_cells(int kind, double pitch) {
     if (kind != 3)
         return pixels(kind, pitch, static_cast<int>(std::lround(pitch * 20.0)),
                       static_cast<int>(std::lround(pitch * 10.0)));
-    // 15 rows of two dots are 25.981 pitches high, 26 of them 0.07 % more.
+    // 15 rows of two dots are 25.981 pitches high, and 26 pitches are 0.07 % more.
     return pixels(kind, pitch, static_cast<int>(std::lround(pitch * 10.0)),
                   static_cast<int>(std::lround(pitch * 15.0 * std::sqrt(3.0))));
 }
 }  // namespace
 
-TEST_CASE("each channel of each mask has the mean 1 over whole cells") {
+TEST_CASE("each channel of each mask has mean 1 over whole cells") {
     std::vector<std::vector<Vec4>> areas;
     std::vector<Vec4> inputs;
     for (int kind = 0; kind < 4; ++kind)
@@ -69,10 +70,10 @@ TEST_CASE("stripes of the three channels do not overlap") {
     }
 }
 
-TEST_CASE("dots of one colour form hexagons, those of the others lie between them") {
+TEST_CASE("dots of one colour form hexagons, with the other colours between them") {
     constexpr double pitch = 24.0;
     const double row = pitch * std::sqrt(3.0) / 2.0;
-    // Middles of dots: red, red a row higher, green, blue.
+    // Centres of dots: red, red one row higher, green, blue.
     const auto drawn = run_glsl(
         "#include \"mask.glsl\"\nvec4 f(vec4 x) { Mask mask = Mask(3, 24.0, 1.0, 0.8, 0.5); "
         "return vec4(mask_light(mask, x.xy, 0.25) / mask_peak(mask), 1.0); }\n",
@@ -86,21 +87,21 @@ TEST_CASE("dots of one colour form hexagons, those of the others lie between the
             CHECK(std::abs(drawn[i][c] - (c == colors[i] ? 1.0 : 0.0)) < 0.01);
 }
 
-TEST_CASE("a cell's pixel is the mean of the article's formula over it") {
-    // Pixel (5, 1) of 12 px cells: green, from 1/4 to 2/4 of its stripe and 1/12 to 2/12 up the
-    // cell.
+TEST_CASE("a pixel of a cell is the mean of the article's formula") {
+    // Pixel (5, 1) of 12 px cells: green, from 1/4 to 2/4 of its stripe and 1/12 to 2/12 of the
+    // cell's height.
     const auto over = [](double low, double high) {
         return 1.0 - 0.8 * (high * high * high - low * low * low) / 3.0 / (high - low);
     };
     const double expected =
         3.0 * over(-0.5, 0.0) * over(-5.0 / 6.0, -4.0 / 6.0) / std::pow(1.0 - 0.8 / 3.0, 2.0);
-    // The next column lies half a cell higher: its pixel 6 further up is the same.
+    // The next column is half a cell higher: its pixel 6 px further up is the same.
     for (const Vec4& light :
          run_glsl(mask, std::vector<Vec4>{{5.5, 1.5, 0, 12}, {17.5, 7.5, 0, 12}}))
         CHECK(std::abs(light[1] - expected) < 1e-4);
 }
 
-TEST_CASE("a mask finer than 2 px is an even grey") {
+TEST_CASE("a mask finer than 2 px is uniform") {
     for (int kind = 0; kind < 4; ++kind) {
         std::size_t even = 0;
         for (const Vec4& light : run_glsl(mask, pixels(kind, 1.9, 16, 16)))
@@ -109,7 +110,7 @@ TEST_CASE("a mask finer than 2 px is an even grey") {
     }
 }
 
-TEST_CASE("a cell is read in its middle, whichever column it is in") {
+TEST_CASE("a cell is sampled at its centre, in every column") {
     for (int kind = 0; kind < 3; ++kind) {
         CAPTURE(kind);
         const auto pixel = pixels(kind, 12.0, 24, 24);
@@ -131,7 +132,7 @@ TEST_CASE("a cell is read in its middle, whichever column it is in") {
     }
 }
 
-TEST_CASE("a triad of dots is read in its middle, every other row half a triad further") {
+TEST_CASE("a triad of dots is sampled at its centre, and odd rows are shifted by half a triad") {
     const double row = 12.0 * std::sqrt(3.0) / 2.0;
     const auto pixel = pixels(3, 12.0, 48, 48);
     const auto centres = run_glsl(

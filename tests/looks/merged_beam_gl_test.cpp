@@ -1,4 +1,4 @@
-// A beam whose samples are merged for its spot, against the same samples drawn one by one.
+// A beam with merged samples, compared with the same samples drawn separately.
 #include "gpu/headless.h"
 #include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
@@ -24,7 +24,7 @@ Beam closed_figure(int count) {
     return beam;
 }
 
-// The beam pass of a look; `spot` in the place of what the look says.
+// The beam pass of a look, with `spot` instead of the look's own.
 Picture beam_of(const char* name, const char* pass, const Beam& beam, const Values& values,
                 const std::array<std::string, 2>& spot) {
     const std::filesystem::path shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
@@ -48,7 +48,7 @@ Picture beam_of(const char* name, const char* pass, const Beam& beam, const Valu
     return gpu::read_picture(executor.target(static_cast<int>(index)));
 }
 
-// Of one channel, by the second picture's root mean square.
+// The difference in one channel, relative to the RMS of the second picture.
 double apart(const Picture& merged, const Picture& each, std::size_t channel) {
     double difference = 0.0;
     double all = 0.0;
@@ -62,7 +62,7 @@ double apart(const Picture& merged, const Picture& each, std::size_t channel) {
 }  // namespace
 
 TEST_CASE_FIXTURE(Headless,
-                  "vector beam: merged samples show the light of all, at any size and fit") {
+                  "vector beam: merged samples give the same light, at any size and fit") {
     const Beam beam = closed_figure(16384);
     for (const double fit : {0.0, 1.0})
         for (const double size : {0.9, 3.0}) {
@@ -77,14 +77,14 @@ TEST_CASE_FIXTURE(Headless,
             const Picture each = beam_of("vector-beam", "beam", beam, values, {"0", "0"});
             CHECK(apart(merged, each, 0) < 0.01);
             CHECK(apart(merged, each, 1) < 0.01);
-            CHECK(apart(merged, each, 1) > 1e-6);  // they are not the same quads
-            // Spots of six times the size it has: what is too much can be seen.
+            CHECK(apart(merged, each, 1) > 1e-6);  // the segments differ
+            // Spots six times the actual size: excessive merging is detectable.
             const Picture rough = beam_of("vector-beam", "beam", beam, values, {"0.2", "0.2"});
             CHECK(apart(rough, each, 1) > 0.02);
         }
 }
 
-TEST_CASE_FIXTURE(Headless, "phosphor: merged samples show the light of all") {
+TEST_CASE_FIXTURE(Headless, "phosphor: merged samples give the same light") {
     const Beam beam = closed_figure(16384);
     for (const double fit : {0.0, 1.0}) {
         CAPTURE(fit);
@@ -98,7 +98,7 @@ TEST_CASE_FIXTURE(Headless, "phosphor: merged samples show the light of all") {
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "vector beam: the article's own formula is given every sample") {
+TEST_CASE_FIXTURE(Headless, "vector beam: the article's formula gets every sample") {
     const Beam beam = closed_figure(4096);
     const Values values{{"as_written", Value(1.0)}, {"spot_sigma", Value(6.0)}};
     const Picture drawn = beam_of("vector-beam", "beam", beam, values, {});

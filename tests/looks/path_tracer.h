@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-/// The look "caffeine" without a window: its samples as linear light.
+/// The look "caffeine" without a window, with its samples as linear light.
 class PathTracer {
 public:
     using Settings = std::vector<std::pair<std::string, std::string>>;
 
-    /// `batch` samples are drawn at once; `settings` as `--set` takes them.
+    /// Draws `batch` samples per frame; `settings` as for `--set`.
     static Result<PathTracer> create(Settings settings, Extent size, int batch) {
         auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
         if (!roots)
@@ -28,18 +28,19 @@ public:
         return PathTracer(std::move(*offline), batch);
     }
 
-    /// Values are constants of the programs from here on.
+    /// Specialises the programs for the current values.
     Result<void> settle() {
         m_offline.make_current();
         return m_offline.settle();
     }
-    /// One batch further, whichever context is current.
+    /// Draws one more batch, with any current context.
     void advance() {
         m_offline.make_current();
         m_offline.advance();
     }
 
-    /// Goes on to `samples` in all, a multiple of the batch. The mean light of each pixel, r g b.
+    /// Continues up to `samples` in total, a multiple of the batch. Returns the mean light of each
+    /// pixel, r g b.
     std::vector<double> light_after(int samples, const char* pass = "trace") {
         m_offline.make_current();
         while (m_offline.frame_number() * m_batch < samples)
@@ -64,7 +65,7 @@ private:
     int m_batch;
 };
 
-/// Of two pictures' light.
+/// Of the light of two pictures.
 inline double mean_square_error(const std::vector<double>& a, const std::vector<double>& b) {
     double squares = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)

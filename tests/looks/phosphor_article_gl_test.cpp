@@ -1,4 +1,4 @@
-// Phosphor as the article wrote it, against the article's own formulas.
+// Phosphor as written in the article, compared with the article's own formulas.
 #include "about.h"
 #include "looks/tube.h"
 
@@ -18,14 +18,14 @@ double smoothstep(double low, double high, double x) {
     return t * t * (3.0 - 2.0 * t);
 }
 
-/// How far a place is from the middle of its division.
+/// The distance from the middle of a division.
 double away(double place) {
     return std::abs(place - std::floor(place) - 0.5);
 }
 
 }  // namespace
 
-TEST_CASE("the article's light fades by the frame, whatever its length and the point's age") {
+TEST_CASE("the article's light decays per frame, regardless of frame length and point age") {
     Tube tube(as_written({{"decay", Value(0.9)}}), extent);
     tube.draw({{0.0f, 0.0f, 0.01f, 0.0f}}, 24.0);
     const double fresh = tube.sum("persistence");
@@ -38,7 +38,7 @@ TEST_CASE("the article's light fades by the frame, whatever its length and the p
     CHECK(is_near(tube.sum("persistence") / fresh, 1.0, 1e-5));
 }
 
-TEST_CASE("the article's ceiling cuts each channel by itself") {
+TEST_CASE("the article's ceiling clips each channel separately") {
     Tube tube(as_written({{"ceiling", Value(2.5)},
                           {"beam_color", Value(std::vector<double>{0.2, 1.0, 0.3})}}),
               extent);
@@ -47,7 +47,7 @@ TEST_CASE("the article's ceiling cuts each channel by itself") {
         CHECK(is_near(tube.at("reduced", 25, 22, channel), 2.5, 1e-6));
 }
 
-TEST_CASE("the article's spot is sampled, and cut to a square of at most twice its width") {
+TEST_CASE("the article's spot is point-sampled, and cut to a square of at most twice its width") {
     const double width = 10.0;
     for (const int height : {512, 2048}) {
         CAPTURE(height);
@@ -66,7 +66,7 @@ TEST_CASE("the article's spot is sampled, and cut to a square of at most twice i
     }
 }
 
-TEST_CASE("the article's blur reads its table at whole taps") {
+TEST_CASE("the article's blur samples its table at whole taps") {
     constexpr std::array<double, 7> table{0.19648255, 0.29690696, 0.21959561, 0.04393693,
                                           0.01096343, 0.00183638, 0.00021493};
     const double all =
@@ -76,7 +76,7 @@ TEST_CASE("the article's blur reads its table at whole taps") {
                           {"bloom_radius", Value(static_cast<double>(radius))},
                           {"beam_width", Value(64.0)}}),
               {128, 16});
-    // One square of 2 x 2 px is one texel of the half-size picture.
+    // A square of 2 x 2 px is one texel of the half-size picture.
     tube.draw({{-1.0f / 128.0f + 2.0f / 128.0f, 1.0f / 8.0f, 1.0f, 0.0f}});
     const Picture light = tube.target("persistence");
     const Picture bloom = tube.target("bloom_x");
@@ -99,7 +99,7 @@ TEST_CASE("the article's blur reads its table at whole taps") {
     }
 }
 
-TEST_CASE("the article's glass: its scanlines, graticule, vignette and room light") {
+TEST_CASE("the article's glass: scanlines, graticule, vignette and room light") {
     const double light = 3.75 / 4.75;  // Reinhard of 2.5 x 1.5
     Tube tube({}, extent);
     const auto shown = [&tube](const Values& values, int x, int y) {
@@ -114,7 +114,7 @@ TEST_CASE("the article's glass: its scanlines, graticule, vignette and room ligh
     const double up = 90.0 - 45.5;  // px from the bottom
     const double wave = std::sin(2.0 * std::acos(-1.0) * up / 8.0);
     CHECK(is_near(shown(lines, 50, 45), light * (1.0 - 0.3 * (0.5 + 0.5 * wave)), 1e-4));
-    for (const int x : {25, 26, 30}) {  // 25: on the article's axis, a quarter of the way
+    for (const int x : {25, 26, 30}) {  // 25: on the article's axis, at a quarter of the width
         CAPTURE(x);
         const double at = (x + 0.5) / 102.0;
         const double above = up / 90.0;
@@ -134,7 +134,9 @@ TEST_CASE("the article's glass: its scanlines, graticule, vignette and room ligh
     CHECK(shown({{"ambient_glass", room}, {"curvature", Value(0.3)}}, 101, 89) == 0.0);
 }
 
-TEST_CASE("tone mapped in every frame, the phosphor keeps Reinhard's value and is shown as it is") {
+TEST_CASE(
+    "with tone mapping in every frame, the phosphor stores Reinhard's value and shows it "
+    "unchanged") {
     Tube tube({}, extent);
     for (const double written : {0.0, 1.0}) {
         CAPTURE(written);

@@ -1,4 +1,4 @@
-// Phosphor's beam: where its spots lie, how far they reach and how their colours fade.
+// Phosphor's beam: the position and reach of its spots, and the decay of their colours.
 #include "looks/tube.h"
 
 #include <doctest/doctest.h>
@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace {
-/// Of the core or the glow, as beam.frag states it.
+/// The energy of the core or the glow, as documented in beam.frag.
 double energy(double width_px, double weight, double sharpness) {
     return 0.7 * weight * width_px * width_px * std::numbers::pi / sharpness;
 }
@@ -16,7 +16,7 @@ struct Place {
     double y = 0.0;
 };
 
-/// The middle of a pass's light, px from the left and the bottom.
+/// The centroid of a pass's light, in px from the left and the bottom.
 Place middle_of(const Tube& tube, const char* pass) {
     const Picture light = tube.target(pass);
     double sum = 0.0;
@@ -32,7 +32,7 @@ Place middle_of(const Tube& tube, const char* pass) {
 }
 }  // namespace
 
-TEST_CASE("a wide spot is drawn as far as it is bright, in a picture of any shape") {
+TEST_CASE("a wide spot is drawn up to its full reach, in a picture of any shape") {
     for (const Extent extent : {Extent{128, 128}, Extent{200, 128}}) {
         CAPTURE(extent.width);
         Tube tube({{"beam_width", Value(64.0)}, {"ceiling", Value(1000.0)}}, extent);
@@ -42,7 +42,7 @@ TEST_CASE("a wide spot is drawn as far as it is bright, in a picture of any shap
     }
 }
 
-TEST_CASE("a spot whose middle is off the picture lights what of it is not") {
+TEST_CASE("a spot centred outside the picture lights the part inside") {
     constexpr double beyond = 3.0;  // px
     Tube tube({{"beam_width", Value(32.0)}, {"ceiling", Value(1000.0)}}, {256, 256});
     tube.draw({{static_cast<float>(-1.0 - beyond * 2.0 / 256.0), 0.0f, 1.0f, 0.0f}});
@@ -54,7 +54,7 @@ TEST_CASE("a spot whose middle is off the picture lights what of it is not") {
     CHECK(std::abs(tube.sum("beam") / stated - 1.0) < 0.002);
 }
 
-TEST_CASE("the signal lies where fit and size say, as points and as segments") {
+TEST_CASE("fit and size place the signal, as points and as segments") {
     Tube tube({}, {200, 100});
     const auto drawn_at = [&tube](double kind, double fit) {
         tube.restart({{"beam_kind", Value(kind)},
@@ -69,13 +69,13 @@ TEST_CASE("the signal lies where fit and size say, as points and as segments") {
         const Place filled = drawn_at(kind, 0.0);
         CHECK(std::abs(filled.x - (100.0 + 0.8 * 0.5 * 100.0)) < 0.01);
         CHECK(std::abs(filled.y - (50.0 + 0.8 * 0.25 * 50.0)) < 0.01);
-        const Place round = drawn_at(kind, 1.0);  // both axes at the height's scale
+        const Place round = drawn_at(kind, 1.0);  // both axes have the scale of the height
         CHECK(std::abs(round.x - (100.0 + 0.8 * 0.5 * 50.0)) < 0.01);
         CHECK(std::abs(round.y - (50.0 + 0.8 * 0.25 * 50.0)) < 0.01);
     }
 }
 
-TEST_CASE("each colour fades at its own speed, as points and as segments") {
+TEST_CASE("each colour decays at its own rate, as points and as segments") {
     constexpr std::array<double, 3> speeds{0.5, 1.0, 4.0};
     Tube tube({}, {64, 64});
     for (const double kind : {0.0, 1.0}) {
@@ -100,12 +100,12 @@ TEST_CASE("each colour fades at its own speed, as points and as segments") {
     }
 }
 
-TEST_CASE("the way from the last frame's point belongs to this frame, and not longer") {
+TEST_CASE("the segment from the previous frame's last point is drawn in this frame only") {
     Tube tube({{"beam_kind", Value(1.0)}, {"decay", Value(0.5)}, {"ceiling", Value(1000.0)}},
               {64, 64});
     tube.draw({{0.0f, 0.0f, 1.0f, 0.006f}});
     tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
-    // A charge of 1 laid down evenly over the frame of 1/60 s.
+    // A charge of 1, uniform over the frame of 1/60 s.
     const double width = 2.0 * 64.0 / 512.0;
     const double charge = energy(width, 1.0, 28.0) + energy(width, 0.3, 8.0);
     const double left = (1.0 - 0.5) / -std::log(0.5);
@@ -121,7 +121,7 @@ TEST_CASE("the bloom ends at its outermost tap") {
                {"ceiling", Value(1000.0)}},
               {256, 256});
     const float px = 2.0f / 256.0f;
-    tube.draw({{px, -px, 1e4f, 0.0f}});  // in the middle of a texel
+    tube.draw({{px, -px, 1e4f, 0.0f}});  // at the centre of a texel
     CHECK(tube.at("bloom_x", 64 + 4, 64) > 0.01 * tube.at("bloom_x", 64, 64));
     CHECK(tube.at("bloom_x", 64 + 6, 64) < 1e-6 * tube.at("bloom_x", 64, 64));
 }

@@ -1,4 +1,4 @@
-// Phosphor against closed forms: what the passes hold, in numbers.
+// Phosphor compared with closed forms: numeric values of its passes.
 #include "about.h"
 #include "looks/tube.h"
 
@@ -13,13 +13,13 @@ TEST_CASE("a decay of 0.95 per 1/60 s leaves 0.0461 after a second") {
     Tube tube({{"decay", Value(0.95)}, {"beam_gain", Value(0.01)}});
     tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
     const double before = tube.sum("persistence");
-    CHECK(before == about(tube.sum("beam"), 1e-5));  // all that the beam lays down is kept
+    CHECK(before == about(tube.sum("beam"), 1e-5));  // all light of the beam is stored
     tube.rest(60);
     CHECK(tube.sum("persistence") / before == about(std::pow(0.95, 60), 0.001));
     CHECK(std::pow(0.95, 60) == about(0.0461, 0.001));
 }
 
-TEST_CASE("a decay of 0.999 per 1/60 s is the same after 10 s at every frame rate") {
+TEST_CASE("a decay of 0.999 per 1/60 s gives the same light after 10 s at every frame rate") {
     for (const int fps : {24, 60, 144, 240}) {
         CAPTURE(fps);
         Tube tube({{"decay", Value(0.999)}, {"beam_gain", Value(0.01)}}, {16, 16});
@@ -30,7 +30,7 @@ TEST_CASE("a decay of 0.999 per 1/60 s is the same after 10 s at every frame rat
     }
 }
 
-TEST_CASE("light laid down in a frame has faded by its age at the frame's end") {
+TEST_CASE("light drawn in a frame has decayed by its age at the end of the frame") {
     Tube fresh({{"decay", Value(0.9)}, {"beam_gain", Value(0.01)}});
     fresh.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
     Tube aged({{"decay", Value(0.9)}, {"beam_gain", Value(0.01)}});
@@ -38,8 +38,8 @@ TEST_CASE("light laid down in a frame has faded by its age at the frame's end") 
     CHECK(aged.sum("persistence") / fresh.sum("persistence") == about(std::sqrt(0.9), 0.0001));
 }
 
-TEST_CASE("an even deposit leaves E (1 - d^(60 dt)) / (-60 ln d)") {
-    // 4096 points in a frame of 1/24 s, one unit of charge a second in all.
+TEST_CASE("a uniform deposit leaves E (1 - d^(60 dt)) / (-60 ln d)") {
+    // 4096 points in a frame of 1/24 s, with a total charge of one unit per second.
     constexpr int count = 4096;
     constexpr double seconds = 1.0 / 24.0;
     constexpr double decay = 0.8;
@@ -55,7 +55,7 @@ TEST_CASE("an even deposit leaves E (1 - d^(60 dt)) / (-60 ln d)") {
     CHECK(tube.sum("persistence") / unit.sum("persistence") == about(expected, 0.001));
 }
 
-TEST_CASE("a still trace looks the same at 24, 48 and 144 frames a second") {
+TEST_CASE("a static trace looks the same at 24, 48 and 144 fps") {
     const auto persistence_at = [](int fps) {
         auto roots = find_roots(fs::path(AFTERGLOW_SOURCE_DIR));
         REQUIRE(roots.has_value());
@@ -82,7 +82,7 @@ TEST_CASE("a still trace looks the same at 24, 48 and 144 frames a second") {
     }
 }
 
-TEST_CASE("a point's light has the stated energy wherever it lies between pixels") {
+TEST_CASE("a point has the stated energy at every subpixel position") {
     for (const double width : {1.0, 2.0, 6.0}) {
         for (const float shift : {0.0f, 0.25f, 0.5f}) {
             CAPTURE(width);
@@ -99,7 +99,7 @@ TEST_CASE("a point's light has the stated energy wherever it lies between pixels
     }
 }
 
-TEST_CASE("one lit spot keeps its energy through the bloom") {
+TEST_CASE("the bloom keeps the energy of a single lit spot") {
     Tube tube({}, {256, 256});
     for (const double size : {0.5, 1.0, 0.25}) {
         CAPTURE(size);
@@ -115,7 +115,7 @@ TEST_CASE("one lit spot keeps its energy through the bloom") {
     }
 }
 
-TEST_CASE("the bloom has the stated sigma, whatever its resolution") {
+TEST_CASE("the bloom has the stated sigma at any resolution") {
     Tube tube({}, {512, 512});
     for (const double size : {0.5, 0.25}) {
         CAPTURE(size);
@@ -165,14 +165,14 @@ TEST_CASE("Reinhard of 2.5 at an exposure of 1.5 is 0.7895") {
     CHECK(3.75 / 4.75 == about(0.7895, 1e-4));
 }
 
-TEST_CASE("display encoding is the piecewise sRGB curve, once") {
+TEST_CASE("display encoding is the piecewise sRGB curve, applied once") {
     Tube tube(with(plain_glass(), {{"display_encode", Value(1.0)}}));
     tube.draw(tube.flood());
     CHECK(tube.at("composite", 64, 64) ==
           about(1.055 * std::pow(3.75 / 4.75, 1.0 / 2.4) - 0.055, 1e-4));
 }
 
-TEST_CASE("display encoding is straight near black") {
+TEST_CASE("display encoding is linear near black") {
     Tube tube(with(
         plain_glass(),
         {{"display_encode", Value(1.0)}, {"tone_map", Value(0.0)}, {"exposure", Value(0.0008)}}));
@@ -180,7 +180,7 @@ TEST_CASE("display encoding is straight near black") {
     CHECK(tube.at("composite", 64, 64) == about(12.92 * 2.5 * 0.0008, 1e-4));
 }
 
-TEST_CASE("the tone maps are those of their papers") {
+TEST_CASE("the tone maps match their papers") {
     const auto shown = [](const Values& values) {
         Tube tube(with(plain_glass(), values));
         tube.draw(tube.flood());
@@ -190,11 +190,11 @@ TEST_CASE("the tone maps are those of their papers") {
     CHECK(shown({{"white", Value(5.0)}}) ==
           about(light * (1.0 + light / 25.0) / (1.0 + light), 1e-4));
     CHECK(shown({{"tone_map", Value(2.0)}, {"exposure", Value(0.4)}}) ==
-          about((2.51 + 0.03) / (2.43 + 0.59 + 0.14), 1e-4));  // of a light of 1
+          about((2.51 + 0.03) / (2.43 + 0.59 + 0.14), 1e-4));  // for a light of 1
     CHECK(shown({{"tone_map", Value(0.0)}, {"exposure", Value(0.1)}}) == about(0.25, 1e-4));
 }
 
-TEST_CASE("hue is kept where the brightest channel alone is tone mapped") {
+TEST_CASE("hue is kept when only the brightest channel is tone mapped") {
     for (const double keep : {0.0, 1.0}) {
         CAPTURE(keep);
         Tube tube(with(plain_glass(), {{"keep_hue", Value(keep)},
@@ -213,7 +213,7 @@ TEST_CASE("bloom is added to the trace in linear light") {
     CHECK(tube.at("composite", 64, 64) == about(0.1 * 2.5 * 1.5, 1e-4));
 }
 
-TEST_CASE("a vignette takes its strength from the corners, a bulge moves them outwards") {
+TEST_CASE("a vignette darkens the corners by its strength, and curvature moves them outwards") {
     const auto kept = [](double curvature, int x, int y) {
         Tube flat(plain_glass());
         flat.draw(flat.flood());
@@ -221,7 +221,7 @@ TEST_CASE("a vignette takes its strength from the corners, a bulge moves them ou
         dark.draw(dark.flood());
         return dark.at("composite", x, y) / flat.at("composite", 64, 64);
     };
-    const double edge = 127.0 / 128.0;  // the middle of the last pixel; the glass ends at 1
+    const double edge = 127.0 / 128.0;  // the centre of the last pixel; the glass ends at 1
     CHECK(kept(0.0, 127, 127) == about(1.0 - 0.8 * edge * edge, 1e-3));
     const double place = 95.5 / 64.0 - 1.0;  // of pixel 95, also in y
     const double moved = place * (1.0 + 0.3 * 40.0 / 36.0 * place * place);
@@ -238,15 +238,15 @@ TEST_CASE("scanlines leave a mean of 1 - strength / 2 over whole periods") {
         lined.draw(lined.flood());
         CHECK(lined.sum("composite") / flat.sum("composite") == about(0.85, 0.005));
         constexpr double pi = std::numbers::pi;
-        const double up = 128.0 - 61.5;  // px from the bottom to the middle of row 61
-        const double pixel = std::sin(pi / period) / (pi / period);  // a sine's mean over a pixel
+        const double up = 128.0 - 61.5;  // px from the bottom to the centre of row 61
+        const double pixel = std::sin(pi / period) / (pi / period);  // mean of a sine over a pixel
         CHECK(lined.at("composite", 64, 61) / flat.at("composite", 64, 61) ==
               about(1.0 - 0.3 * (0.5 + 0.5 * std::sin(2.0 * pi * up / period) * pixel), 1e-4));
     }
 }
 
 namespace {
-/// Also above 1.
+/// Includes brightness above 1.
 Beam trace_of_all_brightnesses() {
     Beam beam{{0.99f, 0.99f, 20.0f, 0.0f}};  // in the corner
     for (int i = 0; i < 200; ++i) {
@@ -265,7 +265,7 @@ Values all_off() {
                                 {"ceiling", Value(1000.0)}});
 }
 
-/// How far the picture is from the phosphor's light, cut off at 1.
+/// The difference of the picture from the phosphor's light, clipped at 1.
 double distance_from_copy(const Tube& tube) {
     const Picture light = tube.target("persistence");
     const Picture shown = tube.target("composite");
@@ -287,7 +287,7 @@ TEST_CASE("with every stage off the picture is the phosphor's light, at any size
     }
 }
 
-TEST_CASE("each stage changes the picture by itself") {
+TEST_CASE("each stage alone changes the picture") {
     const Values stages{
         {"bloom_intensity", Value(0.6)}, {"scanline_strength", Value(0.3)},
         {"graticule", Value(0.15)},      {"vignette", Value(0.3)},

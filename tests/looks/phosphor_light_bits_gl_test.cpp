@@ -1,4 +1,4 @@
-// Where the beam is drawn straight onto the phosphor, and how many bits its light has.
+// When the beam is drawn directly onto the phosphor, and the number of bits of its light.
 #include "about.h"
 #include "looks/tube.h"
 #include "model/picture/difference.h"
@@ -12,7 +12,7 @@ Look phosphor() {
     return *loaded.look;
 }
 
-// With nobody looking at what lies between.
+// The plan when only the last pass is displayed.
 Plan plan_of(const Look& look, const Values& values, Extent extent = {64, 32}) {
     PlanTerms terms;
     terms.seen.assign(look.passes.size(), false);
@@ -35,7 +35,7 @@ Format light(Values values) {
 }
 }  // namespace
 
-TEST_CASE("the custom tube's beam needs no target, whichever way it is drawn") {
+TEST_CASE("the custom tube's beam needs no target for either beam kind") {
     CHECK(is_onto("beam", {}));
     CHECK_FALSE(is_onto("segments", {}));
     CHECK(is_onto("segments", {{"beam_kind", 1.0}}));
@@ -46,17 +46,17 @@ TEST_CASE("the custom tube's beam needs no target, whichever way it is drawn") {
     CHECK_FALSE(is_onto("beam", {{"tone_map_every_frame", 1.0}}));
 }
 
-// A 64th is lost in 1/240 s by what is multiplied by (63/64)^4 = 0.93896 in 1/60 s.
-TEST_CASE("light has 16 bits where that is asked for and everything fades fast enough") {
+// A factor of (63/64)^4 = 0.93896 in 1/60 s loses 1/64 in 1/240 s.
+TEST_CASE("light has 16 bits if requested and if all of it decays fast enough") {
     CHECK(target_of("persistence", {{"decay", 0.5}}).format == Format::rgba32f);
     CHECK(light({{"decay", 0.9389}}) == Format::rgba16f);
     CHECK(light({{"decay", 0.9390}}) == Format::rgba32f);
     CHECK(light({{"decay", 0.9389}, {"one_color", 1.0}}) == Format::r16f);
-    // The slowest of the colours counts: 0.777^(1/4) = 0.93887, 0.778^(1/4) = 0.93917.
+    // The slowest colour decides: 0.777^(1/4) = 0.93887, 0.778^(1/4) = 0.93917.
     const Value blue_is_slow({1.0, 4.0, 0.25});
     CHECK(light({{"decay", 0.777}, {"fade_speed", blue_is_slow}}) == Format::rgba16f);
     CHECK(light({{"decay", 0.778}, {"fade_speed", blue_is_slow}}) == Format::rgba32f);
-    // Where colours do not count Decay does alone.
+    // If colours are not used, only Decay counts.
     CHECK(light({{"decay", 0.93}, {"fade_speed", blue_is_slow}, {"one_color", 1.0}}) ==
           Format::r16f);
     CHECK(light({{"decay", 0.98}, {"fade_speed", Value({9.0, 9.0, 9.0})}, {"as_written", 1.0}}) ==
@@ -64,10 +64,10 @@ TEST_CASE("light has 16 bits where that is asked for and everything fades fast e
     CHECK(light({{"decay", 0.5}, {"tube", 5.0}}) == Format::rgba32f);
 }
 
-// Half floats have steps of 2^-10 of the power of two below. Drivers that round to the nearest lose
-// nothing on the way; some cut, and lose half a step in each frame: on the way from one power of
-// two to the next, which is even in the logarithm, 2^-11 / (2 ln 2) of the light.
-TEST_CASE("light of 16 bits fades to a hundredth as it should, but for what drivers cut") {
+// The step of half floats is 2^-10 of the next lower power of two. Drivers that round to nearest
+// have no bias. Some truncate, and lose half a step per frame: averaged from one power of two to
+// the next, uniformly in the logarithm, 2^-11 / (2 ln 2) of the light.
+TEST_CASE("16-bit light decays correctly to 1 %, except for truncation by drivers") {
     for (const double fps : {60.0, 240.0}) {
         CAPTURE(fps);
         constexpr double decay = 0.9389;
@@ -85,9 +85,10 @@ TEST_CASE("light of 16 bits fades to a hundredth as it should, but for what driv
     }
 }
 
-// Targets of 1920 x 1080 by hand: light of the frame and of the one before; what the bloom is made
-// of, blurred across and down at half the size; the picture; single texels of all that is not used.
-TEST_CASE("the article's targets take what their texels do") {
+// Targets of 1920 x 1080, calculated manually: the light of this frame and the previous one; the
+// input of the bloom, its horizontal and its vertical blur at half size; the picture; single texels
+// for unused passes.
+TEST_CASE("the article's targets have the memory of their texels") {
     const Look look = phosphor();
     constexpr double pixels = 1920.0 * 1080.0;
     const auto megabytes = [&](const Values& values) {

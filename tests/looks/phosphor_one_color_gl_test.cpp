@@ -1,4 +1,4 @@
-// A phosphor of one colour: one number a pixel, and the same picture.
+// A phosphor of one colour stores one number per pixel and shows the same picture.
 #include "looks/tube.h"
 #include "model/picture/difference.h"
 
@@ -23,7 +23,7 @@ Picture seen(Tube& tube, const Values& values, bool is_one) {
 }
 }  // namespace
 
-TEST_CASE("one colour shows what all channels show, from one channel") {
+TEST_CASE("one colour shows the same picture from a single channel") {
     Tube tube({}, {96, 72});
     const Values common{{"beam_color", Value(std::vector<double>{0.3, 0.8, 0.1})},
                         {"dither", Value(0.0)}};
@@ -43,7 +43,7 @@ TEST_CASE("one colour shows what all channels show, from one channel") {
     }
 }
 
-TEST_CASE("what is shown is the same whether the beam has a target of its own or not") {
+TEST_CASE("the picture is the same whether or not the beam has its own target") {
     Tube apart({}, {96, 72});
     Tube onto({}, {96, 72});
     onto.look_at_the_last();
@@ -67,7 +67,7 @@ TEST_CASE("what is shown is the same whether the beam has a target of its own or
             }
 }
 
-TEST_CASE("a measured tube keeps its three terms, whatever is asked of a custom one") {
+TEST_CASE("a measured tube keeps its three terms, whatever the custom tube's settings") {
     Tube tube({}, {64, 64});
     const Values measured{{"tube", Value(9.0)}, {"dither", Value(0.0)}};
     CHECK(seen(tube, measured, true) == seen(tube, measured, false));

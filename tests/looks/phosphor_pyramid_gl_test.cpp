@@ -1,4 +1,4 @@
-// The bloom by a pyramid: its light, its width, its shape.
+// The pyramid bloom: energy, width and shape.
 #include "about.h"
 #include "looks/tube.h"
 
@@ -19,7 +19,7 @@ Values pyramid_of(double radius, const Values& more = {}) {
 
 struct SpotMoments {
     double energy = 0.0;
-    double x = 0.0;  // px of the whole picture
+    double x = 0.0;  // px of the full picture
     double y = 0.0;
     double variance = 0.0;  // px^2 along one axis
 };
@@ -44,7 +44,7 @@ SpotMoments moments_of(const Picture& picture) {
     return found;
 }
 
-// The largest rise on the way out from the brightest texel along its row, as a share of it.
+// The largest increase along the row, from the brightest texel outwards, relative to that texel.
 double worst_rise(const Picture& picture) {
     const auto light = [&picture](int x, int y) {
         return static_cast<double>(picture.pixels[picture.index(x, y) + 1]);
@@ -68,7 +68,8 @@ double worst_rise(const Picture& picture) {
 }
 }  // namespace
 
-TEST_CASE("the pyramid keeps a spot's energy and middle and has the stated sigma, wherever it is") {
+TEST_CASE(
+    "the pyramid keeps a spot's energy and centre and has the stated sigma, at any position") {
     Tube tube({}, {side, side});
     for (const double radius : {1.0, 3.0, 6.0, 12.0})
         for (const std::array<float, 2>& place :
@@ -88,21 +89,21 @@ TEST_CASE("the pyramid keeps a spot's energy and middle and has the stated sigma
         }
 }
 
-// Six times down and back: sqrt((4^6 - 1) / 2) = 45.2 texels of what it stands on.
+// Six levels down and up: sqrt((4^6 - 1) / 2) = 45.2 texels of the base level.
 TEST_CASE("the pyramid has the stated sigma up to 45 texels") {
     Tube tube({}, {4 * side, 4 * side});
     for (const double radius : {9.0, 13.5}) {
         CAPTURE(radius);
         tube.restart(pyramid_of(radius));
         tube.draw({{0.0f, 0.0f, 1.0f, 0.0f}});
-        const double sigma = 1.64 * radius;  // pairs of texels, in which moments_of counts here
+        const double sigma = 1.64 * radius;  // in pairs of texels, the unit of moments_of here
         const double added = moments_of(tube.target("bloom_y")).variance -
                              moments_of(tube.target("reduced")).variance;
         CHECK(is_near(added / (sigma * sigma), 1.0, 0.01));
     }
 }
 
-TEST_CASE("the pyramid makes no second spots") {
+TEST_CASE("the pyramid has no secondary peaks") {
     Tube tube({}, {side, side});
     for (const double radius : {1.0, 2.0, 3.0, 4.5, 6.0, 9.0, 12.0}) {
         CAPTURE(radius);
@@ -126,7 +127,7 @@ TEST_CASE("the pyramid is as wide as the article's table of taps") {
     CHECK(is_near(added(1.0) / added(0.0), 1.0, 0.01));
 }
 
-TEST_CASE("light that leaves the picture does not come back, whatever its size") {
+TEST_CASE("light that leaves the picture does not return, at any size") {
     for (const Extent extent : {Extent{100, 76}, Extent{101, 77}, Extent{33, 251}}) {
         CAPTURE(extent.width);
         Tube tube(pyramid_of(3.0), extent);
@@ -136,6 +137,6 @@ TEST_CASE("light that leaves the picture does not come back, whatever its size")
             return tube.sum("bloom_y") / tube.sum("reduced");
         };
         CHECK(is_near(kept(3.0, 0.0f), 1.0, 0.002));
-        CHECK(kept(12.0, 1.0f) < 0.7);  // a part of it spreads to beyond the edge
+        CHECK(kept(12.0, 1.0f) < 0.7);  // part of it spreads beyond the edge
     }
 }

@@ -1,4 +1,4 @@
-// Phosphor's beam drawn as segments, against the stated energy and against points.
+// Phosphor's beam drawn as segments, compared with the stated energy and with points.
 #include "looks/tube.h"
 
 #include <doctest/doctest.h>
@@ -18,8 +18,8 @@ Values as_segments(const Values& more = {}) {
                 more);
 }
 
-/// From one place to another in some seconds that end some seconds before the frame does, in equal
-/// pieces; a charge of 1 in all.
+/// From one position to another in `seconds`, ending `age` before the end of the frame, in equal
+/// pieces with a total charge of 1.
 struct Way {
     std::array<float, 2> from{-0.4f, -0.1f};
     std::array<float, 2> to{0.35f, 0.2f};
@@ -39,7 +39,7 @@ struct Way {
     }
 };
 
-// As tests/looks/phosphor_gl_test.cpp has it for points.
+// As for points in tests/looks/phosphor_gl_test.cpp.
 double stated_energy(double width) {
     const double px = width * extent.height / 512.0;
     return 0.01 * px * px * std::numbers::pi * (1.0 / 28.0 + 0.3 / 8.0);
@@ -63,7 +63,7 @@ TEST_CASE("a segment has the energy of its charge, for any width, length and dir
             }
 }
 
-TEST_CASE("a segment in pieces is the same segment") {
+TEST_CASE("a segment in pieces equals one segment") {
     Tube tube({}, extent);
     for (const double tube_item : {0.0, 9.0}) {
         const auto drawn = [&](int pieces) {
@@ -85,12 +85,12 @@ TEST_CASE("a segment in pieces is the same segment") {
     }
 }
 
-TEST_CASE("light fades inside a segment by its age at each place") {
+TEST_CASE("light decays within a segment by its age at each position") {
     constexpr double seconds = 0.012;
     constexpr double age = 0.002;
     const Way way{.seconds = seconds, .age = age};
     Tube tube({}, extent);
-    // The mean over the way of what an exponential leaves.
+    // The mean of an exponential decay along the segment.
     const auto left = [](double rate) {
         return std::exp(-rate * age) * -std::expm1(-rate * seconds) / (rate * seconds);
     };
@@ -101,7 +101,7 @@ TEST_CASE("light fades inside a segment by its age at each place") {
         const double expected = stated_energy(16) * left(-60 * std::log(decay));
         CHECK(std::abs(tube.sum("persistence") / expected - 1) < 0.001);
     }
-    // P31: what its terms of 0.126, 2.25 and 16 ms have given off.
+    // P31: the light emitted by its terms of 0.126, 2.25 and 16 ms.
     tube.restart(as_segments({{"tube", Value(9.0)}}));
     tube.draw(way.beam());
     CHECK(std::abs(tube.sum("segments", 3) / stated_energy(16) - 1) < 0.001);
@@ -112,7 +112,7 @@ TEST_CASE("light fades inside a segment by its age at each place") {
     }
 }
 
-TEST_CASE("segments show the light of points that lie close") {
+TEST_CASE("segments show the same light as closely spaced points") {
     for (const double item : {0.0, 6.0}) {
         CAPTURE(item);
         const Values values = as_segments({{"tube", Value(item)}, {"beam_gain", Value(0.3)}});
@@ -132,7 +132,7 @@ TEST_CASE("segments show the light of points that lie close") {
     }
 }
 
-TEST_CASE("only the chosen kind of beam is drawn, and the article draws points") {
+TEST_CASE("only the chosen beam kind is drawn, and the article draws points") {
     Tube tube(as_segments(), extent);
     CHECK(tube.target("beam").extent == Extent{1, 1});
     CHECK(tube.target("segments").extent == extent);

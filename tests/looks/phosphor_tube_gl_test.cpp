@@ -1,4 +1,4 @@
-// Phosphor's measured tubes against the Tektronix decay table and closed forms.
+// Phosphor's measured tubes compared with the Tektronix decay table and closed forms.
 #include "looks/tube.h"
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 
 namespace {
 /// A line of Tektronix, "CRT Data", phosphor decay table, rev. A, 1966: milliseconds to 10, 1 and
-/// 0.1 %, and the luminance where P31's is 100.
+/// 0.1 %, and the luminance relative to P31 at 100.
 struct MeasuredLine {
     const char* name;
     double item;
@@ -44,7 +44,7 @@ struct Decay {
     }
 };
 
-// Two terms through the three points; the fast one is nearly gone at the second.
+// Two terms through the three points; the fast one is almost zero at the second.
 Decay solved_for_silicate(const std::array<double, 3>& times) {
     Decay d{{0.5, 0.5, 0}, {times[0] / 3.6, times[2] / 7, 1}};
     for (int i = 0; i < 1000; ++i) {
@@ -60,7 +60,7 @@ Decay solved_for_silicate(const std::array<double, 3>& times) {
     return d;
 }
 
-// The slow terms' times are half of those to 1 and 0.1 %.
+// The time constants of the slow terms are half the times to 1 and 0.1 %.
 Decay solved_for_sulphide(const std::array<double, 3>& times) {
     Decay d{{0.96, 0.03, 0.007}, {times[0] / 2.4, times[1] / 2, times[2] / 2}};
     const auto left = [&](std::size_t term, double time) {
@@ -88,7 +88,7 @@ Decay solved(const MeasuredLine& tube) {
 constexpr std::array<int, 5> rates{24, 30, 60, 144, 240};
 constexpr Extent small{16, 16};
 
-/// All light is white, and far below the ceiling.
+/// White light, far below the ceiling.
 Values white(const MeasuredLine& tube) {
     return {{"tube", Value(tube.item)},
             {"tube_color", Value(1.0)},
@@ -100,7 +100,7 @@ Beam flash(double age) {
     return {{0.0f, 0.0f, 1.0f, static_cast<float>(age)}};
 }
 
-/// Light a second of one instant, some time after a flash.
+/// Light per second at one instant, some time after a flash.
 double brightness_after(Tube& tube, const Values& values, double seconds) {
     constexpr double instant = 1e-7;
     tube.restart(values);
@@ -140,7 +140,7 @@ TEST_CASE("every tube is at 10, 1 and 0.1 % at the measured times") {
     }
 }
 
-TEST_CASE("the time scale stretches a tube's fading") {
+TEST_CASE("the time scale stretches a tube's decay") {
     Tube tube({}, small);
     for (const double scale : {0.05, 100.0}) {
         const Values values = with(white(p31), {{"time_scale", Value(scale)}});
@@ -150,7 +150,7 @@ TEST_CASE("the time scale stretches a tube's fading") {
     }
 }
 
-TEST_CASE("after a flash each frame shows the light that falls into it, at every frame rate") {
+TEST_CASE("after a flash each frame shows the light emitted during it, at every frame rate") {
     Tube tube({}, small);
     for (const MeasuredLine& line : measured) {
         const Decay decay = solved(line);
@@ -163,8 +163,7 @@ TEST_CASE("after a flash each frame shows the light that falls into it, at every
             double scale = 0;
             for (int k = 1; k <= 60; ++k) {
                 tube.draw(k == 1 ? flash(1.0 / fps) : Beam{}, fps);
-                if (k ==
-                    1)  // a charge of 1 gives in all what it would at a brightness of 12 for 1/60 s
+                if (k == 1)  // a charge of 1 gives the total light of brightness 12 during 1/60 s
                     scale = tube.sum("beam", 3) * 12 / 60 / decay.light();
                 const double expected =
                     (decay.light_until(k * 1.0 / fps) - decay.light_until((k - 1) * 1.0 / fps)) *
@@ -198,7 +197,7 @@ TEST_CASE("the light of two seconds is the same at every frame rate") {
     }
 }
 
-TEST_CASE("a trace that stays is as bright at every frame rate") {
+TEST_CASE("a static trace has the same brightness at every frame rate") {
     constexpr int points = 24;
     Tube tube({}, small);
     for (const int fps : rates) {
@@ -215,8 +214,9 @@ TEST_CASE("a trace that stays is as bright at every frame rate") {
     }
 }
 
-TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
-    // Linear sRGB of the emission chromaticities, mixed with neutral where outside; largest is 1.
+TEST_CASE("a tube's light has its colour, and its luminance relative to P31") {
+    // Linear sRGB of the emission chromaticities, mixed with neutral if out of gamut; the largest
+    // is 1.
     const std::vector<std::pair<double, std::array<double, 3>>> published{
         {1, {0, 1, 0.235}}, {3, {1, 0.42, 0}},  {4, {0.488, 0.781, 1}},
         {6, {0, 0.353, 1}}, {9, {0, 1, 0.373}},
@@ -224,7 +224,7 @@ TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
     Tube tube({}, small);
     const auto flashed = [&](double item) {
         tube.restart({{"tube", Value(item)}, {"beam_gain", Value(0.001)}});
-        tube.draw(flash(2.0), 0.5);  // a frame of 2 s holds all light
+        tube.draw(flash(2.0), 0.5);  // a frame of 2 s contains all light
         return light_of(tube);
     };
     for (const auto& line : published) {
@@ -240,7 +240,7 @@ TEST_CASE("a tube's light has its colour, and its luminance next to P31's") {
     }
 }
 
-TEST_CASE("P7 flashes blue and glows on yellow-green, P14 orange") {
+TEST_CASE("P7 flashes blue with a yellow-green afterglow, and P14 with an orange one") {
     Tube tube({}, small);
     const auto after = [&](double item, double seconds) {
         tube.restart({{"tube", Value(item)}, {"beam_gain", Value(0.001)}});
@@ -259,7 +259,7 @@ TEST_CASE("P7 flashes blue and glows on yellow-green, P14 orange") {
     CHECK(after(7, 0.02)[2] < 0.01);
 }
 
-TEST_CASE("the tail's gain scales what comes after the flash and leaves the flash") {
+TEST_CASE("the tail gain scales the afterglow and keeps the flash") {
     const Decay decay = solved(p31);
     Tube tube({}, small);
     for (const double gain : {0.0, 1.0, 4.0}) {
@@ -273,19 +273,19 @@ TEST_CASE("the tail's gain scales what comes after the flash and leaves the flas
     }
 }
 
-TEST_CASE("an overdriven tube is as bright as its ceiling and fades from there") {
+TEST_CASE("an overdriven tube has the brightness of its ceiling and decays from there") {
     Tube tube(with(white(p32), {{"ceiling", Value(2.5)}, {"beam_gain", Value(0.7)}}), {64, 64});
     tube.draw(tube.flood());
     tube.rest(1);
     CHECK(std::abs(tube.at("persistence", 32, 32) - 2.5) < 1e-4);
-    tube.rest(60);  // a second later the slowest term alone is left
+    tube.rest(60);  // a second later only the slowest term is left
     CHECK(std::abs(tube.at("persistence", 32, 32) / (2.5 * std::exp(-1 / 0.1175)) - 1) < 0.001);
 }
 
-TEST_CASE("in a short frame the ceiling is as much higher as its light falls into less time") {
+TEST_CASE("in a short frame the ceiling is higher in proportion to the shorter time") {
     const Values values = with(white(p32), {{"ceiling", Value(2.5)}, {"beam_gain", Value(0.7)}});
     Tube tube(values, {64, 64});
-    Beam early = tube.flood();  // so that much of it shines within the frame
+    Beam early = tube.flood();  // so that much of its light is emitted within the frame
     for (BeamPoint& point : early)
         point.age_seconds = 0.004f;
     tube.draw(early, 240.0);
@@ -295,7 +295,7 @@ TEST_CASE("in a short frame the ceiling is as much higher as its light falls int
     CHECK(std::abs(tube.at("persistence", 32, 32) - 2.5) < 1e-4);
 }
 
-TEST_CASE("a tube's flash and its afterglow take the colours that were chosen for them") {
+TEST_CASE("a tube's flash and afterglow use the chosen colours") {
     const Value beam(std::vector<double>{1, 0.5, 0.25});
     const Value after(std::vector<double>{0.2, 0.4, 1});
     Tube tube({}, small);
@@ -313,12 +313,13 @@ TEST_CASE("a tube's flash and its afterglow take the colours that were chosen fo
     for (std::size_t i = 0; i < 3; ++i) {
         CHECK(std::abs(shown(1, 0)[i] - beam.numbers[i]) < 0.002);
         CHECK(std::abs(shown(1, 0.02)[i] - beam.numbers[i]) < 0.002);
-        CHECK(std::abs(shown(2, 0)[i] - beam.numbers[i]) < 0.05);  // a little glows on at once
+        CHECK(std::abs(shown(2, 0)[i] - beam.numbers[i]) <
+              0.05);  // a small part of the afterglow is immediate
         CHECK(std::abs(shown(2, 0.02)[i] - after.numbers[i]) < 0.002);
     }
 }
 
-TEST_CASE("the custom tube keeps no charges, and the article knows no tubes") {
+TEST_CASE("the custom tube stores no charges, and the article has no tubes") {
     Tube custom({}, small);
     custom.draw(flash(0));
     CHECK(custom.target("excitation").extent == Extent{1, 1});

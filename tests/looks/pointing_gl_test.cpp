@@ -1,4 +1,4 @@
-// Where a hand points is where the beam shows: places against pictures of the real looks.
+// The beam appears where the user points: positions compared with pictures of the built-in looks.
 #include "base/text.h"
 #include "lab/document/users_content.h"
 #include "lab/drawing/beam_place.h"
@@ -12,7 +12,7 @@
 namespace {
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
-/// A look whose beam draws a short line around a place, with what would blur it turned off.
+/// A look whose beam draws a short line around a position, without stages that would blur it.
 Offline pointed(const std::string& look, const BeamPlace& place, Extent size, Texts values) {
     auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
@@ -30,7 +30,7 @@ Offline pointed(const std::string& look, const BeamPlace& place, Extent size, Te
     return std::move(*offline);
 }
 
-/// The middle of the brightest pixels, from the picture's top left corner.
+/// The centroid of the brightest pixels, from the top left corner of the picture.
 PicturePixel lit_pixel(const Picture& picture) {
     double sum = 0.0;
     PicturePixel middle{};
@@ -72,32 +72,31 @@ Texts with(Texts values, const Texts& others) {
 }
 }  // namespace
 
-TEST_CASE("phosphor: the beam shows where the hand points, through the glass and with any fit") {
+TEST_CASE("phosphor: the beam appears at the pointer, through curved glass and with any fit") {
     check_pointing("phosphor", {320, 180}, with(plain, {{"curvature", "0.3"}}));
     check_pointing("phosphor", {180, 240},
                    with(plain, {{"fit", "1"}, {"screen_size", "0.7"}, {"curvature", "0.15"}}));
 }
 
-TEST_CASE("vector beam: the beam shows where the hand points, with either fit") {
+TEST_CASE("vector beam: the beam appears at the pointer, with either fit") {
     check_pointing("vector-beam", {320, 180}, {{"glow_amount", "0"}});
     check_pointing("vector-beam", {180, 240}, {{"glow_amount", "0"}, {"fit", "1"}});
 }
 
-TEST_CASE(
-    "in a stack the look with the beam says where it is, and each look behind it bends that") {
+TEST_CASE("in a stack the look with the beam defines its position, and later looks distort it") {
     auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
     const auto prepared = prepare({.look = "vector-beam+crt"}, Library(std::move(*roots)));
     REQUIRE(prepared.has_value());
     const BeamPlacing placing(prepared->document.look(), {}, {200, 100});
-    // Round, and 0.9 of the picture: 1 is 45 px from the middle.
+    // Round, and 0.9 of the picture: 1 is 45 px from the centre.
     const PicturePixel pixel = placing.pixel_of({1.0, 0.5});
     CHECK(std::abs(pixel[0] - 145.0) < 1e-9);
     CHECK(std::abs(pixel[1] - 27.5) < 1e-9);
     CHECK(std::abs(placing.pixel_size() - 1.0 / 45.0) < 1e-9);
 }
 
-TEST_CASE("in a stack the beam shows where the hand points, through the glass of every look") {
+TEST_CASE("in a stack the beam appears at the pointer, through the glass of every look") {
     Texts values{{"phosphor/curvature", "0.2"},
                  {"phosphor/bloom_intensity", "0"},
                  {"phosphor/aberration", "0"},

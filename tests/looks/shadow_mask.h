@@ -9,7 +9,7 @@ inline Value point(double x, double y) {
     return Value(std::vector<double>{x, y});
 }
 
-/// Every stage off by itself: a plain copy.
+/// Each stage switched off separately: a plain copy.
 inline Values stages_off() {
     return {{"mask_strength", Value(0.0)},   {"sampling", Value(2.0)},
             {"red_offset", point(0, 0)},     {"green_offset", point(0, 0)},

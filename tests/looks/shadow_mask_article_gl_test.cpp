@@ -1,4 +1,4 @@
-// The shadow mask as its article wrote it: what it loses, and where it reads.
+// The shadow mask as written in its article: its loss of light, and its sampling positions.
 #include "looks/shadow_mask.h"
 #include "model/look/color.h"
 
@@ -6,29 +6,28 @@
 
 using namespace shadow_mask;
 
-TEST_CASE("as the article wrote it the cells' borders cost light that nothing makes up for") {
+TEST_CASE("as written in the article, the borders of cells lose light without compensation") {
     const Picture white = flat_field({48, 48}, 1.0f, 1.0f, 1.0f);
     const Picture tube = drawn_look(
         "shadow-mask", white,
         with(stages_off(),
              {{"as_written", Value(1.0)}, {"mask_size", Value(12.0)}, {"vignette", Value(0.01)}}),
         "tube");
-    // Sampled in the middle of pixels: 4 across a stripe, 12 up a cell, each with its own 1 - b
-    // v^2.
+    // Sampled at pixel centres: 4 across a stripe, 12 along a cell, each with 1 - b v^2.
     const auto sampled = [](int count) {
         double sum = 0.0;
         for (int i = 0; i < count; ++i)
             sum += 1.0 - 0.8 * std::pow((2.0 * i + 1.0) / count - 1.0, 2.0);
         return sum / count;
     };
-    const double vignette = 0.97;  // of the exponent 0.01, roughly
+    const double vignette = 0.97;  // of the exponent 0.01, approximately
     const double expected = sampled(4) * sampled(12) * vignette;
     CHECK(std::abs(mean_of(tube, 1, 0, 0, {48, 48}) - expected) < 0.03);
     CHECK(std::abs(std::pow(1.0 - 0.8 / 3.0, 2.0) - 0.538) < 1e-3);
     CHECK(std::abs(sampled(4) * sampled(12) - 0.538) < 0.02);
 }
 
-TEST_CASE("as the article wrote it cells are read at their corners, under its vignette") {
+TEST_CASE("as written in the article, cells are sampled at their corners, under its vignette") {
     Picture ramp = flat_field({24, 48}, 0.0f, 0.0f, 0.0f);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 24; ++x)

@@ -1,4 +1,4 @@
-// The shadow mask against closed forms: what comes through, where it is read, and what is lost.
+// The shadow mask compared with closed forms: transmitted light, sampling positions and loss.
 #include "lab/offline/offline.h"
 #include "looks/shadow_mask.h"
 #include "model/look/color.h"
@@ -11,7 +11,7 @@
 using namespace shadow_mask;
 
 namespace {
-/// `count` lit pixels of linear light 1 in the middle of a dark picture.
+/// A single pixel of linear light 1 in the middle of a black picture.
 Picture lit_dot(Extent extent) {
     Picture picture = flat_field(extent, 0.0f, 0.0f, 0.0f);
     const auto middle = picture.index(extent.width / 2, extent.height / 2);
@@ -21,7 +21,7 @@ Picture lit_dot(Extent extent) {
 }
 }  // namespace
 
-TEST_CASE("shadow-mask with all its stages off is a plain copy") {
+TEST_CASE("shadow-mask with all stages off copies its source") {
     const auto source = make_pattern("harbour");
     const Picture drawn = drawn_look("shadow-mask", *source, stages_off());
     int different = 0;
@@ -33,7 +33,7 @@ TEST_CASE("shadow-mask with all its stages off is a plain copy") {
     CHECK(different == 0);
 }
 
-TEST_CASE("without a tone map light above 1 goes on to the next look") {
+TEST_CASE("without a tone map, light above 1 is passed on") {
     const Picture drawn =
         drawn_look("shadow-mask", flat_field({8, 8}, 3.0f, 3.0f, 3.0f), stages_off());
     CHECK(std::abs(number(drawn, 4, 4) - (1.055 * std::pow(3.0, 1.0 / 2.4) - 0.055)) < 1e-4);
@@ -56,7 +56,7 @@ TEST_CASE("the stripes of a cell have the chosen order") {
     }
 }
 
-TEST_CASE("scanlines run across or up and down, counted from the bottom left") {
+TEST_CASE("scanlines are horizontal or vertical, counted from the bottom left") {
     const Picture white = flat_field({8, 8}, 1.0f, 1.0f, 1.0f);
     for (const double axis : {0.0, 1.0}) {
         const Picture light = drawn_look(
@@ -77,13 +77,13 @@ TEST_CASE("scanlines run across or up and down, counted from the bottom left") {
 }
 
 TEST_CASE(
-    "scanlines of source lines follow the picture's size on the glass, and columns up and down") {
+    "scanlines of source lines scale with the picture size on the glass, and may be vertical") {
     const Picture white = flat_field({12, 24}, 1.0f, 1.0f, 1.0f);
     const Values lines = with(stages_off(), {{"scanline_unit", Value(1.0)},
                                              {"scanline_strength", Value(0.6)},
                                              {"scanline_interlace", Value(0.0)},
                                              {"brightness_kept", Value(0.0)}});
-    const auto expected = [](double place, double period) {  // a crest in the middle of each line
+    const auto expected = [](double place, double period) {  // a crest at the centre of each line
         const double angle = std::acos(-1.0) / period;
         return 0.7 - 0.3 * std::cos(2.0 * angle * place) * std::sin(angle) / angle;
     };
@@ -99,7 +99,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("triads across the picture give the mask its size, and snapping rounds it") {
+TEST_CASE("the number of triads sets the mask size, and snapping rounds it") {
     const Picture white = flat_field({120, 60}, 1.0f, 1.0f, 1.0f);
     const auto masked = [&white](const Values& values) {
         return drawn_look("shadow-mask", white,
@@ -117,7 +117,7 @@ TEST_CASE("triads across the picture give the mask its size, and snapping rounds
     CHECK(masked({{"mask_unit", Value(1.0)}, {"mask_triads", Value(19.0)}}).pixels != six.pixels);
 }
 
-TEST_CASE("the mean over whole cells is that of the picture, in every channel of every mask") {
+TEST_CASE("the mean over whole cells equals that of the picture, in every channel of every mask") {
     const Picture grey = flat_field({120, 104}, 0.2f, 0.2f, 0.2f);
     for (const double type : {0.0, 1.0, 2.0, 3.0}) {
         CAPTURE(type);
@@ -126,14 +126,14 @@ TEST_CASE("the mean over whole cells is that of the picture, in every channel of
                                                              {"mask_type", Value(type)},
                                                              {"mask_size", Value(12.0)}}),
                                          "tube");
-        // 104 px are ten half rows of dots and 8 2/3 cells; the cells take 96.
+        // 104 px are ten half rows of dots and 8 2/3 cells; the cells use 96 px.
         for (std::size_t c = 0; c < 3; ++c)
             CHECK(std::abs(mean_of(light, c, 0, 0, {120, type == 3.0 ? 104 : 96}) - 0.2) <
                   0.2 * 0.005);
     }
 }
 
-TEST_CASE("a mask that keeps no brightness takes light away and adds none") {
+TEST_CASE("a mask without brightness compensation only removes light") {
     const Picture white = flat_field({48, 48}, 1.0f, 1.0f, 1.0f);
     for (const double type : {0.0, 1.0, 2.0, 3.0}) {
         CAPTURE(type);
@@ -152,8 +152,8 @@ TEST_CASE("a mask that keeps no brightness takes light away and adds none") {
     }
 }
 
-TEST_CASE("every cell shows the picture in its middle, staggered columns too") {
-    // A ramp up the picture: light is height, row 0 on top.
+TEST_CASE("every cell shows the picture at its centre, also in staggered columns") {
+    // A vertical ramp: light is the height, row 0 is the top.
     Picture ramp = flat_field({24, 48}, 0.0f, 0.0f, 0.0f);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 24; ++x)
@@ -176,7 +176,7 @@ TEST_CASE("every cell shows the picture in its middle, staggered columns too") {
     }
 }
 
-TEST_CASE("each channel is read at its own place, to the right and up") {
+TEST_CASE("each channel is read at its own offset, right and up") {
     const Picture light = drawn_look("shadow-mask", lit_dot({32, 16}),
                                      with(stages_off(), {{"red_offset", point(3, 0)},
                                                          {"green_offset", point(-2, 1)},
@@ -194,7 +194,7 @@ TEST_CASE("the bloom of a dot has the dot's energy and the set width") {
     double spread = 0.0;
     for (int y = 0; y < bloom.extent.height; ++y)
         for (int x = 0; x < bloom.extent.width; ++x) {
-            sum += 4.0 * number(bloom, x, y);  // four pixels of the picture each
+            sum += 4.0 * number(bloom, x, y);  // each texel is four pixels of the picture
             spread += 4.0 * number(bloom, x, y) * std::pow(2.0 * (x - 48.0), 2.0);
         }
     CHECK(std::abs(sum - 1.0) < 0.01);
@@ -202,7 +202,7 @@ TEST_CASE("the bloom of a dot has the dot's energy and the set width") {
     CHECK(std::abs(std::sqrt(spread / sum) - 2.25) < 0.03 * 2.25);
 }
 
-TEST_CASE("a curved screen shows the frame's colour beyond its corners, and is symmetric") {
+TEST_CASE("a curved screen shows the border colour beyond its corners, and is symmetric") {
     const Picture white = flat_field({96, 54}, 1.0f, 1.0f, 1.0f);
     const Picture drawn = drawn_look(
         "shadow-mask", white,
@@ -223,7 +223,7 @@ TEST_CASE("a curved screen shows the frame's colour beyond its corners, and is s
     CHECK(worst < 1e-3);
 }
 
-TEST_CASE("a smaller picture leaves a dark rim on the glass, a larger one loses its sides") {
+TEST_CASE("a smaller picture leaves a black border on the glass, and a larger one is cropped") {
     Picture ramp = flat_field({32, 16}, 0.0f, 0.0f, 0.0f);
     for (std::size_t i = 0; i < ramp.pixels.size(); ++i)
         ramp.pixels[i] = (static_cast<float>(i / 3 % 32) + 0.5f) / 32.0f;
@@ -278,7 +278,7 @@ TEST_CASE("the pulse is averaged over each frame") {
     }
 }
 
-TEST_CASE("one phosphor has one colour") {
+TEST_CASE("a monochrome phosphor has one colour") {
     const Picture field = flat_field({48, 48}, 0.9f, 0.2f, 0.4f);
     const Picture light =
         drawn_look("shadow-mask", field,

@@ -1,4 +1,4 @@
-// The points of shaders/include/sobol.glsl against published ones, and how evenly they lie.
+// The points of shaders/include/sobol.glsl compared with published ones, and their uniformity.
 #include "looks/glsl_function.h"
 
 #include <doctest/doctest.h>
@@ -8,7 +8,7 @@
 #include <utility>
 
 namespace {
-/// x: a point's index; y: its dimension; z: the seed of a scrambling, 0 for none.
+/// x: the index of a point; y: its dimension; z: the seed of scrambling, 0: none.
 std::vector<double> points(const std::vector<Vec4>& inputs) {
     std::vector<double> numbers;
     for (const Vec4& drawn : run_glsl("#include \"sobol.glsl\"\nvec4 f(vec4 x) {\n"
@@ -21,8 +21,8 @@ std::vector<double> points(const std::vector<Vec4>& inputs) {
 }
 }  // namespace
 
-TEST_CASE("the first points are those that Joe and Kuo print") {
-    // In three dimensions, in the order of Gray's code.
+TEST_CASE("the first points match those printed by Joe and Kuo") {
+    // In three dimensions, in Gray code order.
     constexpr double printed[8][3] = {{0, 0, 0},          {.5, .5, .5},       {.75, .25, .25},
                                       {.25, .75, .75},    {.375, .375, .625}, {.875, .875, .125},
                                       {.625, .125, .875}, {.125, .625, .375}};
@@ -35,7 +35,7 @@ TEST_CASE("the first points are those that Joe and Kuo print") {
         CHECK(drawn[i] == printed[i / 3][i % 3]);
 }
 
-TEST_CASE("scrambled or not, 256 points lie one in each 256th, and one in each square of 16 x 16") {
+TEST_CASE("scrambled or not, 256 points are stratified in each dimension and in 16 x 16 squares") {
     for (const double seed : {0.0, 77.0}) {
         CAPTURE(seed);
         std::vector<Vec4> inputs;

@@ -1,4 +1,4 @@
-// A beam with colours of its own on the looks that draw one.
+// A beam with its own colours, in the looks that draw a beam.
 #include "looks/drawn_look.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ Values white_and(const Values& more) {
     return values;
 }
 
-/// Across the middle in 16 steps of a frame, in one colour.
+/// A horizontal line in 16 steps of a frame, in one colour.
 Beam line(float y, const BeamTint& tint) {
     Beam beam;
     for (int i = 0; i <= 16; ++i)
@@ -47,7 +47,7 @@ std::vector<float> rgb(const Picture& picture) {
 
 struct TintedDrawing {
     const char* look;
-    const char* light;    // the pass that holds what glows, in colour
+    const char* light;    // the pass with the glowing light, in colour
     const char* picture;  // the last one
     Values values;
 };
@@ -61,7 +61,7 @@ const std::vector<TintedDrawing> drawings{
 };
 }  // namespace
 
-TEST_CASE("a red beam leaves neither green nor blue, and as much red as a white one") {
+TEST_CASE("a red beam leaves no green or blue, and as much red as a white beam") {
     for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
@@ -78,7 +78,7 @@ TEST_CASE("a red beam leaves neither green nor blue, and as much red as a white 
     }
 }
 
-TEST_CASE("a red beam's glow is red, too") {
+TEST_CASE("the glow of a red beam is red") {
     DrawnLook look("shaders/vector-beam", square,
                    white_and({{"glow_amount", Value(2.0)},
                               {"tone_map", Value(0.0)},
@@ -91,7 +91,7 @@ TEST_CASE("a red beam's glow is red, too") {
     CHECK(largest(picture, 2) == 0.0f);
 }
 
-TEST_CASE("a colour's parts are factors of the light") {
+TEST_CASE("the components of a tint scale the light") {
     for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
@@ -107,7 +107,7 @@ TEST_CASE("a colour's parts are factors of the light") {
     }
 }
 
-TEST_CASE("a white beam's picture is bit for bit that of a beam without colours") {
+TEST_CASE("a white tint gives exactly the picture of a beam without tints") {
     for (const TintedDrawing& drawing : drawings) {
         CAPTURE(drawing.look);
         DrawnLook look(drawing.look, square, drawing.values);
@@ -121,7 +121,8 @@ TEST_CASE("a white beam's picture is bit for bit that of a beam without colours"
     }
 }
 
-TEST_CASE("a measured tube glows in its own colour, as strongly as the strongest of the beam's") {
+TEST_CASE(
+    "a measured tube glows in its own colour, scaled by the strongest component of the tint") {
     DrawnLook look("shaders/phosphor", square, {{"tube", Value(9.0)}});
     look.draw(without_tints(line(0.0f, {})));
     const double white_beam = sum_of(look.target("persistence"), 1);

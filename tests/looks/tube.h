@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-/// Phosphor fed by hand, what it shows kept in 32-bit floats.
+/// Phosphor with a beam supplied by the test, and its targets in 32-bit floats.
 class Tube {
 public:
     explicit Tube(const Values& values, Extent extent = {128, 128}) {
@@ -21,7 +21,7 @@ public:
                       std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
         REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         for (Pass& pass : loaded.look->passes)
-            if (pass.name != "persistence")  // whose own must do
+            if (pass.name != "persistence")  // which must keep its own format
                 pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
         REQUIRE(programs.has_value());
@@ -30,16 +30,16 @@ public:
         restart(values);
     }
 
-    /// From the first frame again, with other values.
+    /// Restarts with the first frame and other values.
     void restart(const Values& values) {
-        m_context->make_current();  // another tube may have been
+        m_context->make_current();  // another tube's context may be current
         m_renderer->set_values(values);
         REQUIRE(m_renderer->resize(m_extent, m_extent).has_value());
         m_renderer->clear_history();
         m_number = 0;
     }
 
-    /// Nobody looks at any pass but the last one from here on.
+    /// From now on only the last pass is displayed.
     void look_at_the_last() {
         m_context->make_current();
         std::vector<bool> seen(m_renderer->executor().look().passes.size(), false);
@@ -52,7 +52,7 @@ public:
         return executor.plan().targets[index].onto.has_value();
     }
 
-    /// One frame of 1/fps that holds these points.
+    /// Draws one frame of 1/fps with these points.
     void draw(const Beam& beam, double fps = 60.0) {
         m_context->make_current();
         ++m_number;
@@ -68,7 +68,7 @@ public:
         const Executor& executor = m_renderer->executor();
         return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
     }
-    /// A channel summed over all pixels.
+    /// The sum of a channel over all pixels.
     double sum(const char* pass, std::size_t channel = 1) const {
         const Picture picture = target(pass);
         double sum = 0.0;
@@ -81,7 +81,7 @@ public:
         return static_cast<double>(picture.pixels[picture.index(x, y) + channel]);
     }
 
-    /// Enough of the beam everywhere that the phosphor is at its ceiling.
+    /// Enough beam everywhere to bring the phosphor to its ceiling.
     Beam flood() const {
         Beam beam;
         for (float y = -1.0f; y <= 1.0f; y += 0.04f)
@@ -101,8 +101,8 @@ private:
     std::int64_t m_number = 0;
 };
 
-/// Everything off that would change a flat field in the composite; the beam is so wide that flood()
-/// makes one.
+/// Settings without anything that would change a flat field in the composite. The beam is so wide
+/// that flood() makes a flat field.
 inline Values plain_glass() {
     return {{"beam_width", Value(16.0)},
             {"bloom_intensity", Value(0.0)},

@@ -1,4 +1,4 @@
-// Vector beam against closed forms: what its passes hold, in numbers.
+// Vector beam compared with closed forms: numeric values of its passes.
 #include "looks/drawn_look.h"
 #include "model/look/color.h"
 
@@ -7,27 +7,27 @@
 
 namespace {
 constexpr Extent square{128, 128};
-constexpr double unit = 128.0 / 512.0;  // px of the picture in one at 512 lines
+constexpr double unit = 128.0 / 512.0;  // px of the picture per px at 512 lines
 constexpr double frame = 1.0 / 60.0;
 
 class Monitor : public DrawnLook {
 public:
     Monitor() : DrawnLook("shaders/vector-beam", square) {}
 
-    /// Dark, and with these values.
+    /// Restarts from black with these values.
     void start(const Values& values) {
         set_values(values);
         restart();
     }
 };
 
-/// A segment that lies in the picture and begins `age` + `seconds` before the frame's end.
+/// A segment in the picture that starts `age` + `seconds` before the end of the frame.
 Beam stroke(float length, double seconds, double age, float charge = 1.0f) {
     return {{-length, 0.1f, charge, static_cast<float>(age + seconds)},
             {length, 0.1f, charge, static_cast<float>(age)}};
 }
 
-/// Even light while the frame lasts, `charge` in all; the way to its start is blanked.
+/// Uniform light during the frame, `charge` in total; the move to its start is blanked.
 Beam even_light(double seconds, double charge) {
     constexpr int pieces = 16;
     Beam beam;
@@ -40,7 +40,7 @@ Beam even_light(double seconds, double charge) {
     return beam;
 }
 
-/// Standard deviation down the picture of what one channel holds, px.
+/// The vertical standard deviation of a channel, in px.
 double deviation_down(const Picture& picture, std::size_t channel) {
     double sum = 0.0;
     double first = 0.0;
@@ -56,7 +56,7 @@ double deviation_down(const Picture& picture, std::size_t channel) {
 }
 }  // namespace
 
-TEST_CASE("vector beam: the light is intensity * charge, however wide the spot and long the way") {
+TEST_CASE("vector beam: the light is intensity * charge, for any spot width and segment length") {
     Monitor monitor;
     for (const double sigma : {1.5, 8.0})
         for (const float length : {0.0f, 0.1f, 0.6f}) {
@@ -71,7 +71,7 @@ TEST_CASE("vector beam: the light is intensity * charge, however wide the spot a
         }
 }
 
-TEST_CASE("vector beam: what a light gives and what is still to come are all of it, at any rate") {
+TEST_CASE("vector beam: emitted and remaining light add up to the total, at any frame rate") {
     Monitor monitor;
     for (const double decay_ms : {0.1, 80.0}) {
         double given_at_24 = 0.0;
@@ -97,7 +97,7 @@ TEST_CASE("vector beam: what a light gives and what is still to come are all of 
     }
 }
 
-TEST_CASE("vector beam: light fades as exp(-t / decay time) at every frame rate") {
+TEST_CASE("vector beam: light decays as exp(-t / decay time) at every frame rate") {
     Monitor monitor;
     for (const int fps : {24, 60, 144}) {
         CAPTURE(fps);
@@ -113,7 +113,7 @@ TEST_CASE("vector beam: light fades as exp(-t / decay time) at every frame rate"
     }
 }
 
-TEST_CASE("vector beam: a still picture is as bright with a short decay as with a long one") {
+TEST_CASE("vector beam: a static picture has the same brightness with a short and a long decay") {
     Monitor monitor;
     double brightness[2];
     for (const int i : {0, 1}) {
@@ -125,7 +125,7 @@ TEST_CASE("vector beam: a still picture is as bright with a short decay as with 
     CHECK(std::abs(brightness[0] / brightness[1] - 1.0) < 0.005);
 }
 
-TEST_CASE("vector beam: the spot is s (1 + k c^q) wide at current c") {
+TEST_CASE("vector beam: the spot has the width s (1 + k c^q) at current c") {
     Monitor monitor;
     // Intensity 1 in 1 / (4096 * 60) s is full current.
     for (const double current : {0.0, 0.25, 1.0}) {
@@ -142,7 +142,7 @@ TEST_CASE("vector beam: the spot is s (1 + k c^q) wide at current c") {
     }
 }
 
-TEST_CASE("vector beam: dwell changes what rests and leaves what moves") {
+TEST_CASE("vector beam: dwell affects a resting beam, and not a moving one") {
     Monitor monitor;
     const auto light = [&monitor](double dwell, float length) {
         monitor.start({{"dwell", Value(dwell)}, {"dwell_speed", Value(20.0)}});
@@ -151,10 +151,11 @@ TEST_CASE("vector beam: dwell changes what rests and leaves what moves") {
     };
     CHECK(std::abs(light(5.0, 0.0f) / light(1.0, 0.0f) - 5.0) < 0.001);
     CHECK(light(0.0, 0.0f) < 1e-6);
-    CHECK(std::abs(light(5.0, 0.4f) / light(1.0, 0.4f) - 1.0) < 0.001);  // 3600 heights a second
+    CHECK(std::abs(light(5.0, 0.4f) / light(1.0, 0.4f) - 1.0) < 0.001);  // 3600 heights per second
 }
 
-TEST_CASE("vector beam: the shortcut f = 0 is right on long ways and too bright on short ones") {
+TEST_CASE(
+    "vector beam: the shortcut f = 0 is correct for long segments and too bright for short ones") {
     Monitor monitor;
     const auto left = [&monitor](bool is_short_cut, float length) {
         monitor.start({{"decay_by_place", Value(is_short_cut ? 1.0 : 0.0)},
@@ -166,17 +167,18 @@ TEST_CASE("vector beam: the shortcut f = 0 is right on long ways and too bright 
         return sum_of(monitor.target("beam"), 0);
     };
     CHECK(std::abs(left(true, 0.9f) / left(false, 0.9f) - 1.0) < 0.002);
-    // A Gaussian of sigma carries each light to where it counts as e^(x / length) times as old; the
-    // mean of that is e^((sigma / length)^2 / 2). Here the segment is two sigmas long.
+    // The Gaussian moves light by x, to where the shortcut's decay differs by the factor e^(x /
+    // length). The mean of this factor is e^((sigma / length)^2 / 2). Here the segment is two
+    // sigmas long.
     const auto two_sigmas = static_cast<float>(2.0 * 8.0 * unit / (0.9 * 128.0));
     CHECK(std::abs(left(true, two_sigmas) / left(false, two_sigmas) - std::exp(0.125)) < 0.003);
 }
 
-TEST_CASE("vector beam: the picture is lit where the beam is") {
+TEST_CASE("vector beam: the picture is lit at the beam's position") {
     Monitor monitor;
     monitor.draw({{-0.5f, 0.5f, 2000.0f, 0.004f}, {0.5f, 0.5f, 2000.0f, 0.0f}});
     const Picture picture = monitor.target("screen");
-    // 0.9 of the picture's half height up from its middle, times 0.5.
+    // 0.9 of half the height up from the centre, times 0.5.
     const int row = static_cast<int>(64.0 - 0.45 * 64.0);
     CHECK(value_at(picture, 64, row, 1) > 0.5);
     CHECK(value_at(picture, 64, 127 - row, 1) < 0.1);
@@ -213,7 +215,7 @@ double erf_as_printed(double x) {
 }
 }  // namespace
 
-TEST_CASE("vector beam as written: a segment is the article's equation (1) with its own erf") {
+TEST_CASE("vector beam as written: a segment follows the article's equation (1) with its own erf") {
     Monitor monitor;
     constexpr double sigma = 3.0;  // px
     constexpr double decay = 0.01;
@@ -223,7 +225,7 @@ TEST_CASE("vector beam as written: a segment is the article's equation (1) with 
     monitor.start({{"as_written", Value(1.0)},
                    {"spot_sigma", Value(sigma / unit)},
                    {"decay_time", Value(1000.0 * decay)}});
-    // From 16 px left of the middle to 16 px right of it.
+    // From 16 px left of the centre to 16 px right of it.
     monitor.draw({{-share, 0.0f, 1.0f, static_cast<float>(age + seconds)},
                   {share, 0.0f, 1.0f, static_cast<float>(age)}});
     const Picture picture = monitor.target("beam");
@@ -238,7 +240,7 @@ TEST_CASE("vector beam as written: a segment is the article's equation (1) with 
                (error_function(f + along / root) - error_function(f + (along - length) / root)) /
                (2.0 * length);
     };
-    // Its brightness has no unit: places are compared with the middle.
+    // Its brightness has no unit: positions are compared with the centre.
     const double scale = value_at(picture, 64, 64) / light(64, 64, erf_as_printed);
     double to_true_erf = 0.0;
     for (const int y : {60, 64, 68})
@@ -253,7 +255,7 @@ TEST_CASE("vector beam as written: a segment is the article's equation (1) with 
     CHECK(to_true_erf > 2e-4);  // erratum 13: a term is missing
 }
 
-TEST_CASE("vector beam as written: errata 10, 11 and 14 of the article are there") {
+TEST_CASE("vector beam as written: errata 10, 11 and 14 of the article are reproduced") {
     Monitor monitor;
     const auto light = [&monitor](double sigma, const Beam& beam, double decay_ms, double fps) {
         monitor.start({{"as_written", Value(1.0)},
@@ -269,9 +271,9 @@ TEST_CASE("vector beam as written: errata 10, 11 and 14 of the article are there
     // 10: twice the spot, twice the light.
     CHECK(std::abs(light(8.0, moving, 30.0, 60).first / light(4.0, moving, 30.0, 60).first - 2.0) <
           0.01);
-    // 11: a resting spot is as bright however long ago it was lit.
+    // 11: the brightness of a resting spot does not depend on when it was lit.
     CHECK(std::abs(light(8.0, resting, 5.0, 60).first / light(8.0, resting, 500.0, 60).first -
                    1.0) < 0.001);
-    // 14: the same share is left after a frame, however long it was.
+    // 14: the remaining share after a frame does not depend on its length.
     CHECK(std::abs(light(4.0, moving, 30.0, 24).second - std::exp(-1.0 / 1.8)) < 0.001);
 }
