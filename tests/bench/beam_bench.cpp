@@ -1,5 +1,5 @@
-// Cost of a beam by its number of samples: generating, merging, uploading and drawing them,
-// compared with a plain GL program that draws each sample (bench/plain_beam.h). Pictures are
+// Cost of a beam by its number of samples: generating, merging, uploading and drawing them. The
+// reference is a plain GL program that draws each sample (bench/plain_beam.h). Pictures are
 // compared before times.
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"

@@ -2,7 +2,7 @@
 // light and of displayed values (clamped, gamma 2.2). Each method is compared with 8192 of its own
 // samples with other random numbers. Errors are averaged over four runs, because a few pixels can
 // contribute most of an error. The article's dark areas are brighter, and a display's curve is
-// steep in the dark, so the same light error is larger on a display for Caffeine. Times are
+// steep in the dark. The same light error is therefore larger on a display for Caffeine. Times are
 // measured in alternation.
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"

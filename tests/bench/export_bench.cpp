@@ -1,6 +1,6 @@
 // Writes a sequence into a file system in memory: 60 frames of Phosphor with the original article's
-// formulas at 1280 x 720, in half floats for EXR and in bytes for PNG. Ideal is the CPU time of the
-// same run, spread over all cores. A run is valid if the machine was idle in the second before.
+// formulas at 1280 x 720. EXR gets half floats, PNG bytes. Ideal is the CPU time of the same run,
+// spread over all cores. A run is valid if the machine was idle in the second before.
 // export_bench [RUNS [SECONDS TO WAIT FOR AN IDLE MACHINE]]
 #include "bench/plain_png.h"
 #include "bench/side_by_side.h"

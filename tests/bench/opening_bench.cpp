@@ -1,6 +1,6 @@
-// Opens heavy libretro presets while a light look is shown: the time until each is open, with empty
-// caches and again, and the longest updates of the drawing thread until then. For that long, the
-// window would stop responding. Needs AFTERGLOW_SLANG_DIR.
+// Opens heavy libretro presets while a light look is shown. Measures the time until each is open,
+// with empty caches and again, and the longest updates of the drawing thread until then. For that
+// long, the window would stop responding. Needs AFTERGLOW_SLANG_DIR.
 #include "bench/bench_lab.h"
 #include "gpu/objects/draw.h"
 

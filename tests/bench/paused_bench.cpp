@@ -1,5 +1,5 @@
 // Cost of an update of a paused lab: without changes, and while a parameter of the last pass or of
-// the bloom changes, compared with an executor that draws only these passes. A slow picture is
+// the bloom changes. The reference is an executor that draws only these passes. A slow picture is
 // drawn in slices. The number of slices depends on wall time, and so on the load of the machine.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"

@@ -25,7 +25,7 @@ double variance_of_article() {
 }
 
 // The variance in px^2 added by downsampling to 1 / 2^levels of the size and upsampling to half
-// size: 3/4 of a squared texel per step, but 1/4 in the first one.
+// size. Each step adds 3/4 of a squared texel, but the first one 1/4.
 double variance_of_levels(int levels) {
     const double there_and_back = 0.5 * (std::pow(4.0, levels) - 1.0);
     return there_and_back - 0.5 - 0.75;  // without the last upsampling

@@ -11,8 +11,8 @@
 
 namespace bench {
 
-/// The minimum for a reload of the last pass, in its own context: glslang's parse, GL's compile and
-/// link, and a first draw with the size of the picture.
+/// The minimum for a reload of the last pass, in its own context: parse with glslang, compile and
+/// link with GL, draw once at the size of the picture.
 class PlainReload {
 public:
     /// Uses the texts of the executor's last pass; `look` is the look that it draws.

@@ -1,7 +1,7 @@
-// Hot reload of a composite at 1280 x 720, the article's and Phosphor's: twenty texts that no cache
-// has, saved in place and by rename while values are static, and by rename while they change; then
-// texts from before. The reference is a plain GL program that does the minimum: parse with glslang,
-// compile and link with GL, draw once.
+// Hot reload of a composite at 1280 x 720, the article's and Phosphor's. Twenty texts that no cache
+// has are saved in place and by rename while values are static, and by rename while they change.
+// Then texts from before are saved. The reference is a plain GL program that does the minimum:
+// parse with glslang, compile and link with GL, draw once.
 //
 // The driver draws on the calling thread (LP_NUM_THREADS=0), so the drawing thread's CPU time is
 // the cost of a frame. Waiting is measured as wall time, everything else as CPU time, which does

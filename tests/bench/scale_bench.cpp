@@ -1,7 +1,7 @@
 // Cost of a large look compared with the same draws in plain GL: 50 passes of few pixels with two
-// targets each and 1,000 parameters, drawn by the executor alone and by the lab as in a window,
-// without changes and while one parameter is dragged. An argument restricts the run to figures
-// whose key contains it.
+// targets each, and 1,000 parameters. It is drawn by the executor alone and by the lab as in a
+// window, without changes and while one parameter is dragged. An argument restricts the run to
+// figures whose key contains it.
 #include "bench/bench_lab.h"
 #include "bench/plain_scale.h"
 #include "bench/side_by_side.h"

@@ -1,6 +1,6 @@
-// Cost of a frame of the window's picture with specialised programs (static values as constants),
-// compared with the generic programs that draw while a value changes. CPU time of the process. The
-// reference is measured twice; if the two differ, the run is noise.
+// Cost of a frame of the window's picture with specialised programs (static values as constants).
+// It is compared with the generic programs that draw while a value changes. CPU time of the
+// process. The reference is measured twice; if the two differ, the run is noise.
 #include "bench/bench_lab.h"
 #include "bench/side_by_side.h"
 #include "model/tuning/modulation.h"

@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// The first frame of a built-in look with the source `source`, at the size of the source: the
-/// target of `pass` ("": the last one), with every target in 32-bit floats.
+/// The first frame of a built-in look for the picture `source`, at the size of `source`, with every
+/// target in 32-bit floats. Returns the target of `pass` ("": the last one).
 Picture drawn_look(const std::string& look, const Picture& source, const Values& values,
                    const std::string& pass = "");
 

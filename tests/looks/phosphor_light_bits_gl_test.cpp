@@ -65,8 +65,8 @@ TEST_CASE("light has 16 bits if requested and if all of it decays fast enough") 
 }
 
 // The step of half floats is 2^-10 of the next lower power of two. Drivers that round to nearest
-// have no bias. Some truncate, and lose half a step per frame: averaged from one power of two to
-// the next, uniformly in the logarithm, 2^-11 / (2 ln 2) of the light.
+// have no bias. Some truncate, and lose half a step per frame. Averaged from one power of two to
+// the next, uniformly in the logarithm, that is 2^-11 / (2 ln 2) of the light.
 TEST_CASE("16-bit light decays correctly to 1 %, except for truncation by drivers") {
     for (const double fps : {60.0, 240.0}) {
         CAPTURE(fps);

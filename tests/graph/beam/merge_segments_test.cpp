@@ -109,7 +109,7 @@ double charge_of(const std::vector<Segment>& segments) {
 }
 
 // The largest distance between a point and the merged beam at equal charge, relative to the allowed
-// distance: 0.01 sigma, or 0.05 sigma on a segment up to half a sigma long.
+// distance. That is 0.01 sigma, or 0.05 sigma on a segment up to half a sigma long.
 double farthest(const Beam& beam, const std::vector<Segment>& merged) {
     double most = 0.0;
     double charge = 0.0;  // up to the point, and up to the segment

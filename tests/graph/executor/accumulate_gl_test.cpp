@@ -108,7 +108,7 @@ TEST_CASE_FIXTURE(Headless, "a source, an image or the mouse restarts the passes
     CHECK(red(executor, 0) == 1);
 }
 
-TEST_CASE_FIXTURE(Headless, "a pass stops at its number of converged samples") {
+TEST_CASE_FIXTURE(Headless, "a pass stops at its target number of samples") {
     Look look = counting(2);
     look.passes[0].converge = Count("enough");
     Executor executor = executor_of(look);

@@ -140,7 +140,7 @@ TEST_CASE_FIXTURE(Headless, "views show negative numbers between levels, and mar
     CHECK(black[1] == 64);  // 0.25 of 255
 }
 
-TEST_CASE_FIXTURE(Headless, "negative feedback of a pass is kept when another pass is edited") {
+TEST_CASE_FIXTURE(Headless, "negative values in feedback are kept when another pass is edited") {
     Pass down = pass("down", "", {reads("previous", "down", 1)});
     down.format = Format::r8i;
     down.fragment = signed_stage(
