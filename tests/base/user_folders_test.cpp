@@ -17,8 +17,7 @@ TEST_CASE("sockets are created in the runtime folder, otherwise in the state fol
     setenv("XDG_RUNTIME_DIR", "/run/user/7", 1);
     setenv("XDG_STATE_HOME", "/state", 1);
     CHECK(runtime_folder() == "/run/user/7/afterglow");
-    setenv("XDG_RUNTIME_DIR", "relative",
-           1);  // XDG Base Directory Specification: a relative path is ignored
+    setenv("XDG_RUNTIME_DIR", "relative", 1);  // XDG specification: a relative path is ignored
     CHECK(runtime_folder() == "/state/afterglow/run");
     unsetenv("XDG_RUNTIME_DIR");
     unsetenv("XDG_STATE_HOME");

@@ -67,8 +67,7 @@ private:
     ArticleSettings m_settings;
     std::vector<std::unique_ptr<plain::Surface>> m_surfaces;  // the last one is the screen
     std::vector<std::unique_ptr<plain::Surface*>> m_places;
-    std::array<std::unique_ptr<plain::Surface>, 2>
-        m_phosphor;  // this frame's and the previous one's
+    std::array<std::unique_ptr<plain::Surface>, 2> m_phosphor;  // this frame, previous frame
     std::unique_ptr<std::array<plain::Surface*, 2>> m_glowing;
     plain::Surface* m_bloom = nullptr;
     std::vector<Made> m_steps;

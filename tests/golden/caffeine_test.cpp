@@ -16,8 +16,7 @@ const GoldenLook caffeine{
 };
 }  // namespace
 
-TEST_CASE(
-    "caffeine: each parameter's ends match their golden pictures, and one changes the picture") {
+TEST_CASE("caffeine: ends of each parameter match golden pictures, and one changes the picture") {
     check_parameters(caffeine);
 }
 

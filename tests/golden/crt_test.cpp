@@ -20,7 +20,7 @@ const GoldenLook crt{
 };
 }  // namespace
 
-TEST_CASE("crt: each parameter's ends match their golden pictures, and one changes the picture") {
+TEST_CASE("crt: ends of each parameter match golden pictures, and one changes the picture") {
     check_parameters(crt);
 }
 

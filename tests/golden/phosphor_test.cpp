@@ -20,8 +20,7 @@ const GoldenLook phosphor{
 };
 }  // namespace
 
-TEST_CASE(
-    "phosphor: each parameter's ends match their golden pictures, and one changes the picture") {
+TEST_CASE("phosphor: ends of each parameter match golden pictures, and one changes the picture") {
     check_parameters(phosphor);
 }
 

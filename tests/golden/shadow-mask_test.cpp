@@ -26,7 +26,7 @@ const GoldenLook shadow_mask{
 }  // namespace
 
 TEST_CASE(
-    "shadow-mask: each parameter's ends match their golden pictures, and one changes the picture") {
+    "shadow-mask: ends of each parameter match golden pictures, and one changes the picture") {
     check_parameters(shadow_mask);
 }
 

@@ -20,7 +20,7 @@ const GoldenLook vector_beam{
 }  // namespace
 
 TEST_CASE(
-    "vector-beam: each parameter's ends match their golden pictures, and one changes the picture") {
+    "vector-beam: ends of each parameter match golden pictures, and one changes the picture") {
     check_parameters(vector_beam);
 }
 

@@ -14,8 +14,7 @@ TEST_CASE_FIXTURE(Headless, "a context reports its renderer and limits") {
     const gpu::Facts& facts = (*context)->facts();
     CHECK_FALSE(facts.renderer.empty());
     CHECK_FALSE(facts.version.empty());
-    CHECK(facts.largest_texture >=
-          16384 / 2);  // OpenGL 4.1 requires 16384, but some drivers have less
+    CHECK(facts.largest_texture >= 16384 / 2);  // GL 4.1 requires 16384; some drivers have less
     CHECK(facts.largest_point_size >= 1.0f);
 }
 

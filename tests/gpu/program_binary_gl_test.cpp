@@ -44,8 +44,7 @@ TEST_CASE_FIXTURE(Headless, "a program is compiled once, and later loaded from i
     const gpu::Program first = built(kept, "3.0");
     CHECK_FALSE(first.is_restored());
     REQUIRE(kept.answers.size() == 1);
-    first.write("gain",
-                std::vector<double>{9.0});  // a restored program has the default of the text
+    first.write("gain", std::vector<double>{9.0});  // a restored program has its own default
 
     const gpu::Program second = built(kept, "3.0");
     CHECK(second.is_restored());

@@ -91,9 +91,7 @@ double light_of(const Plane& plane, int samples = 512) {
 }
 }  // namespace
 
-TEST_CASE(
-    "the first 2^k points of each dimension are stratified, and the first two dimensions fill each "
-    "box") {
+TEST_CASE("each dimension of the first 2^k points is stratified, and the first two fill each box") {
     PathTracer empty = tracer({});
     empty.light_after(64);
     const Picture points = empty.target("points");

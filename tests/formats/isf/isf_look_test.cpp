@@ -227,8 +227,7 @@ TEST_CASE("a time-dependent shader settles for 60 frames, and a static one for o
 }
 
 TEST_CASE(
-    "two passes with one target read each other: the later in this frame, the earlier in the "
-    "next") {
+    "of two passes with one target the later reads the earlier, and the next frame the later") {
     const IsfFolder folder;
     const Look look = folder.look(
         R"("PASSES": [{"TARGET": "t", "PERSISTENT": true}, {"TARGET": "t", "WIDTH": 5, "FLOAT": true}, {}])",

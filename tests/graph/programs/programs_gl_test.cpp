@@ -40,8 +40,7 @@ TEST_CASE_FIXTURE(Headless, "programs are reused by text, each once, for any ord
     CHECK(first.passes[0].program != first.passes[1].program);
 
     Look edited = look_of({counter(), pass("c", body), pass("d", body), pass("e", body)});
-    Stage& moved =
-        edited.passes[1].fragment;  // an edit above it changes its lines, but not its text
+    Stage& moved = edited.passes[1].fragment;  // an edit above it changes only its lines
     moved.lines = with_line(moved.lines, 3, {"test.frag", 99});
     const Programs second = programs_of(edited, &first);
     CHECK(second.passes[0].program == first.passes[2].program);

@@ -92,8 +92,7 @@ TEST_CASE_FIXTURE(Headless, "a warmed-up program can be deleted while others are
     const Programs late = programs_of(next);
     on_helper([&] { warm_up->draw({next, late, nullptr, {}, {64, 64}}, progress); });
     gpu::finish();
-    stays.draw(
-        frame(2));  // Mesa crashes here unless the helper also draws with programs of its own
+    stays.draw(frame(2));  // Mesa crashes here unless the helper also draws with its own programs
     stays.draw(frame(3));
     CHECK(red(stays, 0) == 1.0f);
     on_helper([&] { warm_up.reset(); });

@@ -44,8 +44,7 @@ TEST_CASE("a child process that stops reading is detected without a signal") {
 
 TEST_CASE("descriptors of a child process do not collide with those it expects") {
     const TemporaryFolder folder;
-    std::vector<Descriptor>
-        taken;  // so that the file and the sockets get different descriptors each time
+    std::vector<Descriptor> taken;  // gives the file and the sockets other descriptors each time
     for (int i = 0; i < 4; ++i) {
         const auto name = folder / std::to_string(i);
         auto file = AtomicFile::create(name);

@@ -7,8 +7,7 @@ using Numbers = std::array<double, 4>;
 TEST_CASE("a mouse press has its position; it is positive while held and new for one frame") {
     Hand hand;
     hand.move({3.0, 4.0});
-    CHECK(hand.press().numbers() ==
-          Numbers{0, 0, 0, 0});  // moving without a press gives no position
+    CHECK(hand.press().numbers() == Numbers{0, 0, 0, 0});  // no position without a press
     hand.set_button(true);
     CHECK(hand.press().numbers() == Numbers{3, 4, 3, 4});
     hand.note_drawn();

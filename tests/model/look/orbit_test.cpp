@@ -90,8 +90,7 @@ TEST_CASE("an orbit is read from the parameters of a pass and written back to th
     const Values values =
         with_orbits_changed(look, {{"other", 7.0}}, [&](const Orbit&) { return orbit; });
     CHECK(orbit_of(look, values, 1) == orbit);
-    CHECK(orbit_of(look, values, 0) ==
-          Orbit{.turn_degrees = {10, 20, 30}});  // that pass has no u_camera
+    CHECK(orbit_of(look, values, 0) == Orbit{.turn_degrees = {10, 20, 30}});  // without u_camera
     CHECK(values.at("other") == Value(7.0));
     CHECK(orbit_of(look, {{"orbit_elevation", 300.0}}, 1).elevation_degrees == 90);
 }

@@ -65,8 +65,7 @@ TEST_CASE("a ceiling applies to the pass that keeps light, or else to each pass 
 TEST_CASE("a ceiling rounded down to a half float still counts as clipped") {
     CHECK(clips_from(1.0) == 2047.0 / 2048.0);
     CHECK(clips_from(1.0) < 1.0);
-    CHECK(clips_from(1.0) >
-          1022.0 / 1023.0);  // one step below the maximum of rgb10_a2 is not clipped
+    CHECK(clips_from(1.0) > 1022.0 / 1023.0);  // one step below full in rgb10_a2 is not clipped
 }
 
 TEST_CASE("a level meter has a range of 16 stops") {

@@ -72,8 +72,7 @@ TEST_CASE("the raster of a source follows its placement") {
     };
     CHECK(rows(Fit::stretch, {640, 960}) == RasterAxis{0.0, 1.0 / 240.0, 240});
     CHECK(rows(Fit::whole, {640, 480}) == RasterAxis{0.0, 1.0 / 240.0, 240});
-    CHECK(rows(Fit::whole, {640, 960}) ==
-          RasterAxis{0.25, 1.0 / 480.0, 240});  // bars above and below
+    CHECK(rows(Fit::whole, {640, 960}) == RasterAxis{0.25, 1.0 / 480.0, 240});  // black bars
     CHECK(rows(Fit::crop, {1280, 720}) == RasterAxis{-30.0 / 180.0, 1.0 / 180.0, 240});
     CHECK(rows(Fit::integer, {700, 500}) == RasterAxis{10.0 / 500.0, 2.0 / 500.0, 240});
     const RasterAxis columns = placed_raster({320, 240}, spec(Fit::integer), {700, 500}).columns;
@@ -88,8 +87,7 @@ TEST_CASE("padding of a source with alpha is opaque black") {
 }
 
 TEST_CASE(
-    "a picture in a view has the view's shape, the source's shape or whole multiples of the "
-    "source") {
+    "a picture in a view has the shape of the view or source, or whole multiples of the source") {
     constexpr Extent view{1000, 700};
     CHECK(shaped(view, ViewShape::view, {320, 240}, 1.0) == view);
     CHECK(shaped(view, ViewShape::source, {320, 240}, 1.0) == Extent{933, 700});

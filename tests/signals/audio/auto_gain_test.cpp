@@ -34,6 +34,5 @@ TEST_CASE("the gain of a live sound uses only complete tenths of a second") {
     CHECK(gain_at(1100) == about(1.0 / 0.1, 1e-3));  // not counted yet
     for (std::int64_t now = 1110; now < 1300; now += 10)
         (void)gain_at(now);
-    CHECK(gain_at(1300) ==
-          about(1.0 / 0.8, 1e-3));  // the block that becomes loud halfway is complete
+    CHECK(gain_at(1300) == about(1.0 / 0.8, 1e-3));  // the half loud block is complete
 }

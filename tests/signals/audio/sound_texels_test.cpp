@@ -39,8 +39,7 @@ TEST_CASE("a wave texture has the latest samples of left and right, oldest first
     CHECK(levels[0] == doctest::Approx(0.5 + 0.5 * 798 / 1024.0));
     CHECK(levels[1] == doctest::Approx(0.5 + 0.5 * 799 / 1024.0));
     CHECK(levels[3] == doctest::Approx(0.5 - 0.5 * 799 / 2048.0));
-    CHECK(levels_of(texels, {Holds::wave, 900}, 1.0 / 60.0)[99] ==
-          0.5f);  // before the start of the sound
+    CHECK(levels_of(texels, {Holds::wave, 900}, 1.0 / 60.0)[99] == 0.5f);  // before the sound
 }
 
 TEST_CASE("a wave texture with one column has the peak of each channel") {

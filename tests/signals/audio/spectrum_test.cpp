@@ -185,8 +185,7 @@ TEST_CASE("radial: the ring pulses on a beat and decays with its time constant")
     const Beam ring = beam_of(*signal, frame_span(150, 60.0));
     CHECK(std::abs(ring.front().x) < 0.002);  // it starts at the top
     CHECK(ring.front().y > 0.39f);
-    CHECK(ring[1024].x ==
-          doctest::Approx(-ring[3070].x).epsilon(1e-3));  // both sides are symmetric
+    CHECK(ring[1024].x == doctest::Approx(-ring[3070].x).epsilon(1e-3));  // symmetric
 }
 
 TEST_CASE("automatic gain raises the spectrum of a quiet sound by at most 40 dB") {
@@ -202,7 +201,6 @@ TEST_CASE("automatic gain raises the spectrum of a quiet sound by at most 40 dB"
                 1.0);
     };
     CHECK(std::abs(peak("auto_gain=off", 0.05) - 20.0 * std::log10(0.05)) < 0.05);
-    CHECK(std::abs(peak("auto_gain=on", 0.05) + 6.02) <
-          0.1);  // only the left channel has sound: the mean is half
+    CHECK(std::abs(peak("auto_gain=on", 0.05) + 6.02) < 0.1);  // only left: the mean is half
     CHECK(std::abs(peak("auto_gain=on", 0.0005) - 20.0 * std::log10(0.05)) < 0.1);
 }

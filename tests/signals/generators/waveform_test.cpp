@@ -24,8 +24,7 @@ TEST_CASE("noise is uniform between -1 and 1, and determined by its seed") {
     double squares = 0.0;
     constexpr int count = 100000;
     for (int i = 0; i < count; ++i) {
-        const double level =
-            wave(Shape::noise, i / 32.0, 7);  // at the noise samples, without interpolation
+        const double level = wave(Shape::noise, i / 32.0, 7);  // without interpolation
         REQUIRE(std::abs(level) <= 1.0);
         sum += level;
         squares += level * level;
@@ -63,8 +62,7 @@ TEST_CASE("two channels at full amplitude do not overlap") {
 }
 
 TEST_CASE("the trace scrolls by `speed` periods per second") {
-    const auto signal =
-        signal_of("waveform:ch2=off,f1=2,a1=1,speed=15");  // a quarter period per 1/60 s
+    const auto signal = signal_of("waveform:ch2=off,f1=2,a1=1,speed=15");  // a quarter per 1/60 s
     const Beam still = beam_of(*signal, frame_span(1, 60.0));
     const Beam moved = beam_of(*signal, frame_span(2, 60.0));
     CHECK(moved[99].y == doctest::Approx(still[99 + 512].y));  // a period has 2048 points

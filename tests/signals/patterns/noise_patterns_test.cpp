@@ -43,8 +43,7 @@ TEST_CASE("noise has the mean and variance of a uniform distribution, independen
         together += (noise.pixels[i] - 0.5) * (noise.pixels[i + 1] - 0.5);
     }
     const double texels = static_cast<double>(noise.pixels.size()) / 4.0;
-    CHECK(spread / texels ==
-          doctest::Approx(1.0 / 12.0).epsilon(0.02));  // of a uniform distribution
+    CHECK(spread / texels == doctest::Approx(1.0 / 12.0).epsilon(0.02));  // uniform distribution
     CHECK(std::abs(together / texels) < 0.002);
 }
 
