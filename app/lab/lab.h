@@ -97,9 +97,7 @@ public:
     bool end_opening();
     /// About a pass that keeps the window from answering; empty where none does.
     ChoiceList heavy_pass_choices() const;
-    /// Whether what a hand turns is in the next frame; else an edit's programs come first.
-    bool follows_at_once() const { return !m_own.are_late; }
-    bool is_loading() const { return m_reloader.is_busy() || m_arrival || m_own.edit; }
+    bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
     /// Whether a look is, and not only constants of the open one are turned.
     bool is_reading() const;
     /// A look that takes long to be opened, and how far it is; none: none does.
@@ -215,8 +213,6 @@ public:
     void answer_trip(TripAnswer answer);
     /// From the next frame on somebody looks at these passes.
     void look_at(SeenPasses seen) { m_seen = std::move(seen); }
-    /// Of the look that is opened first, next: a window that shows nothing yet can wait for one.
-    void expect_light_frames() { m_reloader.expect_light_frames(); }
     /// Where nobody can be asked such numbers are clamped, and the first is told.
     void set_unattended(bool is_unattended) { m_trip.is_unattended = is_unattended; }
     /// What is drawn with other values beside the picture.
@@ -268,15 +264,9 @@ private:
     void follow_seen();
     void forget_settling();
     bool rests_as(const Rest& rest) const;
-    Programs drawn_programs(const LoadedRequest& loaded) const;
     void apply_edit(LoadedRequest loaded);
-    void draw_settled(SettledLook settled, bool owes_draws);
+    void draw_settled(SettledLook settled);
     void rest_with(Programs settled, std::set<std::string> moving);
-    LoadedRequest owed_draws() const;
-    void end_late_programs();
-    void follow_own_programs();
-    bool opens_another() const;
-    bool waits_for_own_programs() const;
     void forget_constants();
     bool is_following_constants() const;
     bool has_programs_for(const Variant& variant);
@@ -365,7 +355,6 @@ private:
     RatePictures m_rate_pictures;
     Reloader m_reloader;
     Settling m_settling;
-    OwnPrograms m_own;
     std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
     std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look

@@ -161,7 +161,7 @@ void Lab::reference_changed() {
 // Every turn: the variant's values go with those of the document.
 void Lab::follow_variant(double wall_seconds) {
     m_comparing.pass_time(wall_seconds);
-    if (m_document->is_restacking() || m_own.are_late)
+    if (m_document->is_restacking())
         return;
     const Values& values = m_document->values();
     const Other& other = m_comparing.chosen().other;

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 bool Lab::is_reading() const {
-    return m_reloader.is_reading() || m_own.edit ||
+    return m_reloader.is_reading() ||
            (m_arrival && m_arrival->loaded().whose == LoadedRequest::Whose::look);
 }
 
@@ -58,7 +58,6 @@ void Lab::apply_turned_picture(LoadedRequest loaded) {
     const Values before = m_document->look().constants;
     m_opened->constants = loaded.request.constants;
     m_programs = std::move(*loaded.programs);
-    m_own = {};
     m_reloader.set_shown(*m_programs);
     forget_settling();
     m_tryouts->stop();  // they draw with the former ones

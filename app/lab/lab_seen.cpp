@@ -4,8 +4,6 @@
 // Where a number that is not finite is looked for, or others are compared with, every pass is to
 // tell of its own.
 void Lab::follow_seen() {
-    if (m_own.are_late)
-        return;  // another plan would end the settled programs
     const Executor& executor = m_renderer->executor();
     const std::vector<bool> seen =
         m_trip.trip || m_renderer->variant() ? std::vector<bool>() : m_seen.of(executor.look());

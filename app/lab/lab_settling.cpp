@@ -1,5 +1,4 @@
 // The part of Lab that draws with programs in which values that rest are constants.
-#include "base/elapsed.h"
 #include "lab/document/morphing.h"
 #include "lab/lab.h"
 #include "lab/trials/tryouts.h"
@@ -61,10 +60,10 @@ void Lab::follow_settling(double wall_seconds) {
     if (auto made = m_reloader.take_settled(); made && made->programs)
         m_settling.arrival = std::make_unique<Arrival>(std::move(*made));
     if (!m_settling.arrival || is_amid_frame() ||
-        !m_settling.arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
+        !m_settling.arrival->go_on({m_reloader.shown(), m_size.extent()}, seconds_a_turn))
         return;
     LoadedRequest made = std::exchange(m_settling.arrival, nullptr)->take();
-    m_reloader.set_shown(joined(*m_programs, made.programs->passes));
+    m_reloader.set_shown(joined(*m_programs, *made.programs));
     rest_with(std::move(*made.programs), moving_in(m_settling.modulations));
 }
 
@@ -84,96 +83,21 @@ bool Lab::rests_as(const Rest& rest) const {
            changed_parameters(m_document->look(), rest.values, m_applied->values).empty();
 }
 
-// One whose values moved on meanwhile has no picture before its own programs can draw it.
+// An edit was built for values that were static when it began.
 void Lab::apply_edit(LoadedRequest loaded) {
-    if (loaded.settled && !rests_as(*loaded.settled->rest)) {
+    if (loaded.settled && !rests_as(*loaded.settled->rest))
         loaded.settled.reset();
-        if (std::exchange(loaded.owes_draws, false)) {
-            m_own = {.are_late = m_own.are_late, .edit = std::move(loaded)};
-            return;
-        }
-    }
     apply(std::move(loaded));
 }
 
-// The edit's picture goes on as the former one was drawn, unless it is put together otherwise.
-void Lab::draw_settled(SettledLook settled, bool owes_draws) {
+// Another plan needs other specialised programs.
+void Lab::draw_settled(SettledLook settled) {
     const Rest& rest = *settled.rest;
     const bool is_alike =
         std::ranges::equal(m_renderer->executor().plan().targets, rest.plan.targets, {},
                            &PlannedTarget::onto, &PlannedTarget::onto) &&
         changed_parameters(m_document->look(), rest.values, m_document->values()).empty();
-    if (!owes_draws || !is_alike)
-        m_reloader.set_shown(joined(*m_programs, settled.programs.passes));
-    if (!is_alike)
-        return;
-    m_own.are_late = owes_draws;
-    m_own.since = std::chrono::steady_clock::now();
-    rest_with(std::move(settled.programs), rest.moving);
-}
-
-bool Lab::opens_another() const {
-    const OpenRequest* const asked = m_reloader.request();
-    return is_reading() && asked && m_opened && *asked != *m_opened &&
-           !m_reloader.is_drawing_owed();
-}
-
-// Not beside what may take long to be opened: a first frame that does is the lesser evil.
-bool Lab::waits_for_own_programs() const {
-    const DocumentState& state = m_document->state();
-    return m_own.are_late && m_applied && !opens_another() &&
-           (state.values != m_applied->values || state.modulations != m_applied->modulations ||
-            state.overrides != m_applied->overrides);
-}
-
-// Those of an edit that waits for them, or else of what is open.
-LoadedRequest Lab::owed_draws() const {
-    LoadedRequest owed;
-    owed.request = m_own.edit ? m_own.edit->request : *m_opened;
-    owed.look = m_own.edit ? m_own.edit->look : m_document->drawn_look();
-    owed.programs = m_own.edit ? m_own.edit->programs : m_programs;
-    owed.images = m_own.edit ? m_own.edit->images : m_images;
-    return owed;
-}
-
-// Something else has ended the settled programs, and the picture is drawn with its own: they are
-// not to be drawn with elsewhere at the same time, as their uniforms are the same.
-void Lab::end_late_programs() {
-    if (!m_own.are_late || m_renderer->executor().is_settled())
-        return;
-    if (!m_own.edit)
-        m_reloader.stop_drawing_owed();
-    if (!m_own.edit && m_reloader.is_drawing_owed())
-        return;
-    m_own = {.edit = std::move(m_own.edit)};
-    m_renderer->claim_programs();
-}
-
-// Every turn, behind the picture, whose first frames have the machine to themselves; for a text
-// that is saved again by then nothing was made in vain. What is read meanwhile may bring others,
-// and goes first.
-void Lab::follow_own_programs() {
-    constexpr double pause_seconds = 0.3;
-    if (m_own.edit && !m_reloader.is_newest(*m_own.edit))
-        m_own = {.are_late = m_own.are_late};
-    end_late_programs();
-    if ((!m_own.are_late && !m_own.edit) || is_amid_frame())
-        return;
-    if (auto drawn = m_reloader.take_drawn())
-        m_own.arrival = std::make_unique<Arrival>(std::move(*drawn));
-    if (!m_own.arrival) {
-        const bool is_asked_for = m_own.edit || waits_for_own_programs();
-        if (!is_asked_for && seconds_since(m_own.since) < pause_seconds)
-            return;
-        if (!m_reloader.is_drawing_owed() && !m_reloader.is_busy() && !m_arrival)
-            m_reloader.draw_owed(owed_draws());
-        return;
-    }
-    if (!m_own.arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
-        return;
-    OwnPrograms own = std::exchange(m_own, {});
-    if (own.edit)
-        apply(std::move(*own.edit));
-    else
-        m_reloader.set_shown(joined(*m_programs, m_reloader.drawn_with()->passes));
+    m_reloader.set_shown(joined(*m_programs, settled.programs));
+    if (is_alike)
+        rest_with(std::move(settled.programs), rest.moving);
 }

@@ -59,7 +59,6 @@ void Lab::update(double wall_seconds) {
     else
         begin_drawing(wall_seconds);
     follow_settling(wall_seconds);
-    follow_own_programs();
     m_automation.update(m_player.time());
     m_audio.update();
     follow_heavy_pass();
@@ -79,7 +78,7 @@ void Lab::go_on_drawing(double wall_seconds) {
             value_of(parameter, m_applied->values).number() == 0.0)
             m_missed_events[parameter.name] = Value(1.0);
     m_renderer->continue_frame();
-    if (!is_amid_frame() && !m_own.are_late)
+    if (!is_amid_frame())
         try_out();
 }
 
@@ -97,7 +96,7 @@ void Lab::hand_on_missed_events() {
 void Lab::begin_drawing(double wall_seconds) {
     wall_seconds += std::exchange(m_amid_seconds, 0.0);
     take_chosen_images();
-    if (!m_document->is_restacking() && !waits_for_own_programs()) {
+    if (!m_document->is_restacking()) {
         take_chosen_content();
         apply_document();
     }
@@ -108,16 +107,15 @@ void Lab::begin_drawing(double wall_seconds) {
     update_drive();
     draw_picture(wall_seconds);
     follow_trip();
-    if (!is_amid_frame() && !m_own.are_late)
+    if (!is_amid_frame())
         try_out();
 }
 
 bool Lab::is_moving() const {
     return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
-           m_own.are_late || (m_messages.notice() && m_messages.notice()->goes_by) ||
-           m_tryouts->is_busy() || m_morphing || m_remote.is_busy() ||
-           m_chosen_images.is_reading() || m_jobs.is_running() || !m_drive.loading().empty() ||
-           m_drive.is_source_late() ||
+           (m_messages.notice() && m_messages.notice()->goes_by) || m_tryouts->is_busy() ||
+           m_morphing || m_remote.is_busy() || m_chosen_images.is_reading() ||
+           m_jobs.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
            (m_renderer && (m_renderer->is_amid_frame() || m_renderer->replay().is_running() ||
                            m_renderer->awaits_trip()));
 }
@@ -139,7 +137,7 @@ void Lab::take_reload() {
     constexpr double seconds_a_turn = 0.012;
     const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
     if (m_arrival && !waits &&
-        m_arrival->go_on({m_reloader.drawn_with(), m_size.extent()}, seconds_a_turn))
+        m_arrival->go_on({m_reloader.shown(), m_size.extent()}, seconds_a_turn))
         apply_edit(std::exchange(m_arrival, nullptr)->take());
 }
 
@@ -163,17 +161,6 @@ bool reads_images_alike(const Look& one, const Look& other) {
            std::ranges::equal(one.passes, other.passes, {}, &Pass::inputs, &Pass::inputs);
 }
 }  // namespace
-
-// What an edit that is drawn settled has been drawn with by now.
-Programs Lab::drawn_programs(const LoadedRequest& loaded) const {
-    std::vector<PassProgram> own = m_programs->passes;
-    if (loaded.owes_draws)
-        for (const PassProgram& owed : new_of(*m_programs, m_reloader.drawn_with()))
-            std::erase_if(own, [&owed](const PassProgram& program) {
-                return program.program == owed.program;
-            });
-    return joined(loaded.settled->programs, own);
-}
 
 void Lab::apply(LoadedRequest loaded) {
     if (loaded.whose != LoadedRequest::Whose::look)
@@ -199,15 +186,14 @@ void Lab::apply(LoadedRequest loaded) {
     }
     forget_trip();
     m_programs = std::move(*loaded.programs);
-    m_own = {};
-    m_reloader.set_shown(loaded.settled ? drawn_programs(loaded) : *m_programs);
+    m_reloader.set_shown(*m_programs);
     forget_settling();
     m_tryouts->stop();  // they draw with the former ones
     if (is_reload && m_document) {
         m_document->replace_look(std::move(*loaded.look));
         m_messages.succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
         if (loaded.settled)
-            draw_settled(std::move(*loaded.settled), loaded.owes_draws);
+            draw_settled(std::move(*loaded.settled));
     } else {
         open_document(loaded);
     }
@@ -241,8 +227,6 @@ void Lab::open_document(LoadedRequest& loaded) {
     m_document->keep_content(content);
     remember_files(*m_document, m_drive.recent());
     begin_renderer(std::move(loaded.executor));
-    if (loaded.is_spared_first_draws)
-        m_renderer->draw_next_whole();
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();

@@ -68,6 +68,14 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
 }
 }  // namespace
 
+Programs joined(Programs first, const Programs& second) {
+    for (const PassProgram& other : second.passes)
+        if (std::ranges::find(first.passes, other.program, &PassProgram::program) ==
+            first.passes.end())
+            first.passes.push_back(other);
+    return first;
+}
+
 bool serves(const Programs& programs, const Look& look) {
     Reusable reusable(&programs);
     return std::ranges::all_of(

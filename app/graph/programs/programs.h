@@ -36,6 +36,9 @@ struct Programs {
     std::shared_ptr<FirstViews> first_views = {};
 };
 
+/// The passes of both, each program once.
+Programs joined(Programs first, const Programs& second);
+
 /// Whether build_programs() would take all of `look` from `programs`.
 bool serves(const Programs& programs, const Look& look);
 

@@ -2,32 +2,29 @@
 
 #include "base/elapsed.h"
 
-// What it will be drawn with.
-const Look& Arrival::drawn_look() const {
-    return m_loaded.settled ? m_loaded.settled->look : *m_loaded.look;
-}
-
-const Programs& Arrival::drawn_programs() const {
-    return m_loaded.settled ? m_loaded.settled->programs : *m_loaded.programs;
-}
-
-void Arrival::start_draws(const Beside& beside) {
+void Arrival::start_draws(const Look& look, const Programs& programs, const Beside& beside) {
+    if (!has_new(programs, beside.shown))
+        return;
     const gpu::ContextScope scope(m_loaded.programs->home.get());  // it ends there, too
     const auto idle = idle_program();
     if (!idle)
         return;  // the first frame is slower
-    m_draws = std::make_unique<FirstDraws>(
-        FirstDrawsOf{drawn_look(), drawn_programs(), beside.shown, m_loaded.images, beside.picture},
-        *idle);
-    m_progress.begin(PassProgress::Step::drawing, m_draws->total());
+    m_draws.push_back(std::make_unique<FirstDraws>(
+        FirstDrawsOf{look, programs, beside.shown, m_loaded.images, beside.picture}, *idle));
 }
 
 void Arrival::start(const Beside& beside) {
     m_has_started = true;
     if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
         return;
-    if (has_new(drawn_programs(), beside.shown))
-        start_draws(beside);
+    start_draws(*m_loaded.look, *m_loaded.programs, beside);
+    if (m_loaded.settled)
+        start_draws(m_loaded.settled->look, m_loaded.settled->programs, beside);
+    std::size_t total = 0;
+    for (const auto& draws : m_draws)
+        total += draws->total();
+    if (total > 0)
+        m_progress.begin(PassProgress::Step::drawing, total);
     const auto plan =
         plan_targets(*m_loaded.look, beside.picture, expected_source, values_of(m_loaded.request));
     m_views = m_loaded.programs->first_views;
@@ -36,13 +33,17 @@ void Arrival::start(const Beside& beside) {
 }
 
 bool Arrival::is_ready() const {
-    return (!m_draws || m_draws->is_done()) && (!m_views || m_views->owed() == 0);
+    return m_draws.empty() && (!m_views || m_views->owed() == 0);
 }
 
 void Arrival::draw_next() {
-    if (m_draws && !m_draws->is_done()) {
-        m_progress.next(m_draws->next_pass());
-        return m_draws->draw_next();
+    if (!m_draws.empty()) {
+        FirstDraws& draws = *m_draws.back();
+        m_progress.next(draws.next_pass());
+        draws.draw_next();
+        if (draws.is_done())
+            m_draws.pop_back();
+        return;
     }
     const gpu::ContextScope scope(m_loaded.programs->home.get());
     m_views->draw_next();

@@ -3,6 +3,7 @@
 #include "lab/reload/reloader.h"
 
 #include <memory>
+#include <vector>
 
 /// A look that has been read and linked, and whose programs the drawing context draws with for the
 /// first time, a few a turn, while what was open goes on.
@@ -22,16 +23,14 @@ public:
     LoadedRequest take() { return std::move(m_loaded); }
 
 private:
-    const Look& drawn_look() const;
-    const Programs& drawn_programs() const;
     void start(const Beside& beside);
-    void start_draws(const Beside& beside);
+    void start_draws(const Look& look, const Programs& programs, const Beside& beside);
     bool is_ready() const;
     void draw_next();
 
     LoadedRequest m_loaded;
     PassProgress m_progress;
     bool m_has_started = false;
-    std::unique_ptr<FirstDraws> m_draws;  // null: nothing is drawn for the first time
-    std::shared_ptr<FirstViews> m_views;  // the same of who looks at it
+    std::vector<std::unique_ptr<FirstDraws>> m_draws;  // those left; the last one is under way
+    std::shared_ptr<FirstViews> m_views;               // the same of who looks at it
 };

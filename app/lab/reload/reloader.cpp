@@ -18,7 +18,7 @@ std::string no_hot_reload(const Diagnostics& reasons) {
 Reloader::Reloader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                    const Roots& roots)
     : m_includes(roots.include_folders()),
-      m_kept_shaders(kept_shaders_later(roots)),
+      m_kept_shaders(kept_shaders(roots)),
       m_screen(screen),
       m_context(std::move(context)),
       m_drawing_contexts(screen),
@@ -95,7 +95,7 @@ void Reloader::go_back_to(const OpenRequest& request) {
 }
 
 void Reloader::set_shown(const Programs& programs) {
-    m_recent.show(programs);
+    m_shown = std::make_shared<const Programs>(programs);
     m_is_unopened = false;
 }
 
@@ -132,13 +132,12 @@ void Reloader::turn(const OpenRequest& request, LoadedRequest::Whose whose) {
     {
         const std::lock_guard lock(m_mutex);
         drop_settling();
-        drop_owed();
         turning(whose).next = Job{.request = request,
                                   .is_reload = true,
                                   .generation = m_submitted,
                                   .progress = std::make_shared<PassProgress>(),
                                   .whose = whose,
-                                  .shown = m_recent.all(),
+                                  .shown = m_shown,
                                   .home = home_of_shown()};
     }
     m_wake.notify_all();
@@ -151,7 +150,6 @@ void Reloader::drop_turning() {
     m_turned = {};
     m_variant = {};
     drop_settling();
-    drop_owed();
 }
 
 // To be called with the mutex held.
@@ -172,7 +170,7 @@ void Reloader::settle(SettledRequest request) {
                              .generation = m_submitted,
                              .progress = m_settling,
                              .whose = LoadedRequest::Whose::settled,
-                             .shown = m_recent.all(),
+                             .shown = m_shown,
                              .home = home_of_shown(),
                              .settled = std::make_shared<const SettledRequest>(std::move(request))};
     }
@@ -193,10 +191,9 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     m_request = request;
     begin_mark(request);
     Job job{.request = std::move(request), .is_reload = is_reload, .seen = m_seen};
-    job.is_opening = !is_reload || m_is_unopened || !drawn_with();
-    job.has_light_frames = std::exchange(m_expects_light_frames, false);
+    job.is_opening = !is_reload || m_is_unopened || !m_shown;
     if (!job.is_opening) {
-        job.shown = m_recent.all();
+        job.shown = m_shown;
         job.rest = m_rest;
     }
     const bool is_opening = job.is_opening;
@@ -204,7 +201,7 @@ void Reloader::submit(OpenRequest request, bool is_reload) {
     if (is_opening)
         job.lending = lent.get_future();
     else
-        job.home = drawn_with()->home;
+        job.home = m_shown->home;
     if (!is_opening)
         have_context();
     {
@@ -327,11 +324,9 @@ bool Reloader::is_reading() const {
 // What is to be read goes first. To be called with the mutex held, as the next one is.
 std::optional<Reloader::Job> Reloader::take_job() {
     std::optional<Job> job;
-    for (std::optional<Job>* next :
-         {&m_job, &m_turned.next, &m_variant.next, &m_settled.next, &m_drawn.next})
+    for (std::optional<Job>* next : {&m_job, &m_turned.next, &m_variant.next, &m_settled.next})
         if (!job)
             job.swap(*next);
-    m_is_amid_owed = job && job->owed;
     if (job && job->whose != LoadedRequest::Whose::look && !job->settled)
         m_turning = job->progress;
     return job;
@@ -367,9 +362,7 @@ void Reloader::prepare_for_more() {
 }
 
 void Reloader::work_on(Job job) {
-    if (job.owed) {
-        work_on_owed(job);
-    } else {
+    {
         LoadedRequest loaded = job.settled ? load_settled(job) : load(job);
         const std::lock_guard lock(m_mutex);
         if (!job.settled || !job.progress->is_cancelled())
@@ -377,8 +370,6 @@ void Reloader::work_on(Job job) {
     }
     if (m_wake_owner)
         m_wake_owner();
-    if (m_kept_shaders)
-        m_kept_shaders->write_owed();
 }
 
 void Reloader::run() {
@@ -404,7 +395,6 @@ void Reloader::run() {
     {
         const gpu::ContextScope scope(m_borrowed.get());
         m_linked.reset();
-        m_owed.clear();
         m_read.clear();
         m_warm_up.reset();
     }
@@ -425,16 +415,11 @@ Diagnostics no_context() {
 LoadedLook Reloader::read(const Job& job, const Values& values) {
     m_checks.set_keeping(job.whose == LoadedRequest::Whose::look);
     m_shader_files.begin_reading();
-    const FormerReadings::Question question{stack_of(job.request), values};
-    if (auto former = m_readings.find(question, m_shader_files))
-        return std::move(*former);
     std::unique_lock lock(m_mutex);
     const IncludeFolders includes = m_includes;
     lock.unlock();
-    LoadedLook read = load_stack(question.stack, includes,
-                                 {&m_checks, job.progress.get(), &values, &m_shader_files});
-    m_readings.keep(question, read, m_shader_files);
-    return read;
+    return load_stack(stack_of(job.request), includes,
+                      {&m_checks, job.progress.get(), &values, &m_shader_files});
 }
 
 LoadedRequest Reloader::load(Job& job) {

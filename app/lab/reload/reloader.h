@@ -1,15 +1,13 @@
 #pragma once
 
+#include "base/byte_store.h"
 #include "base/pass_progress.h"
-#include "formats/stack/former_readings.h"
 #include "glsl/cache/check_cache.h"
 #include "glsl/text/shader_files.h"
 #include "gpu/context.h"
 #include "graph/programs/programs.h"
-#include "graph/programs/recent_programs.h"
 #include "graph/programs/settled_look.h"
 #include "graph/warm_up/warm_up.h"
-#include "io/cache/kept_later.h"
 #include "io/files/file_watcher.h"
 #include "lab/library/open.h"
 #include "lab/reload/drawing_contexts.h"
@@ -57,14 +55,12 @@ struct LoadedRequest {
     std::optional<Look> look;
     std::optional<Programs> programs;
     std::optional<SettledLook> settled = {};  // none: nothing rests
-    bool owes_draws = false;                  // first draws were made with `settled` alone
     ImageTextures images;  // that the look names; of a file that did not change the same as before
     Diagnostics problems;  // errors when look or programs are missing, else warnings
     std::vector<std::filesystem::path> files;
     std::uint64_t generation = 0;  // of what was asked for
     Whose whose = Whose::look;
     bool is_warm = false;  // where it will be drawn each of its programs has been drawn with
-    bool is_spared_first_draws = false;       // or will be by the first frame, at once
     std::unique_ptr<Executor> executor = {};  // of such a look, at the picture's size and values;
                                               // null: there was no memory
 };
@@ -113,29 +109,18 @@ public:
     /// What the open look's programs hold now: an edit of it is made ready for the same, so that
     /// its picture goes on as fast. Null: no values rest.
     void set_rest(std::shared_ptr<const Rest> rest) { m_rest = std::move(rest); }
-    /// Makes the first draws that a look came without, while there is nothing else to do; what is
-    /// asked for meanwhile ends that.
-    void draw_owed(LoadedRequest owed);
-    /// What they were made of, once.
-    std::optional<LoadedRequest> take_drawn();
-    /// Whether that is to come, or the thread still draws with programs that were dropped.
-    bool is_drawing_owed() const;
-    void stop_drawing_owed();
     /// Looks at the watched files and submits the look again when one has changed.
     /// Gives the watched extra files that changed (the open preset, a sound).
     std::vector<std::filesystem::path> update();
     /// How large the picture is, for which programs are made ready.
     void set_picture(Extent picture) { m_picture = picture; }
-    /// The next look to be opened is the first of all, and its frames take so little that one may
-    /// be waited for: where the driver has kept all its programs nothing is drawn before that.
-    void expect_light_frames() { m_expects_light_frames = true; }
     /// Which passes of the looks to come somebody looks at.
     void set_seen(const SeenPasses& seen) { m_seen = seen; }
     /// What the open look is drawn with: later readings of it take what they can from there, and
     /// are drawn in its home.
     void set_shown(const Programs& programs);
-    /// What its home has drawn with: these and former ones; null: nothing.
-    const Programs* drawn_with() const { return m_recent.all().get(); }
+    /// What its home draws with; null: nothing.
+    const Programs* shown() const { return m_shown.get(); }
     /// What was asked for last could not be opened: reading it again opens another look.
     void note_unopened() { m_is_unopened = true; }
     /// The open look's own files: a change of one makes it read again.
@@ -190,13 +175,11 @@ private:
                                                      // ones; null: another
         std::shared_ptr<gpu::Context> home = {};
         bool is_opening = false;  // then nobody draws in its home yet
-        bool has_light_frames = false;
         SeenPasses seen = {};
         std::shared_future<std::shared_ptr<DrawingHome>> lending = {};  // then that one to come
         std::shared_ptr<DrawingHome> lent = {};  // when it has come; null: there is none
         std::shared_ptr<const SettledRequest> settled = {};  // null: it is read
         std::shared_ptr<const Rest> rest = {};               // of what is read; null: nothing rests
-        std::shared_ptr<LoadedRequest> owed = {};  // null: these are not first draws alone
     };
     /// What turn() asks for: one a picture.
     struct Turning {
@@ -205,7 +188,7 @@ private:
     };
 
     std::shared_ptr<gpu::Context> home_of_shown() const {
-        return drawn_with() ? drawn_with()->home : nullptr;
+        return m_shown ? m_shown->home : nullptr;
     }
     void have_context();
     bool take_own_context();
@@ -225,7 +208,6 @@ private:
     void keep(LoadedRequest loaded);
     void drop_turning();
     void drop_settling();
-    void drop_owed();
     Turning& turning(LoadedRequest::Whose whose) {
         return whose == LoadedRequest::Whose::turned ? m_turned : m_variant;
     }
@@ -234,13 +216,11 @@ private:
     LoadedLook read(const Job& job, const Values& values);
     static void wait_for_home(Job& job);
     LoadedRequest load_settled(const Job& job);
-    std::vector<PassProgram> draw_look_first(const Job& job, const std::optional<Programs>& known,
-                                             Programs& programs, LoadedRequest& loaded);
+    void draw_look_first(const Job& job, const std::optional<Programs>& known, Programs& programs,
+                         LoadedRequest& loaded);
     std::optional<SettledLook> settle_first(const Job& job, const Programs& own,
                                             const LoadedRequest& loaded,
                                             const std::optional<Programs>& known);
-    void work_on_owed(const Job& job);
-    std::optional<Programs> drawn_of(std::optional<Programs> known) const;
     std::optional<Programs> known_for(const Job& job, const Look& look) const;
     Result<Programs> link(const Job& job, LoadedRequest& loaded);
     void draw_first(const Job& job, const Programs* known, Programs& programs,
@@ -253,15 +233,14 @@ private:
     Result<ImageTextures> load_images(const Look& look, Diagnostics& warnings);
 
     IncludeFolders m_includes;
-    std::unique_ptr<KeptLater> m_kept_shaders;  // null: there is no folder for it
+    std::shared_ptr<ByteStore> m_kept_shaders;  // null: there is no folder for it
     const gpu::Context& m_screen;
     std::unique_ptr<gpu::Context> m_context;  // of the thread, from when it takes it
     bool m_has_asked_for_context = false;
     DrawingContexts m_drawing_contexts;
-    RecentPrograms m_recent;  // of the open look
+    std::shared_ptr<const Programs> m_shown;  // of the open look; null: none is open
     bool m_is_unopened = false;
     std::shared_ptr<const Rest> m_rest;
-    bool m_expects_light_frames = false;
     std::unique_ptr<FileWatcher> m_watcher;
     std::string m_watch_problem;
     std::vector<std::filesystem::path> m_look_files;
@@ -281,10 +260,7 @@ private:
     Turning m_turned;
     Turning m_variant;
     Turning m_settled;
-    Turning m_drawn;
     std::shared_ptr<PassProgress> m_settling;  // of the one that is being made or waits
-    std::shared_ptr<PassProgress> m_owing;     // likewise, of m_drawn
-    bool m_is_amid_owed = false;               // the thread is
     bool m_is_preparing = false;               // prepare_for_more() was asked for
     std::atomic<bool> m_is_prepared = false;   // set by the thread
     bool m_is_ready_for_edits = false;         // the thread's: it has tried to be
@@ -312,11 +288,9 @@ private:
     std::filesystem::path m_edited;  // the last change of the look's files; "": none
     CheckCache m_checks;             // the thread's
     ShaderFiles m_shader_files;      // the thread's
-    FormerReadings m_readings;       // the thread's
     SettledTexts m_settled_texts;    // the thread's
     std::map<std::filesystem::path, ReadImage> m_read;  // the thread's
     std::optional<Programs> m_linked;          // the thread's: what the next reading may reuse
-    std::vector<PassProgram> m_owed;           // the thread's: linked, and not drawn with yet
     std::shared_ptr<gpu::Context> m_borrowed;  // the thread's: it has made things there; null: it
                                                // has a context of its own
     std::optional<WarmUp> m_warm_up;           // the thread's; without it the first frame is slower

@@ -19,11 +19,6 @@ void load_picture_module() {
     static_cast<void>(picture_codec());
 }
 
-// The driver then has their code in its own files, but for little of it.
-bool are_restored(const Programs& programs) {
-    return std::ranges::all_of(programs.passes,
-                               [](const PassProgram& pass) { return pass.program->is_restored(); });
-}
 }  // namespace
 
 // Each new program draws once: in the home that is new, where it will be drawn with; else here.
@@ -50,9 +45,7 @@ void Reloader::draw_first_at_home(const Job& job, Programs& programs, LoadedRequ
                       .values = values_of(job.request),
                       .seen = job.seen.of(*loaded.look)},
                      PassProgram{});
-    loaded.is_spared_first_draws = job.has_light_frames && are_restored(programs);
-    if (!loaded.is_spared_first_draws)
-        draws.draw_all(*job.progress);
+    draws.draw_all(*job.progress);
     loaded.executor = draws.take_executor();
     gpu::finish();
 }
@@ -141,7 +134,7 @@ std::optional<Programs> Reloader::known_for(const Job& job, const Look& look) co
     const bool serves_linked =
         m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.home);
     if (serves_linked && job.shown)
-        return joined(*m_linked, job.shown->passes);
+        return joined(*m_linked, *job.shown);
     if (serves_linked)
         return m_linked;
     return job.shown ? std::optional(*job.shown) : std::nullopt;
@@ -166,42 +159,22 @@ Result<Programs> Reloader::link(const Job& job, LoadedRequest& loaded) {
         if (auto taken = take_views(job, *programs); !taken)
             return fail(taken.error());
     }
-    std::vector<PassProgram> owed = m_owed;
     if (is_look)
-        owed = draw_look_first(job, reusable, *programs, loaded);
-    if (!job.progress->is_cancelled()) {
+        draw_look_first(job, reusable, *programs, loaded);
+    if (!job.progress->is_cancelled())
         m_linked = *programs;
-        m_owed = std::move(owed);
-    }
     return programs;
 }
 
-// What was linked and not drawn with is as good as new.
-std::optional<Programs> Reloader::drawn_of(std::optional<Programs> known) const {
-    if (known)
-        std::erase_if(known->passes, [this](const PassProgram& program) {
-            return std::ranges::find(m_owed, program.program, &PassProgram::program) !=
-                   m_owed.end();
-        });
-    return known;
-}
-
-// Where values rest what is drawn with next holds them, and has less code to be made; the programs
-// that can be turned are left, to be drawn with afterwards.
-std::vector<PassProgram> Reloader::draw_look_first(const Job& job,
-                                                   const std::optional<Programs>& known,
-                                                   Programs& programs, LoadedRequest& loaded) {
-    const std::optional<Programs> drawn = drawn_of(known);
-    const Programs* const met = drawn ? &*drawn : nullptr;
+// Where values are static, the look is drawn with specialised programs first. The generic ones
+// draw as soon as a value changes.
+void Reloader::draw_look_first(const Job& job, const std::optional<Programs>& known,
+                               Programs& programs, LoadedRequest& loaded) {
+    const Programs* const drawn = known ? &*known : nullptr;
     loaded.settled = settle_first(job, programs, loaded, known);
-    if (!loaded.settled) {
-        draw_first(job, met, programs, loaded);
-        return {};
-    }
-    draw_first_here(job, met, loaded.settled->programs, loaded.settled->look, loaded.images);
-    std::vector<PassProgram> owed = new_of(programs, met);
-    loaded.owes_draws = !owed.empty();
-    return owed;
+    if (loaded.settled)
+        draw_first_here(job, drawn, loaded.settled->programs, loaded.settled->look, loaded.images);
+    draw_first(job, drawn, programs, loaded);
 }
 
 // Null where nothing rests, other passes have come, or the driver refuses such programs.
@@ -226,57 +199,6 @@ std::optional<SettledLook> Reloader::settle_first(const Job& job, const Programs
     settled.programs.views = own.views;
     settled.programs.first_views = own.first_views;
     return settled;
-}
-
-void Reloader::work_on_owed(const Job& job) {
-    const auto met = drawn_of(known_for(job, *job.owed->look));
-    const Programs& owed = *job.owed->programs;
-    draw_first_here(job, met ? &*met : nullptr, owed, *job.owed->look, job.owed->images);
-    const std::lock_guard lock(m_mutex);
-    m_is_amid_owed = false;
-    if (job.progress->is_cancelled())
-        return;
-    m_owed = new_of({.passes = m_owed}, &owed);
-    m_drawn.made = std::move(*job.owed);
-}
-
-void Reloader::draw_owed(LoadedRequest owed) {
-    {
-        const std::lock_guard lock(m_mutex);
-        drop_owed();
-        m_owing = std::make_shared<PassProgress>();
-        m_drawn.next = Job{.request = {},
-                           .progress = m_owing,
-                           .shown = m_recent.all(),
-                           .home = home_of_shown(),
-                           .owed = std::make_shared<LoadedRequest>(std::move(owed))};
-    }
-    m_wake.notify_all();
-}
-
-// To be called with the mutex held.
-void Reloader::drop_owed() {
-    if (m_owing)
-        m_owing->cancel();
-    m_owing.reset();
-    m_drawn = {};
-}
-
-std::optional<LoadedRequest> Reloader::take_drawn() {
-    const std::lock_guard lock(m_mutex);
-    if (m_drawn.made)
-        m_owing.reset();
-    return std::exchange(m_drawn.made, std::nullopt);
-}
-
-bool Reloader::is_drawing_owed() const {
-    const std::lock_guard lock(m_mutex);
-    return m_owing || m_is_amid_owed;
-}
-
-void Reloader::stop_drawing_owed() {
-    const std::lock_guard lock(m_mutex);
-    drop_owed();
 }
 
 // Where the driver refuses such programs, what the author wrote goes on.

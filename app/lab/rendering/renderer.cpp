@@ -269,15 +269,13 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     const auto start = std::chrono::steady_clock::now();
     drop_frame();
     m_owes_frame = false;
-    const bool is_at_once = std::exchange(m_draws_next_whole, false);
-    if (m_slicing.is_due() && !is_at_once)
+    if (m_slicing.is_due())
         return begin_slices(frame_of(played, beam), nullptr,
                             {.is_whole = true, .played = played, .points = beam.size()});
     draw_frame(played, beam, nullptr);
     const double took = seconds_since(start);
     note_whole(played, beam.size(), took);
-    if (!is_at_once)
-        m_slicing.note(std::max(took, told_seconds()));
+    m_slicing.note(std::max(took, told_seconds()));
 }
 
 // The driver tells of some frames ago; without timers it tells nothing.

@@ -89,8 +89,6 @@ public:
     /// For who has other things to do: frames of a look that takes long are drawn in slices of
     /// about so long; the draws below begin them and continue_frame() goes on. 0: they are whole.
     void set_slice(double seconds) { m_slicing.set_slice(seconds); }
-    /// The next frame is drawn whole, and nobody waits for it; what is known of frames stays.
-    void draw_next_whole() { m_draws_next_whole = true; }
     /// Values, source and images are to stay meanwhile.
     bool is_amid_frame() const { return m_unfinished.has_value(); }
     /// Whether executor() holds a whole picture: amid a frame, as a rule, the one before.
@@ -195,7 +193,6 @@ private:
     double m_frame_seconds = 1.0 / 60.0;
     bool m_has_drawn = false;
     Slicing m_slicing;
-    bool m_draws_next_whole = false;
     /// A frame that is drawn in slices.
     struct Unfinished {
         bool is_again = false;

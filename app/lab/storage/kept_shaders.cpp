@@ -22,8 +22,3 @@ std::shared_ptr<ByteStore> kept_shaders(const Roots& roots) {
         return nullptr;
     return std::make_shared<KeptFiles>(roots.cache / "shaders", this_program());
 }
-
-std::unique_ptr<KeptLater> kept_shaders_later(const Roots& roots) {
-    auto kept = kept_shaders(roots);
-    return kept ? std::make_unique<KeptLater>(std::move(kept)) : nullptr;
-}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/cache/kept_later.h"
+#include "base/byte_store.h"
 
 #include <memory>
 
@@ -9,5 +9,3 @@ struct Roots;
 /// What compilers and the driver made of shaders in former runs of this program, in the person's
 /// cache folder; null where there is none. Shared by the threads that open looks.
 std::shared_ptr<ByteStore> kept_shaders(const Roots& roots);
-/// The same, to be written when there is time.
-std::unique_ptr<KeptLater> kept_shaders_later(const Roots& roots);

@@ -8,11 +8,10 @@
 
 namespace {
 constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
-    {"library", &WindowState::shows_library},        {"parameters", &WindowState::shows_parameters},
-    {"inspector", &WindowState::shows_inspector},    {"strip", &WindowState::shows_strip},
-    {"history", &WindowState::shows_history},        {"bottom", &WindowState::shows_bottom},
-    {"flashes", &WindowState::shows_flashes},        {"maximised", &WindowState::is_maximised},
-    {"light_frames", &WindowState::has_light_frames}};
+    {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
+    {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
+    {"history", &WindowState::shows_history},     {"bottom", &WindowState::shows_bottom},
+    {"flashes", &WindowState::shows_flashes},     {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},

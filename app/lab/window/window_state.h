@@ -277,8 +277,7 @@ struct WindowState {
     Extent size{1440, 900};  // screen coordinates
     std::optional<std::array<int, 2>> position;
     bool is_maximised = false;
-    bool has_light_frames = false;  // of the picture: before the first one its panels can wait
-    double scale = 1.0;             // of text and controls, on top of the display's own
+    double scale = 1.0;  // of text and controls, on top of the display's own
     FrameRate frame_rate;
     OutputState output;
     FirstSteps first_steps;

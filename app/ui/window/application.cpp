@@ -71,8 +71,6 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     (void)lab.transport().mute_input(true);  // until the user asks for a live sound
     lab.set_slots(session.slots);
     lab.presets().set_stars(session.preset_stars);
-    if (!look && start.state.has_light_frames)
-        lab.expect_light_frames();
     if (look)
         lab.open(*look);
     else
@@ -259,8 +257,6 @@ void Application::note_pace(double wall_seconds) {
     m_frame_seconds += wall_seconds;
     if (m_lab.is_amid_frame())
         return;
-    if (const Renderer* renderer = m_lab.renderer(); renderer && renderer->has_drawn())
-        m_state.has_light_frames = renderer->frame_seconds() < picture_patience_seconds;
     const double seconds = std::exchange(m_frame_seconds, 0.0);
     m_pace.add(seconds, was_amid);
     m_pace.expect(seconds,

@@ -2,7 +2,6 @@
 #include "lab/small_lab.h"
 #include "model/tuning/modulation.h"
 
-#include <atomic>
 #include <cmath>
 
 namespace {
@@ -27,41 +26,6 @@ public:
     }
 };
 
-/// One whose reloader can be kept from going on once it has done what it is at.
-class HeldLab : public SettlingLab {
-public:
-    HeldLab() {
-        start();
-        lab().set_wake([this] {
-            while (m_is_held)
-                std::this_thread::yield();
-        });
-        lab().open("small");
-        wait_for_frames();
-    }
-    ~HeldLab() { go_on(); }
-    HeldLab(const HeldLab&) = delete;
-    HeldLab& operator=(const HeldLab&) = delete;
-
-    void hold() { m_is_held = true; }
-    void go_on() { m_is_held = false; }
-    /// An edit that is seen, and whose own programs the reloader has not begun to draw with.
-    void show_times(int factor) {
-        REQUIRE(settles());
-        const float before = shown() / frames();
-        hold();
-        save_times(factor);
-        const float now = before * static_cast<float>(factor);
-        REQUIRE(turn_until([&] { return shown() == now * frames(); }));
-        REQUIRE_FALSE(lab().follows_at_once());
-    }
-    void save_nonsense() {
-        write_by_rename("gain.glsl", "uniform float gain = 1.0;  // @range 0 8\nnonsense\n");
-    }
-
-private:
-    std::atomic<bool> m_is_held = false;
-};
 }  // namespace
 
 TEST_CASE("values that rest become constants, and a turn is seen in its own frame") {
@@ -151,55 +115,6 @@ TEST_CASE("what is turned behind an edit that fails is seen") {
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
 
-TEST_CASE(
-    "programs that are still to be drawn with for the first time are so behind a failed edit") {
-    HeldLab small;
-    small.show_times(5);
-    small.save_nonsense();
-    bool has_waited = true;
-    const auto waits = [&] { return has_waited = has_waited && !small.lab().follows_at_once(); };
-    REQUIRE(small.turn_until([&] { return !waits() || small.lab().is_reading(); }));
-    small.go_on();
-    REQUIRE(
-        small.turn_until([&] { return !waits() || !small.lab().messages().problems().empty(); }));
-    CHECK(has_waited);
-    small.set("gain", 2.0);
-    small.turn(1);
-    CHECK(small.shown() == 5.0f * small.frames());
-    REQUIRE(small.turn_until([&] { return small.lab().follows_at_once(); }));
-    small.turn(1);
-    CHECK(small.shown() == 10.0f * small.frames());
-}
-
-TEST_CASE("what is turned while another look is opened does not wait for it") {
-    HeldLab small;
-    small.show_times(5);
-    std::filesystem::copy(small.look_folder(), small.look_folder().parent_path() / "other");
-    small.lab().open("other");
-    small.set("gain", 2.0);
-    small.turn(1);
-    CHECK(small.lab().is_reading());
-    CHECK(small.shown() == 10.0f * small.frames());
-    small.go_on();
-}
-
-TEST_CASE("values are right whatever ended the settled programs of an edit") {
-    HeldLab small;
-    small.set("gain", 2.0);
-    small.show_times(5);
-    std::filesystem::copy(small.look_folder(), small.look_folder().parent_path() / "other");
-    small.write("../other/sum.frag", "nonsense");
-    small.lab().open("other");
-    small.set("gain", 3.0);
-    small.turn(1);
-    CHECK_FALSE(small.is_settled());
-    small.go_on();
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
-    REQUIRE(small.turn_until([&] { return small.lab().follows_at_once(); }));
-    small.turn(5);
-    CHECK(small.shown() == 15.0f * small.frames());
-}
-
 TEST_CASE("an edit is drawn with programs that can be turned where it is compared") {
     SettlingLab small;
     small.lab().keep_in_slot(0);
@@ -209,7 +124,6 @@ TEST_CASE("an edit is drawn with programs that can be turned where it is compare
     REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
     small.save_times(5);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
-    CHECK(small.lab().follows_at_once());
 }
 
 TEST_CASE("an edit is drawn settled as before once nothing is compared any more") {

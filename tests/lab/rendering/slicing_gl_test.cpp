@@ -46,21 +46,6 @@ TEST_CASE_FIXTURE(Headless, "a first frame in slices is no picture until it is w
 }
 
 TEST_CASE_FIXTURE(Headless,
-                  "a frame that nobody waits for is whole at once; the next is in slices") {
-    const Look look = look_of({counter()});
-    Renderer renderer(look, programs_of(look));
-    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
-    renderer.set_slice(1e-9);
-    renderer.draw_next_whole();
-    renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
-    CHECK_FALSE(renderer.is_amid_frame());
-    CHECK(renderer.has_whole_picture());
-    CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
-    renderer.draw({2, {1.0 / 60.0, 2.0 / 60.0}}, {});
-    CHECK(renderer.is_amid_frame());
-}
-
-TEST_CASE_FIXTURE(Headless,
                   "a variant is drawn in the slices after the picture's, with its own values") {
     Look look = look_of({pass("show", "uniform float k;\nvoid main() { color = vec4(k); }\n")},
                         {knob("k", {}, 1.0, {{0, "k"}})});
