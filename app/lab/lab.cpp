@@ -39,14 +39,11 @@ Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Conte
       m_remote(m_document, m_library.roots(), m_messages, std::move(midi)),
       m_drive(RecentMedia(m_library.roots())),
       m_tryouts(std::make_unique<Tryouts>()),
-      m_reloader(std::move(worker), screen, m_library.roots()) {
+      m_loader(std::move(worker), screen, m_library.roots(), m_messages) {
     search_includes();
 }
 
-Lab::~Lab() {
-    m_programs.reset();  // the renderer's are the last, and end where they draw
-    m_variant_programs.reset();
-}
+Lab::~Lab() = default;
 
 void Lab::open(const std::string& argument) {
     const auto request = resolve(argument, m_library);
@@ -66,45 +63,25 @@ void Lab::open(const OpenRequest& request) {
     m_when_opened = {};
     m_preset_step.reset();
     m_opening_file.clear();
-    m_reloader.set_picture(m_size.extent());
-    m_reloader.set_seen(m_seen);
-    m_reloader.open(request);
+    m_loader.worker().builder().set_picture(m_size.extent());
+    m_loader.set_displayed(m_seen);
+    m_loader.open(request);
 }
 
 void Lab::dismiss_problems() {
     m_messages.dismiss_problems();
-    if (!std::exchange(m_unopened, {}).empty() && m_opened)
-        m_reloader.go_back_to(*m_opened);
-}
-
-std::optional<Lab::Opening> Lab::opening() const {
-    constexpr double noticed_seconds = 0.3;
-    const OpenRequest* request = m_reloader.request();
-    if (!request || m_loading_seconds <= noticed_seconds)
-        return std::nullopt;
-    return Opening{name_of(*request), m_arrival ? m_arrival->progress() : m_reloader.progress()};
-}
-
-bool Lab::is_opening_preset(const fs::path& file) const {
-    return is_reading() && m_reloader.request() && m_reloader.request()->preset_file == file;
+    m_loader.dismiss_failed();
 }
 
 void Lab::cancel_opening() {
     const bool is_restacking = m_document && m_document->is_restacking();
-    if (!is_reading() || is_restacking)  // undo takes a stack's change back
+    if (!m_loader.is_reading() || is_restacking)  // undo takes a stack's change back
         return;
-    const std::string name = m_reloader.request() ? name_of(*m_reloader.request()) : std::string();
-    m_arrival.reset();
-    m_reloader.cancel(m_opened);
-    forget_constants();
+    const std::string name = m_loader.cancel();
+    m_constants.clear();
     m_when_opened = {};
     m_preset_step.reset();
     m_messages.say(fmt::format("Cancelled opening \"{}\"", name));
-}
-
-bool Lab::end_opening() {
-    constexpr auto patience = std::chrono::milliseconds(500);
-    return m_reloader.end(patience);
 }
 
 namespace {

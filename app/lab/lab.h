@@ -20,9 +20,10 @@
 #include "lab/playback/audio_control.h"
 #include "lab/playback/player.h"
 #include "lab/preset_commands.h"
-#include "lab/reload/reloader.h"
+#include "lab/reload/look_loader.h"
 #include "lab/reload/seen_passes.h"
-#include "lab/reload/settling.h"
+#include "lab/reload/specialization.h"
+#include "lab/reload/text_constants.h"
 #include "lab/remote/remote_control.h"
 #include "lab/rendering/renderer.h"
 #include "lab/storage/kept_sessions.h"
@@ -41,12 +42,6 @@ class Morphing;
 class Tryouts;
 struct SheetRequest;
 struct StepQuestion;
-
-/// The open look with other constants in its texts, and its programs.
-struct TurnedPrograms {
-    Look look;
-    Programs programs;
-};
 
 /// All that a person has open. Owns the parts and lets each frame run through them.
 class Lab {
@@ -76,6 +71,8 @@ public:
     const DrawingTool& drawing() const { return m_drawing; }
     BackgroundJobs& jobs() { return m_jobs; }
     const BackgroundJobs& jobs() const { return m_jobs; }
+    LookLoader& loader() { return m_loader; }
+    const LookLoader& loader() const { return m_loader; }
     OpenedFiles& opened_files() { return m_opened_files; }
 
     const Library& library() const { return m_library; }
@@ -86,26 +83,11 @@ public:
     bool awaits_source() const;
     /// Null until a look has drawn.
     const Renderer* renderer() const { return m_renderer.get(); }
-    /// The look that could not be opened and whose problems are told; "": they are the open one's.
-    const std::string& unopened() const { return m_unopened; }
     void dismiss_problems();
     /// What is being opened is not; all stays as it is.
     void cancel_opening();
-    bool is_opening_preset(const std::filesystem::path& file) const;
-    /// Ends the thread that opens looks; false: it is stuck in a driver, and only the end of the
-    /// process ends it. Nothing is opened any more.
-    bool end_opening();
     /// About a pass that keeps the window from answering; empty where none does.
     ChoiceList heavy_pass_choices() const;
-    bool is_loading() const { return m_reloader.is_busy() || m_arrival; }
-    /// Whether a look is, and not only constants of the open one are turned.
-    bool is_reading() const;
-    /// A look that takes long to be opened, and how far it is; none: none does.
-    struct Opening {
-        std::string look;
-        PassProgress::State progress;
-    };
-    std::optional<Opening> opening() const;
     /// How far the open look's accumulating has come; none when it does not accumulate.
     std::optional<Samples> samples() const {
         return m_renderer ? m_renderer->executor().samples() : std::nullopt;
@@ -235,8 +217,6 @@ public:
     void cancel_loading();  // of a sound or picture; what was there before comes back
     /// Follows the files that the document names, besides the look's own.
     void watch_extra_files();
-    /// The driver lost the context: the open look is not opened by itself at the next start.
-    void note_driver_reset() { m_reloader.note_reset(); }
 
     /// One turn: takes reloads in, lets time flow, draws what must be drawn.
     void update(double wall_seconds);
@@ -244,34 +224,20 @@ public:
     bool is_moving() const;
     /// A look that takes long is drawn in slices, one an update, and the frame is not whole yet.
     bool is_amid_frame() const;
-    /// As Reloader::set_wake.
-    void set_wake(std::function<void()> wake) { m_reloader.set_wake(std::move(wake)); }
-    /// Becomes readable when a watched file has changed; -1 where files cannot be watched.
-    int watch_descriptor() const { return m_reloader.descriptor(); }
 
     /// Calls `then` once, when the look that is being opened has been read.
     void when_opened(std::function<void(Lab&)> then) { m_when_opened = std::move(then); }
     Document* mutable_document() { return m_document ? &*m_document : nullptr; }
 
 private:
-    void take_reload();
-    void apply(LoadedRequest loaded);
-    void apply_turned(LoadedRequest loaded);
-    void apply_turned_picture(LoadedRequest loaded);
-    void follow_constants();
-    bool may_settle() const;
-    void follow_settling(double wall_seconds);
+    void apply(BuiltLook built);
+    void apply_edit(BuiltLook& built);
+    void apply_constants(BuiltLook built);
+    void open_document(BuiltLook& built);
+    Specialization::Drawn drawn() const;
+    void specialize(double wall_seconds);
     void follow_seen();
-    void forget_settling();
-    bool rests_as(const Rest& rest) const;
-    void apply_edit(LoadedRequest loaded);
-    void draw_settled(SettledLook settled);
-    void rest_with(Programs settled, std::set<std::string> moving);
-    void forget_constants();
-    bool is_following_constants() const;
-    bool has_programs_for(const Variant& variant);
     void follow_variant_constants();
-    void open_document(LoadedRequest& loaded);
     void begin_renderer(std::unique_ptr<Executor> drawn_first);
     void show_images(const ImageTextures& images);
     void take_chosen_images();
@@ -328,7 +294,6 @@ private:
     Automation m_automation{m_document, m_messages};
     std::optional<DocumentState> m_applied;  // what player and renderer were last told
     Spec m_applied_signal;  // as it was seen: with the pen in the hand a keyframe stands still
-    std::optional<Programs> m_programs;  // of the open look, as linked
     Player m_player{machine_sound_devices()};
     AudioControl m_audio;
     RemoteControl m_remote;
@@ -338,9 +303,6 @@ private:
     Comparing m_comparing;
     std::optional<Variant> m_variant;  // that the renderer draws
     ChosenImages m_variant_images;
-    std::optional<Values> m_asked_constants;          // of the picture; none: those that it has
-    std::optional<Values> m_asked_variant_constants;  // likewise
-    std::optional<TurnedPrograms> m_variant_programs;
     TripState m_trip;
     ImageTextures m_images;  // that the renderer has
     ChosenImages m_chosen_images;
@@ -353,15 +315,12 @@ private:
     std::unique_ptr<Tryouts> m_tryouts;
     std::unique_ptr<Morphing> m_morphing;  // null: none is under way
     RatePictures m_rate_pictures;
-    Reloader m_reloader;
-    Settling m_settling;
-    std::unique_ptr<Arrival> m_arrival;  // of the newest request; null: nothing has come
+    LookLoader m_loader;  // after the renderer: its programs end first
+    Specialization m_specialization{m_loader};
+    TextConstants m_constants{m_loader};
     std::string m_heavy_pass;            // "": none is
     bool m_has_told_heavy_pass = false;  // of the open look
-    std::string m_unopened;
-    std::optional<OpenRequest> m_opened;  // that the open look came from
-    double m_loading_seconds = 0.0;
-    double m_amid_seconds = 0.0;  // since the unfinished frame was begun
+    double m_amid_seconds = 0.0;         // since the unfinished frame was begun
     // With the panels a turn stays below 1/20 s; first draws take their part of it.
     static constexpr double slice_seconds = 0.024;
     std::chrono::steady_clock::time_point m_turn_begun;

@@ -172,7 +172,7 @@ void Lab::follow_variant(double wall_seconds) {
         m_comparing.end();
         next.reset();
     }
-    if (next && !has_programs_for(*next))
+    if (next && !m_constants.has_programs_for(*m_document, next->values))
         return;
     if (next == m_variant)
         return follow_variant_constants();

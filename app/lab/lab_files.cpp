@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 void Lab::search_includes() {
     IncludeFolders folders = m_library.roots().include_folders();
     folders.named.insert(folders.named.end(), m_includes.begin(), m_includes.end());
-    m_reloader.set_include_folders(std::move(folders));
+    m_loader.worker().reader().set_include_folders(std::move(folders));
+    m_loader.reload();
 }
 
 void Lab::set_include_folders(const std::vector<fs::path>& folders) {
@@ -38,7 +39,7 @@ void Lab::watch_extra_files() {
         files.push_back(m_document->preset_file());
     if (const fs::path file = driving_file(*m_document); file.is_absolute())
         files.push_back(file);
-    m_reloader.watch_also(std::move(files));
+    m_loader.files().watch_extra(std::move(files));
 }
 
 void Lab::extra_file_changed(const fs::path& file) {

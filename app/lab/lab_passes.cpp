@@ -22,7 +22,7 @@ void Lab::set_pass_switches(const PassSwitches& switches) {
     const std::vector<PassRun> before = runs_of(look, m_switches);
     m_switches = known_switches(look, switches);
     const std::vector<PassRun> now = runs_of(look, m_switches);
-    forget_settling();
+    m_specialization.stop();
     if (!m_messages.succeeded(m_renderer->set_runs(now))) {
         m_switches = {};
         return;

@@ -47,7 +47,7 @@ void Lab::resize_picture() {
     if (extent == m_drawn_extent)
         return;
     m_drawn_extent = extent;
-    m_reloader.set_picture(extent);
+    m_loader.worker().builder().set_picture(extent);
     m_drive.set_viewport(extent);
     show_source(m_player.time());
     const Plan before = m_renderer->executor().plan();

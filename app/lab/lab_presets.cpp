@@ -30,7 +30,7 @@ void Lab::save_slang_preset(const fs::path& given) {
     if (fs::equivalent(file, look.manifest, error))
         return m_messages.say("A .slangp file can't reference itself. Choose another name.", true);
     const auto is_read = [&](const fs::path& read) { return fs::equivalent(file, read, error); };
-    if (std::ranges::any_of(m_reloader.look_files(), is_read))
+    if (std::ranges::any_of(m_loader.files().look_files(), is_read))
         return m_messages.say("The open look uses this file. Choose another name.", true);
     std::map<std::string, double> values;
     std::string left_out;
@@ -67,7 +67,7 @@ std::vector<PresetEntry> in_listed_order(std::vector<PresetEntry> presets) {
 std::optional<PresetPlace> Lab::preset_on_ring(int by, bool only_starred) {
     const std::vector<PresetEntry> presets =
         in_listed_order(m_library.presets(m_document->look().id));
-    const bool is_stepping = m_preset_step && is_reading();
+    const bool is_stepping = m_preset_step && m_loader.is_reading();
     const fs::path present = is_stepping  ? m_preset_step->file
                              : m_morphing ? m_morphing->file()
                                           : m_document->preset_file();

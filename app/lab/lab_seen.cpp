@@ -14,6 +14,6 @@ void Lab::follow_seen() {
         m_seen = {};
     if (executor.plan() == before)
         return;
-    forget_settling();
+    m_specialization.stop();
     want({std::vector<bool>(executor.look().passes.size(), true), false});
 }

@@ -36,7 +36,7 @@ void Lab::take_from_sheet(std::size_t number) {
 
 // The picture itself has been drawn.
 void Lab::try_out() {
-    if (m_document->is_restacking() || is_following_constants() ||
+    if (m_document->is_restacking() || TextConstants::are_pending(*m_document) ||
         m_renderer->executor().plan().targets.empty() || m_renderer->replay().is_running())
         return;
     m_tryouts->update({*m_document, m_player, m_drive, *m_renderer, m_images, m_size.extent()});

@@ -20,14 +20,13 @@
 namespace fs = std::filesystem;
 
 void Lab::update(double wall_seconds) {
-    constexpr double longest_turn = 0.1;  // a rest before it is no reading
-    m_loading_seconds =
-        is_reading() ? m_loading_seconds + std::min(wall_seconds, longest_turn) : 0.0;
     m_messages.update(wall_seconds);
-    for (const fs::path& file : m_reloader.update())
+    for (const fs::path& file : m_loader.take_changed_files())
         extra_file_changed(file);
     m_turn_begun = std::chrono::steady_clock::now();
-    take_reload();
+    if (auto built = m_loader.update({.picture = m_size.extent(), .is_amid_frame = is_amid_frame()},
+                                     wall_seconds))
+        apply(std::move(*built));
     const double arriving_seconds = seconds_since(m_turn_begun);
     m_remote.update(wall_seconds);
     m_size.update(wall_seconds);
@@ -36,29 +35,27 @@ void Lab::update(double wall_seconds) {
     if (const auto& compared = m_jobs.rates().outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_place());
     const bool is_quiet =
-        !is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn());
-    if (is_quiet)
-        m_reloader.prepare_for_more();
-    m_reloader.note_turn(is_quiet);
+        !m_loader.is_loading() && !is_amid_frame() && (!m_renderer || m_renderer->has_drawn());
+    m_loader.note_update(is_quiet);
     if (!m_document || !m_renderer)
         return;
     go_on_morphing(wall_seconds);
     if (m_document->is_restacking())
         // The last picture goes on meanwhile.
-        m_reloader.restack(m_document->state().stack, m_document->state().values);
-    follow_constants();
+        m_loader.restack(m_document->state().stack, m_document->state().values);
+    m_constants.update(*m_document);
     follow_seen();
     // Beside a look that is being opened others are at work on the same processor and driver.
-    m_renderer->set_slice(is_reading() ? slice_seconds / 2.0 : slice_seconds);
-    m_is_turn_spent =
-        m_arrival && !m_is_turn_spent && arriving_seconds > slice_seconds && m_player.is_playing();
+    m_renderer->set_slice(m_loader.is_reading() ? slice_seconds / 2.0 : slice_seconds);
+    m_is_turn_spent = m_loader.is_loading() && !m_is_turn_spent &&
+                      arriving_seconds > slice_seconds && m_player.is_playing();
     if (m_is_turn_spent)
         m_amid_seconds += wall_seconds;  // the picture's turn is the next one
     else if (is_amid_frame())
         go_on_drawing(wall_seconds);
     else
         begin_drawing(wall_seconds);
-    follow_settling(wall_seconds);
+    specialize(wall_seconds);
     m_automation.update(m_player.time());
     m_audio.update();
     follow_heavy_pass();
@@ -112,7 +109,7 @@ void Lab::begin_drawing(double wall_seconds) {
 }
 
 bool Lab::is_moving() const {
-    return (m_player.is_playing() && !has_converged()) || is_loading() || m_wanted ||
+    return (m_player.is_playing() && !has_converged()) || m_loader.is_loading() || m_wanted ||
            (m_messages.notice() && m_messages.notice()->goes_by) || m_tryouts->is_busy() ||
            m_morphing || m_remote.is_busy() || m_chosen_images.is_reading() ||
            m_jobs.is_running() || !m_drive.loading().empty() || m_drive.is_source_late() ||
@@ -124,21 +121,6 @@ bool Lab::has_converged() const {
     const bool is_source_moving = m_drive.source() && m_drive.source()->moves();
     const bool moves = is_source_moving || (m_applied && !m_applied->modulations.empty());
     return m_renderer && !moves && m_renderer->has_converged();
-}
-
-void Lab::take_reload() {
-    if (std::string problem = m_reloader.take_watch_problem(); !problem.empty())
-        m_messages.say(std::move(problem), true);
-    if (m_arrival && !m_reloader.is_newest(m_arrival->loaded()))
-        m_arrival.reset();
-    const bool is_arriving = m_arrival && m_arrival->loaded().whose != LoadedRequest::Whose::look;
-    if (auto loaded = is_arriving ? std::nullopt : m_reloader.take_finished())
-        m_arrival = std::make_unique<Arrival>(std::move(*loaded));
-    constexpr double seconds_a_turn = 0.012;
-    const bool waits = is_arriving && is_amid_frame();  // or turning would drop frame after frame
-    if (m_arrival && !waits &&
-        m_arrival->go_on({m_reloader.shown(), m_size.extent()}, seconds_a_turn))
-        apply_edit(std::exchange(m_arrival, nullptr)->take());
 }
 
 // Those of the look, then those of the files that a person chose.
@@ -162,43 +144,40 @@ bool reads_images_alike(const Look& one, const Look& other) {
 }
 }  // namespace
 
-void Lab::apply(LoadedRequest loaded) {
-    if (loaded.whose != LoadedRequest::Whose::look)
-        return apply_turned(std::move(loaded));
-    forget_constants();
-    m_reloader.watch_look(loaded.files);
-    const bool is_read = loaded.look && loaded.programs;
-    const bool is_reload = loaded.is_reload && m_unopened.empty();
-    m_unopened = is_read || is_reload || !m_document ? "" : name_of(loaded.request);
-    m_messages.set_look_problems(loaded.problems);
-    gather_problems();
-    if (!m_unopened.empty())
-        m_reloader.note_unopened();
-    if (!is_read)
-        return;  // the last good picture goes on
-    m_opened = loaded.request;
+Specialization::Drawn Lab::drawn() const {
+    return {*m_document, *m_applied, m_images, m_size.extent()};
+}
+
+// Nothing changes values, and nothing else needs the worker thread or the GPU.
+void Lab::specialize(double wall_seconds) {
+    if (!m_applied)
+        return m_specialization.stop();
+    const bool is_quiet = m_player.is_playing() && !m_loader.is_loading() && !m_morphing &&
+                          !m_tryouts->is_busy() && !m_document->history().is_in_gesture();
+    m_specialization.update(drawn(), *m_renderer, is_quiet, wall_seconds);
+}
+
+void Lab::apply(BuiltLook built) {
+    if (built.kind != JobKind::look)
+        return apply_constants(std::move(built));
+    m_constants.clear();
     forget_heavy_pass();
     m_has_told_heavy_pass = false;
-    if (m_document && !reads_images_alike(m_document->look(), *loaded.look)) {
+    if (m_document && !reads_images_alike(m_document->look(), *built.look)) {
         m_images.clear();
         m_chosen_images.forget();
         m_variant_images.forget();
     }
     forget_trip();
-    m_programs = std::move(*loaded.programs);
-    m_reloader.set_shown(*m_programs);
-    forget_settling();
-    m_tryouts->stop();  // they draw with the former ones
-    if (is_reload && m_document) {
-        m_document->replace_look(std::move(*loaded.look));
-        m_messages.succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
-        if (loaded.settled)
-            draw_settled(std::move(*loaded.settled));
-    } else {
-        open_document(loaded);
-    }
+    m_loader.programs().set(std::move(*built.programs));
+    m_specialization.stop();
+    m_tryouts->stop();  // they draw with the previous programs
+    if (built.is_reload && m_document && m_renderer)
+        apply_edit(built);
+    else
+        open_document(built);
     set_pass_switches(m_switches);
-    show_images(loaded.images);
+    show_images(built.images);
     m_applied.reset();
     if (!m_opening_file.empty())
         m_opened_files.add(std::exchange(m_opening_file, {}));
@@ -206,9 +185,20 @@ void Lab::apply(LoadedRequest loaded) {
         std::exchange(m_when_opened, {})(*this);
 }
 
-void Lab::open_document(LoadedRequest& loaded) {
-    Look& look = *loaded.look;
-    const OpenRequest& request = loaded.request;
+// Specialised programs serve while the values are those that the picture was specialised for.
+void Lab::apply_edit(BuiltLook& built) {
+    const bool is_specialized = m_renderer->executor().is_settled() && !m_renderer->variant() &&
+                                m_applied && m_applied->values == m_document->values();
+    m_document->replace_look(std::move(*built.look));
+    m_messages.succeeded(
+        m_renderer->replace(m_document->drawn_look(), m_loader.programs().generic()));
+    if (built.specialized && is_specialized)
+        m_specialization.draw(std::move(*built.specialized), drawn(), *m_renderer);
+}
+
+void Lab::open_document(BuiltLook& built) {
+    Look& look = *built.look;
+    const OpenRequest& request = built.request;
     const bool is_same = m_document && m_document->look().manifest == look.manifest;
     const bool had_changes = m_document && m_document->is_modified();
     const bool loses_changes = had_changes && m_document->has_unlocked_changes();
@@ -226,7 +216,7 @@ void Lab::open_document(LoadedRequest& loaded) {
         m_document.emplace(std::move(look));
     m_document->keep_content(content);
     remember_files(*m_document, m_drive.recent());
-    begin_renderer(std::move(loaded.executor));
+    begin_renderer(std::move(built.executor));
     constexpr double patience_seconds = 0.05;
     m_renderer->set_patience(patience_seconds);
     m_variant.reset();
@@ -259,7 +249,8 @@ void Lab::begin_renderer(std::unique_ptr<Executor> drawn_first) {
     if (drawn_first && drawn_first->look() == m_document->drawn_look())
         m_renderer = std::make_unique<Renderer>(std::move(*drawn_first));
     else
-        m_renderer = std::make_unique<Renderer>(m_document->drawn_look(), *m_programs);
+        m_renderer =
+            std::make_unique<Renderer>(m_document->drawn_look(), m_loader.programs().generic());
 }
 
 void Lab::open_values(const OpenRequest& request) {
@@ -366,8 +357,9 @@ void Lab::apply_document() {
     if (!is_first && m_applied->modulations != state.modulations)
         redraw.needs_replay = true;
     if (!is_first && m_applied->overrides != state.overrides) {
-        forget_settling();
-        m_messages.succeeded(m_renderer->replace(m_document->drawn_look(), *m_programs));
+        m_specialization.stop();
+        m_messages.succeeded(
+            m_renderer->replace(m_document->drawn_look(), m_loader.programs().generic()));
         redraw.needs_replay = true;
     }
     follow(m_applied, state);

@@ -175,7 +175,7 @@ void PresetCommands::remove(const fs::path& file) {
     const auto trashed = move_to_trash(file);
     if (!m_lab.messages().succeeded(trashed))
         return;
-    if (m_lab.is_opening_preset(file))
+    if (m_lab.loader().is_opening_preset(file))
         m_lab.cancel_opening();
     Removal removal{.trashed = *trashed,
                     .look = document->look().id,

@@ -63,7 +63,7 @@ public:
     double until_seen(const char* name, double value) {
         const auto start = Clock::now();
         set(name, value, false);
-        while (seen(name) != value || m_lab->is_loading())
+        while (seen(name) != value || m_lab->loader().is_loading())
             turn();
         turn();
         return milliseconds_since(start);

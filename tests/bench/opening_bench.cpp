@@ -48,7 +48,7 @@ public:
         const auto start = std::chrono::steady_clock::now();
         std::vector<Turn> turns;
         m_lab->open(preset.string());
-        while (m_lab->is_loading())
+        while (m_lab->loader().is_loading())
             turns.push_back(turn());
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         if (m_lab->document()->look().manifest != preset)
@@ -81,9 +81,9 @@ private:
         m_lab->update(1.0 / 60.0);
         gpu::finish();
         Turn turn{busy_milliseconds() - start, "start"};
-        if (const auto opening = m_lab->opening())
+        if (const auto opening = m_lab->loader().opening())
             turn.doing = words_of(opening->progress);
-        if (!m_lab->is_loading())
+        if (!m_lab->loader().is_loading())
             turn.doing = "switch";
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
         return turn;

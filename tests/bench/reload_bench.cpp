@@ -157,7 +157,7 @@ public:
 private:
     bool shows(const std::string& text) const {
         const std::string& drawn = m_lab->renderer()->executor().look().passes.back().fragment.text;
-        return !m_lab->is_loading() &&
+        return !m_lab->loader().is_loading() &&
                drawn.find(bench::edited_line(text, m_folders.look)) != std::string::npos;
     }
     void frame(double seconds = 1.0 / 60.0) {
@@ -178,23 +178,20 @@ private:
     double m_turned = 1.5;
 };
 
-/// Only the reloader: the time from a save until it is linked, before any draw.
+/// Only the look loader: the time from a save until it is linked, before any draw.
 class LinkBench {
 public:
     LinkBench(const fs::path& folder, const Folders& folders)
         : m_folders(folders), m_context(gpu::Context::headless().value()) {
         const Roots roots{folder, folder / "user", folder / "state", folder / "cache"};
-        m_reloader = std::make_unique<Reloader>(gpu::Context::shared_with(*m_context).value(),
-                                                *m_context, roots);
-        m_reloader->open({folders.file.parent_path(), {}, {}});
+        m_loader = std::make_unique<LookLoader>(gpu::Context::shared_with(*m_context).value(),
+                                                *m_context, roots, m_messages);
+        m_loader->open({folders.file.parent_path(), {}, {}});
         take();
-        m_reloader->prepare_for_more();
+        m_loader->note_update(true);
         std::this_thread::sleep_for(std::chrono::milliseconds(2500));
     }
-    ~LinkBench() {
-        m_loaded = {};
-        m_reloader.reset();
-    }
+    ~LinkBench() { m_loader.reset(); }
     LinkBench(const LinkBench&) = delete;
     LinkBench& operator=(const LinkBench&) = delete;
 
@@ -203,9 +200,9 @@ public:
         const auto start = Clock::now();
         double linked = 0.0;
         while (linked == 0.0) {
-            m_reloader->update();
-            const bool is_drawing = m_reloader->progress().step == PassProgress::Step::drawing;
-            if (m_reloader->is_busy() && is_drawing)
+            m_loader->take_changed_files();
+            const PassProgress::State state = m_loader->worker().queue().progress();
+            if (m_loader->is_reading() && state.step == PassProgress::Step::drawing)
                 linked = milliseconds_since(start);
             else
                 std::this_thread::sleep_for(std::chrono::microseconds(50));
@@ -216,18 +213,16 @@ public:
 
 private:
     void take() {
-        std::optional<LoadedRequest> loaded;
-        while (!(loaded = m_reloader->take_finished()))
+        std::optional<BuiltLook> built;
+        while (!(built = m_loader->update({.picture = {1280, 720}}, 0.0)))
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        m_loaded = std::move(*loaded);
-        m_reloader->set_shown(*m_loaded.programs);
-        m_reloader->watch_look(m_loaded.files);
+        m_loader->programs().set(std::move(*built->programs));
     }
 
     const Folders& m_folders;
     std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Reloader> m_reloader;
-    LoadedRequest m_loaded;
+    Messages m_messages;
+    std::unique_ptr<LookLoader> m_loader;
 };
 
 void measure_links(const bench::Topic& topic, const fs::path& folder, const Folders& folders,

@@ -89,7 +89,8 @@ public:
         : BenchLab(folder, extent) {
         m_lab->open(look.string());
         m_lab->update(0.0);
-        while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
+        while (m_lab->loader().is_loading() || !m_lab->renderer() ||
+               m_lab->player().frame_number() < 5)
             draw();
         m_lab->edit([&](Document& document) {
             for (const auto& [name, value] : values)

@@ -23,7 +23,8 @@ public:
     void open(const std::string& look) {
         m_lab->open(look);
         m_lab->update(0.0);
-        while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
+        while (m_lab->loader().is_loading() || !m_lab->renderer() ||
+               m_lab->player().frame_number() < 5)
             frame();
     }
     double frame_milliseconds() {

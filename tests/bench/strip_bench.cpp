@@ -26,7 +26,8 @@ public:
         m_window.shows_strip = shows_strip;
         m_lab->open(look);
         m_lab->update(0.0);
-        while (m_lab->is_loading() || !m_lab->renderer() || m_lab->player().frame_number() < 5)
+        while (m_lab->loader().is_loading() || !m_lab->renderer() ||
+               m_lab->player().frame_number() < 5)
             turn();
         settle();
     }

@@ -48,7 +48,7 @@ public:
         return document().look().id == "a.glsl" && std::abs(red() - level) < 0.003;
     }
     bool becomes(double level) {
-        return turn_until([&] { return is_at(level) && !lab().is_loading(); });
+        return turn_until([&] { return is_at(level) && !lab().loader().is_loading(); });
     }
     const fs::path& file() const { return m_file; }
 
@@ -105,7 +105,7 @@ TEST_CASE("while a hand turns a constant pictures of values on the way are seen,
     CHECK(small.lab().document()->history().is_in_gesture());
     small.set("LEVEL", 0.875);
     CHECK(small.becomes(0.875));
-    CHECK_FALSE(small.lab().opening().has_value());
+    CHECK_FALSE(small.lab().loader().opening().has_value());
 }
 
 TEST_CASE("a value that does not compile is told at the author's line, and the picture goes on") {
@@ -113,10 +113,10 @@ TEST_CASE("a value that does not compile is told at the author's line, and the p
     small.set("SIZE", 0.0);
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().messages().problems().front().diagnostic.line == 5);
-    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.is_at(0.25));
     small.turn(20);
-    CHECK_FALSE(small.lab().is_loading());  // it is tried once
+    CHECK_FALSE(small.lab().loader().is_loading());  // it is tried once
     small.set("SIZE", 2.0);
     CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
     small.set("LEVEL", 0.5);
@@ -172,7 +172,8 @@ TEST_CASE("a session opens with the constants that it was left with") {
     const Session session = session_of(small.lab(), {});
     small.start();
     restore(small.lab(), session, {});
-    REQUIRE(small.turn_until([&] { return small.lab().document() && !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until(
+        [&] { return small.lab().document() && !small.lab().loader().is_loading(); }));
     CHECK(small.document().look().constants.at("LEVEL") == Value(0.75));
     CHECK(small.becomes(0.75));
 }

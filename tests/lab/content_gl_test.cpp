@@ -44,7 +44,7 @@ public:
     }
     void open_and_wait(const std::string& argument) {
         lab().open(argument);
-        REQUIRE(turn_until([&] { return !lab().is_loading(); }));
+        REQUIRE(turn_until([&] { return !lab().loader().is_loading(); }));
         turn(3);
     }
     fs::path preset_file(const char* look, const char* name) {
@@ -126,7 +126,7 @@ TEST_CASE("a preset that is opened with its own signal replaces the user's sound
     ContentLab small;
     small.open_song();
     small.lab().open_with_content(small.preset_file("small", "wave").string());
-    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     small.turn(3);
     CHECK(small.document().state().signal.kind == "waveform");
     CHECK_FALSE(small.document().is_content_locked());

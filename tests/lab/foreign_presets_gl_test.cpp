@@ -18,7 +18,7 @@ public:
         REQUIRE(turn_until([&] { return is_open(""); }));
     }
     bool is_open(const std::string& preset) {
-        return !lab().is_loading() && document().look().id == "level.frag" &&
+        return !lab().loader().is_loading() && document().look().id == "level.frag" &&
                document().preset_name() == preset;
     }
     double level() { return document().value(document().look().parameters.front()).number(); }

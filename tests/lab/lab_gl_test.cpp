@@ -191,7 +191,8 @@ TEST_CASE("a preset that is saved, changed and opened again is back as it was") 
     REQUIRE(preset.has_value());
     small.lab().open(preset->file.string());
     REQUIRE(small.turn_until([&] {
-        return !small.lab().is_loading() && small.lab().document()->preset_name() == "four" &&
+        return !small.lab().loader().is_loading() &&
+               small.lab().document()->preset_name() == "four" &&
                !small.lab().document()->is_modified();
     }));
     CHECK(small.lab().document()->values().at("gain") == Value(4.0));

@@ -69,7 +69,7 @@ TEST_CASE("another look opens with all passes as usual, another preset of the lo
     SmallLab small;
     small.lab().switch_pass(PassSwitch::solo, "sum");
     small.lab().open("small");
-    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().pass_switches().solo == "sum");
     small.lab().new_look("other");
     REQUIRE(small.turn_until([&] { return small.document().look().id == "other"; }));

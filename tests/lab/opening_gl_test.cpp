@@ -26,12 +26,12 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
     add_other_look(small);
     for (int turns = 0; turns < 4; ++turns) {
         small.lab().open("other");
-        REQUIRE(small.lab().is_loading());
+        REQUIRE(small.lab().loader().is_loading());
         small.turn(turns);
         if (open_look(small) == "other")
             break;  // a fast machine
         small.lab().cancel_opening();
-        CHECK_FALSE(small.lab().is_loading());
+        CHECK_FALSE(small.lab().loader().is_loading());
         const float frames = small.frames();
         small.turn(30);
         CHECK(open_look(small) == "small");
@@ -39,7 +39,7 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
         CHECK(small.lab().messages().problems().empty());
         CHECK(small.lab().messages().notice()->text == "Cancelled opening \"other\"");
         small.lab().open("small");
-        REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+        REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     }
     small.lab().open("other");
     CHECK(small.turn_until([&] { return open_look(small) == "other"; }));
@@ -83,8 +83,8 @@ TEST_CASE(
     small.lab().cancel_opening();
     CHECK(open_look(small) == "small");
     CHECK_FALSE(small.lab().messages().notice().has_value());
-    CHECK_FALSE(small.lab().opening().has_value());
-    CHECK(small.lab().end_opening());
+    CHECK_FALSE(small.lab().loader().opening().has_value());
+    CHECK(small.lab().loader().worker().end(std::chrono::seconds(5)));
 }
 
 namespace {
@@ -120,7 +120,7 @@ TEST_CASE("an edit, and the same look opened again, stay in the context that the
     CHECK(small.turn_until([&] { return small.shown() == 2.0f * small.frames(); }));
     CHECK(home_of(small) == home);
     small.lab().open("small");
-    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(home_of(small) == home);
 }
 

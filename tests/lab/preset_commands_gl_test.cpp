@@ -29,7 +29,7 @@ public:
     PresetCommands& presets() { return lab().presets(); }
     void open_and_wait(const std::string& argument) {
         lab().open(argument);
-        REQUIRE(turn_until([&] { return !lab().is_loading() && lab().document(); }));
+        REQUIRE(turn_until([&] { return !lab().loader().is_loading() && lab().document(); }));
         turn(2);
     }
     void turn_gain(double gain) {
@@ -119,9 +119,9 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     const fs::path file = small.users_file("Mine");
     small.open_and_wait(small.shipped_file().string());
     small.lab().open(file.string());
-    REQUIRE(small.lab().is_opening_preset(file));
+    REQUIRE(small.lab().loader().is_opening_preset(file));
     small.presets().remove(file);
-    CHECK_FALSE(small.lab().is_opening_preset(file));
+    CHECK_FALSE(small.lab().loader().is_opening_preset(file));
     CHECK(small.lab().messages().notice()->text == "Deleted \"Mine\"");
     CHECK(small.document().preset_file() == small.shipped_file());
     small.lab().undo();

@@ -231,7 +231,7 @@ TEST_CASE("beside a locked value one goes through the presets without being warn
         while (small.lab().messages().notice())
             small.lab().update(10.0);  // what was said before goes by
         small.lab().open(small.lab().library().find_preset("small", "one")->file.string());
-        REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+        REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
         return small.lab().messages().notice().has_value();
     };
     small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });

@@ -166,7 +166,8 @@ struct StackLab : SmallLab {
     }
     bool shows(const std::string& id) {
         return turn_until([&] {
-            return document().look().id == id && !document().is_restacking() && !lab().is_loading();
+            return document().look().id == id && !document().is_restacking() &&
+                   !lab().loader().is_loading();
         });
     }
     double value(const char* name) {

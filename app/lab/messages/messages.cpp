@@ -65,6 +65,7 @@ void Messages::add_look_problems(const Diagnostics& problems) {
         m_look_problems.back().diagnostic.message =
             shortened(diagnostic.message, most_message_bytes);
     }
+    join_problems();
 }
 
 bool Messages::lists(std::string_view subject) const {
@@ -74,11 +75,17 @@ bool Messages::lists(std::string_view subject) const {
 }
 
 void Messages::set_content_problems(const Diagnostics& problems) {
+    m_content_problems.clear();
+    for (const Diagnostic& problem : problems)
+        m_content_problems.push_back({problem, {}});
+    join_problems();
+}
+
+void Messages::join_problems() {
     const std::string subject = m_notice ? m_notice->subject : std::string();
     const bool was_listed = !subject.empty() && lists(subject);
     const std::vector<Problem> before = std::exchange(m_problems, m_look_problems);
-    for (const Diagnostic& problem : problems)
-        m_problems.push_back({problem, {}});
+    m_problems.insert(m_problems.end(), m_content_problems.begin(), m_content_problems.end());
     const auto is_new = [&before](const Problem& problem) {
         return std::ranges::find(before, problem.diagnostic, &Problem::diagnostic) == before.end();
     };

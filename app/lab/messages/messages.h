@@ -40,7 +40,7 @@ public:
     const std::vector<Problem>& problems() const { return m_problems; }
     void set_look_problems(const Diagnostics& problems);
     void add_look_problems(const Diagnostics& problems);
-    /// Of signal, source and images. Publishes changes of either list.
+    /// Of signal, source and images.
     void set_content_problems(const Diagnostics& problems);
     /// Hides the problems until a new one occurs.
     void dismiss_problems() { m_are_problems_dismissed = true; }
@@ -48,9 +48,11 @@ public:
 
 private:
     bool lists(std::string_view subject) const;
+    void join_problems();
 
     std::optional<Notice> m_notice;
     std::vector<Problem> m_look_problems;
+    std::vector<Problem> m_content_problems;
     std::vector<Problem> m_problems;
     bool m_are_problems_dismissed = false;
 };

@@ -72,6 +72,7 @@ OpeningMark::~OpeningMark() {
 
 void OpeningMark::begin(const OpenRequest& request, const fs::path& edited) {
     std::error_code error;
+    m_quiet_updates = 0;
     if (!m_file.is_open()) {
         for (const fs::path& file : left_behind_in(m_folder))
             fs::remove(file, error);
@@ -102,6 +103,13 @@ void OpeningMark::end() {
     std::error_code error;
     fs::remove(m_name, error);
     m_file = Descriptor();
+}
+
+void OpeningMark::note_update(bool is_quiet) {
+    constexpr int enough = 3;
+    m_quiet_updates = is_quiet ? m_quiet_updates + 1 : 0;
+    if (m_quiet_updates > enough)
+        end();
 }
 
 std::optional<UnfinishedOpening> find_unfinished_opening(const Roots& roots) {

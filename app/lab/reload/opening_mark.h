@@ -42,6 +42,9 @@ public:
     /// The driver lost the context while it drew the look: the file stays.
     void leave(const OpenRequest& request);
     bool is_set() const { return m_file.is_open(); }
+    /// To be called once per update: whether nothing is loaded and the picture is whole. After a
+    /// few such updates in a row the look counts as opened, as with end().
+    void note_update(bool is_quiet);
 
 private:
     void write(const std::string& text);
@@ -49,6 +52,7 @@ private:
     std::filesystem::path m_folder;
     std::filesystem::path m_name;
     Descriptor m_file;
+    int m_quiet_updates = 0;
 };
 
 /// What a run that is over left behind; none: nothing, or that run goes on.

@@ -8,7 +8,7 @@ bool FirstFile::is_one(const std::string& argument, const Lab& lab) {
 }
 
 void FirstFile::update(Lab& lab) {
-    if (m_file.empty() || !lab.document() || lab.is_loading())
+    if (m_file.empty() || !lab.document() || lab.loader().is_loading())
         return;
     const std::string look = lab.look_for(m_file);
     if (look.empty() || m_has_asked) {

@@ -8,7 +8,7 @@ void SessionKeeper::update(Lab& lab, const WindowState& window) {
     const Document* document = lab.document();
     const bool is_done = document && !document->history().is_in_gesture();
     const bool is_new = is_done && m_seen != document->state();
-    if (lab.is_loading() || (!is_new && now - m_looked < pause))
+    if (lab.loader().is_loading() || (!is_new && now - m_looked < pause))
         return;
     if (is_new)
         m_seen = document->state();

@@ -2,7 +2,7 @@
 
 #include "lab/media/chosen_images.h"
 #include "lab/media/drive.h"
-#include "lab/reload/reloader.h"
+#include "lab/reload/look_loader.h"
 
 #include <memory>
 #include <optional>

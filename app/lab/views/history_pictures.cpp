@@ -21,7 +21,7 @@ std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t p
 
 void HistoryPictures::update(const Lab& lab, Views& views) {
     const Document* document = lab.document();
-    if (!document || !lab.renderer() || lab.is_loading() || document->is_restacking() ||
+    if (!document || !lab.renderer() || lab.loader().is_loading() || document->is_restacking() ||
         document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
         lab.is_amid_frame() || !lab.renderer()->has_whole_picture() ||
         lab.renderer()->executor().plan().targets.empty())

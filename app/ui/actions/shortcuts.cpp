@@ -30,7 +30,7 @@ void escape(const Scene& scene, Edits& edits) {
         edits.end_line();
     else if (!scene.lab.drive().loading().empty())
         edits.add([](Lab& lab) { lab.cancel_loading(); });
-    else if (scene.lab.opening())
+    else if (scene.lab.loader().opening())
         edits.add([](Lab& lab) { lab.cancel_opening(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         edits.add([](Lab& lab) { lab.cancel_replay(); });

@@ -43,9 +43,9 @@ float height_of(const Problem& problem, float width) {
 
 // Of a look that is not the one that is seen.
 std::string headline_of(const Lab& lab) {
-    if (lab.unopened().empty() || !lab.document())
+    if (lab.loader().failed().empty() || !lab.document())
         return {};
-    return fmt::format("Can't open \"{}\". {} is still open.", lab.unopened(),
+    return fmt::format("Can't open \"{}\". {} is still open.", lab.loader().failed(),
                        lab.document()->look().name);
 }
 
@@ -193,13 +193,13 @@ void draw_trip(const Scene& scene, Edits& edits) {
     ImGui::EndChild();
 }
 
-std::string opening_text(const Lab::Opening& opening) {
+std::string opening_text(const LookLoader::Opening& opening) {
     return fmt::format("Opening {} · {} · Esc to cancel", opening.look, words_of(opening.progress));
 }
 
 void draw_loading(const Scene& scene) {
     const std::filesystem::path file = scene.lab.drive().loading();
-    const auto opening = scene.lab.opening();
+    const auto opening = scene.lab.loader().opening();
     if (file.empty() && opening && scene.lab.document())
         draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
     if (file.empty())
@@ -266,8 +266,8 @@ void draw_overlays(const Scene& scene, Edits& edits) {
 void draw_welcome(const Scene& scene) {
     const float middle = ImGui::GetWindowHeight() * 0.42f;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    if (scene.lab.is_loading()) {
-        const auto opening = scene.lab.opening();
+    if (scene.lab.loader().is_loading()) {
+        const auto opening = scene.lab.loader().opening();
         draw_centered(opening ? opening_text(*opening) : "Loading the look…", middle, theme::dim);
         return;
     }

@@ -90,14 +90,15 @@ public:
           m_first_file(std::move(start.first_file)),
           m_views(std::move(views)),
           m_state(std::move(start.state)),
-          m_waker(m_lab.watch_descriptor(), [] { gpu::Window::wake(); }) {}
+          m_waker(m_lab.loader().files().descriptor(), [] { gpu::Window::wake(); }) {}
 
     /// False where the driver has lost the window's context.
     bool run() {
         SessionKeeper keeper(m_options.roots);
         while (!m_is_quitting && !m_window.is_close_requested()) {
             if (has_lost_context()) {
-                m_lab.note_driver_reset();
+                if (const OpenRequest* opened = m_lab.loader().opened())
+                    m_lab.loader().mark().leave(*opened);
                 return false;
             }
             if (wait())
@@ -105,7 +106,8 @@ public:
             keeper.update(m_lab, m_state);
         }
         keeper.save(m_lab, m_state);
-        if (!m_lab.end_opening())
+        constexpr auto patience = std::chrono::milliseconds(500);
+        if (!m_lab.loader().worker().end(patience))
             std::_Exit(EXIT_SUCCESS);  // all is saved; nothing else would end that thread
         return true;
     }
@@ -266,7 +268,7 @@ void Application::note_pace(double wall_seconds) {
 // The first of all.
 bool Application::awaits_picture() {
     m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
-    const bool is_coming = m_lab.is_loading() || m_lab.is_amid_frame();
+    const bool is_coming = m_lab.loader().is_loading() || m_lab.is_amid_frame();
     return is_coming && !m_has_had_picture;
 }
 
@@ -283,7 +285,7 @@ bool Application::is_attended(Clock::time_point now) {
     if (m_turn == 0 || m_window.has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, now) > now_and_then)
         return true;
-    return !awaits_picture() && (now < m_attended_until || m_lab.is_loading());
+    return !awaits_picture() && (now < m_attended_until || m_lab.loader().is_loading());
 }
 
 void Application::follow_remote() {
@@ -400,7 +402,7 @@ Result<bool> run_once(const WindowOptions& options) {
     if (!window)
         return fail(window.error());
     Lab lab(Library(options.roots), **window, nullptr);
-    lab.set_wake([] { gpu::Window::wake(); });
+    lab.loader().worker().set_wake([] { gpu::Window::wake(); });
     if (!start.state.views.picture.is_empty())
         lab.size().set_view(
             start.state.views.picture);  // as it was, until the panels say how it is

@@ -250,8 +250,9 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
-        scene.is_behind, lab.is_loading(),
-        json_string(lab.opening() ? words_of(lab.opening()->progress) : std::string()),
+        scene.is_behind, lab.loader().is_loading(),
+        json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
+                                           : std::string()),
         json_string(lab.drive().loading()), lab.player().is_playing(),
         lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
         lab.samples().value_or(Samples{}).held, lab.remote().osc().port(),

@@ -246,7 +246,7 @@ TEST_CASE("a file that was opened is reported once, whatever it is") {
     small.lab().presets().save_as("grey");
     const fs::path preset = small.document().preset_file();
     small.lab().open_file(preset);
-    REQUIRE(small.turn_until([&] { return !small.lab().is_loading(); }));
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().opened_files().take() == std::vector{preset});
     CHECK(small.lab().opened_files().take().empty());
 }

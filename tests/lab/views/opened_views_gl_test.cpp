@@ -14,7 +14,7 @@ bool has_met_all(Lab& lab) {
 
 bool is_open(SmallLab& small, const std::string& look) {
     return small.turn_until([&] {
-        return !small.lab().is_loading() && small.document().look().id == look &&
+        return !small.lab().loader().is_loading() && small.document().look().id == look &&
                small.lab().renderer()->has_drawn();
     });
 }

@@ -1,12 +1,12 @@
-// The part of Reloader that reads the images of a look.
+#include "lab/reload/look_images.h"
+
 #include "graph/targets/image_texture.h"
 #include "lab/media/image_budget.h"
 #include "lab/media/look_media.h"
-#include "lab/reload/reloader.h"
 
 namespace fs = std::filesystem;
 
-Result<ImageTextures> Reloader::load_images(const Look& look, Diagnostics& warnings) {
+Result<ImageTextures> LookImages::load(const Look& look, Diagnostics& warnings) {
     ImageTextures images;
     std::map<fs::path, ReadImage> read;
     Diagnostics problems;

@@ -1,18 +1,18 @@
-#include "lab/reload/drawing_contexts.h"
+#include "lab/reload/look_contexts.h"
 
 #include "gpu/objects/draw.h"
 
 #include <algorithm>
 #include <utility>
 
-DrawingHome::~DrawingHome() {
+LookContext::~LookContext() {
     const gpu::ContextScope scope(m_context.get());
     m_views.reset();
     m_making = {};
     m_programs = {};
 }
 
-void DrawingHome::have_programs() {
+void LookContext::have_programs() {
     if (std::exchange(m_has_programs, true))
         return;
     auto made = ViewPrograms::make();
@@ -23,7 +23,7 @@ void DrawingHome::have_programs() {
         m_making.set_value(fail(std::move(made.error())));
 }
 
-Result<FirstViews*> DrawingHome::views() {
+Result<FirstViews*> LookContext::views() {
     const MadePrograms& programs = m_programs.get();
     if (!programs)
         return fail(programs.error());
@@ -32,13 +32,13 @@ Result<FirstViews*> DrawingHome::views() {
     return &*m_views;
 }
 
-DrawingContexts::~DrawingContexts() {
-    for (const auto& home : m_all)
-        const gpu::ContextScope scope(&home->context());  // what is buried there ends there
+LookContexts::~LookContexts() {
+    for (const auto& context : m_all)
+        const gpu::ContextScope scope(&context->context());  // what is buried there ends there
 }
 
-std::shared_ptr<DrawingHome> DrawingContexts::lend() {
-    const auto is_free = [](const auto& home) { return home.use_count() == 1; };
+std::shared_ptr<LookContext> LookContexts::acquire() {
+    const auto is_free = [](const auto& context) { return context.use_count() == 1; };
     const auto free = std::ranges::find_if(m_all, is_free);
     if (free != m_all.end())
         return *free;
@@ -46,10 +46,10 @@ std::shared_ptr<DrawingHome> DrawingContexts::lend() {
         return nullptr;
     auto made = gpu::Context::shared_with(m_screen);
     m_has_failed = !made;
-    return made ? m_all.emplace_back(std::make_shared<DrawingHome>(std::move(*made))) : nullptr;
+    return made ? m_all.emplace_back(std::make_shared<LookContext>(std::move(*made))) : nullptr;
 }
 
-void DrawingContexts::have_spare() {
-    if (const auto home = lend())
-        home->have_programs();
+void LookContexts::have_spare() {
+    if (const auto context = acquire())
+        context->have_programs();
 }

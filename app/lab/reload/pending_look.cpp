@@ -1,42 +1,42 @@
-#include "lab/reload/arrival.h"
+#include "lab/reload/pending_look.h"
 
 #include "base/elapsed.h"
 
-void Arrival::start_draws(const Look& look, const Programs& programs, const Beside& beside) {
+void PendingLook::start_draws(const Look& look, const Programs& programs, const Beside& beside) {
     if (!has_new(programs, beside.shown))
         return;
-    const gpu::ContextScope scope(m_loaded.programs->home.get());  // it ends there, too
+    const gpu::ContextScope scope(m_built.programs->home.get());  // it ends there, too
     const auto idle = idle_program();
     if (!idle)
         return;  // the first frame is slower
     m_draws.push_back(std::make_unique<FirstDraws>(
-        FirstDrawsOf{look, programs, beside.shown, m_loaded.images, beside.picture}, *idle));
+        FirstDrawsOf{look, programs, beside.shown, m_built.images, beside.picture}, *idle));
 }
 
-void Arrival::start(const Beside& beside) {
+void PendingLook::start(const Beside& beside) {
     m_has_started = true;
-    if (!m_loaded.look || !m_loaded.programs || m_loaded.is_warm)
+    if (!m_built.look || !m_built.programs || m_built.is_warm)
         return;
-    start_draws(*m_loaded.look, *m_loaded.programs, beside);
-    if (m_loaded.settled)
-        start_draws(m_loaded.settled->look, m_loaded.settled->programs, beside);
+    start_draws(*m_built.look, *m_built.programs, beside);
+    if (m_built.specialized)
+        start_draws(m_built.specialized->look, m_built.specialized->programs, beside);
     std::size_t total = 0;
     for (const auto& draws : m_draws)
         total += draws->total();
     if (total > 0)
         m_progress.begin(PassProgress::Step::drawing, total);
     const auto plan =
-        plan_targets(*m_loaded.look, beside.picture, expected_source, values_of(m_loaded.request));
-    m_views = m_loaded.programs->first_views;
+        plan_targets(*m_built.look, beside.picture, expected_source, values_of(m_built.request));
+    m_views = m_built.programs->first_views;
     if (m_views && plan)
-        m_views->expect(*m_loaded.look, *plan);
+        m_views->expect(*m_built.look, *plan);
 }
 
-bool Arrival::is_ready() const {
+bool PendingLook::is_ready() const {
     return m_draws.empty() && (!m_views || m_views->owed() == 0);
 }
 
-void Arrival::draw_next() {
+void PendingLook::draw_next() {
     if (!m_draws.empty()) {
         FirstDraws& draws = *m_draws.back();
         m_progress.next(draws.next_pass());
@@ -45,11 +45,11 @@ void Arrival::draw_next() {
             m_draws.pop_back();
         return;
     }
-    const gpu::ContextScope scope(m_loaded.programs->home.get());
+    const gpu::ContextScope scope(m_built.programs->home.get());
     m_views->draw_next();
 }
 
-bool Arrival::go_on(const Beside& beside, double seconds) {
+bool PendingLook::update(const Beside& beside, double seconds) {
     const auto begun = std::chrono::steady_clock::now();
     if (!m_has_started)
         start(beside);

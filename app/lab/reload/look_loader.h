@@ -1,0 +1,94 @@
+#pragma once
+
+#include "lab/messages/messages.h"
+#include "lab/reload/build_worker.h"
+#include "lab/reload/opening_mark.h"
+#include "lab/reload/pending_look.h"
+#include "lab/reload/program_set.h"
+#include "lab/reload/watched_files.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Opens looks and reloads them when their files change. Looks are read and built on a worker
+/// thread, then warmed up in the context that draws them; the open look continues meanwhile.
+class LookLoader {
+public:
+    /// `context` is for the worker thread and shares objects with `screen`, the context of this
+    /// thread; null: one is created when it is needed.
+    LookLoader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
+               const Roots& roots, Messages& messages);
+
+    /// Opens another look or preset. What is being opened is cancelled.
+    void open(const OpenRequest& request);
+    /// Keeps the open look instead of the one that is being opened. Returns the name of the latter.
+    std::string cancel();
+    /// Reads the open look again although no file changed.
+    void reload();
+    /// Reads the looks of another stack, once; `values` by the names of that stack.
+    void restack(const Stack& stack, const Values& values);
+    /// Opens the open look again after another one could not be opened.
+    void dismiss_failed();
+
+    /// The request that the open look came from; null: none is open.
+    const OpenRequest* opened() const { return m_opened ? &*m_opened : nullptr; }
+    /// The look that could not be opened; "": the problems are those of the open look.
+    const std::string& failed() const { return m_failed; }
+    struct Opening {
+        std::string look;
+        PassProgress::State progress;
+    };
+    /// A look that takes a while to open; nullopt: there is none.
+    std::optional<Opening> opening() const;
+    bool is_opening_preset(const std::filesystem::path& file) const;
+    /// Whether a look is read, or constants of the open one are built.
+    bool is_loading() const;
+    bool is_reading() const;
+
+    /// What the open look draws meanwhile.
+    struct Beside {
+        Extent picture;              // px
+        bool is_amid_frame = false;  // constants wait, which would drop the unfinished frame
+    };
+    /// Warms up what was built. Returns what is ready to be drawn: it has look and programs. Shows
+    /// the problems of everything else.
+    std::optional<BuiltLook> update(const Beside& beside, double wall_seconds);
+    /// To be called once per update: whether nothing is loaded and the picture is whole. After a
+    /// few such updates the look counts as opened, and the worker prepares for edits.
+    void note_update(bool is_quiet);
+    /// Reads changed looks again. Returns the extra files that changed.
+    std::vector<std::filesystem::path> take_changed_files();
+
+    /// Builds something for the open look: constants or a specialisation.
+    void build(Job job);
+    ProgramSet& programs() { return m_programs; }
+    const ProgramSet& programs() const { return m_programs; }
+    BuildWorker& worker() { return m_worker; }
+    WatchedFiles& files() { return m_files; }
+    OpeningMark& mark() { return m_mark; }
+    /// Passes of looks to come whose own pictures are displayed.
+    void set_displayed(SeenPasses passes) { m_displayed = std::move(passes); }
+
+private:
+    void submit(OpenRequest request, bool is_reload, const std::filesystem::path& edited = {});
+    void acquire_context(std::promise<std::shared_ptr<LookContext>>& coming);
+    void create_worker_context();
+    void take_built();
+    bool accept(const BuiltLook& built);
+
+    Messages& m_messages;
+    OpeningMark m_mark;
+    WatchedFiles m_files;
+    LookContexts m_contexts;
+    BuildWorker m_worker;
+    std::optional<OpenRequest> m_asked;
+    bool m_is_asked_unopened = false;  // m_asked could not be opened: reading it again opens it
+    std::optional<OpenRequest> m_opened;
+    std::string m_failed;
+    double m_reading_seconds = 0.0;
+    std::unique_ptr<PendingLook> m_pending;  // the newest one; null: none was built
+    SeenPasses m_displayed;
+    ProgramSet m_programs;
+};

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "gpu/context.h"
+
+#include <memory>
+#include <mutex>
+#include <optional>
+
+/// The GL context of the worker thread. It is created when it is first needed, because that takes a
+/// driver a while. Until then the worker borrows the context of a look that is being opened.
+class WorkerContext {
+public:
+    /// `screen` is the context of the window's thread and outlives this. `own` shares objects with
+    /// it; null: create() creates one.
+    WorkerContext(std::unique_ptr<gpu::Context> own, const gpu::Context& screen)
+        : m_screen(screen), m_own(std::move(own)) {}
+
+    /// On the window's thread: creates the worker's own context, once.
+    void create();
+    /// Whether create() was called, or is not necessary.
+    bool is_created() const;
+
+    // On the worker thread.
+    /// Makes its own context current; false: there is none yet.
+    bool use_own();
+    /// Makes its own context current, or `borrowed` for as long as `scope`. False: there is none.
+    bool use(const std::shared_ptr<gpu::Context>& borrowed,
+             std::optional<gpu::ContextScope>& scope);
+    /// Of objects that were created in a borrowed context; null: they belong to its own.
+    const std::shared_ptr<gpu::Context>& borrowed() const { return m_borrowed; }
+    /// Releases both.
+    void release();
+
+private:
+    const gpu::Context& m_screen;
+    mutable std::mutex m_mutex;
+    std::unique_ptr<gpu::Context> m_own;
+    bool m_was_tried = false;
+    std::shared_ptr<gpu::Context> m_borrowed;
+};
