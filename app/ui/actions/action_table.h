@@ -2,5 +2,5 @@
 
 #include "ui/frame/action.h"
 
-/// The rows of all menus.
+/// The actions of all menus.
 ActionTable make_action_table();

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What compares the picture with another: slots, what the other is, and how the two are seen.
+/// Actions of the Compare menu: slots, the reference and the compare modes.
 namespace compare_actions {
 std::vector<Action> list();
 }  // namespace compare_actions

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What the View menu does with displays: the output window, and how many frames are drawn.
+/// Actions for displays: the output window and the frame rate limit.
 namespace display_actions {
 std::vector<Action> list();
 }  // namespace display_actions

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// Undo, history, drawing, search and remote control.
+/// Actions of the Edit menu: undo, history, drawing, search and remote control.
 namespace edit_actions {
 std::vector<Action> list();
 }

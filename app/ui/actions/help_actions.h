@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// Palette, shortcuts and about.
+/// Actions of the Help menu: palette, shortcuts and about.
 namespace help_actions {
 std::vector<Action> list();
 }

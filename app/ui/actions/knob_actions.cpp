@@ -36,7 +36,7 @@ void go(const Scene& scene, Edits& edits) {
     });
 }
 
-// Held down it is on, as with the mouse.
+// An event parameter is on only while the key is held, as with the mouse.
 bool is_trigger(const Scene& scene) {
     const Parameter* parameter = knob_in_hand(scene);
     return parameter && parameter->control == Control::event;

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What the keyboard does to the parameter that is revealed in its panel.
+/// Keyboard actions on the parameter that is revealed in its panel.
 namespace knob_actions {
 std::vector<Action> list();
 }  // namespace knob_actions

@@ -21,7 +21,7 @@ bool is_large(const Scene& scene) {
     return scene.window.shows_pass_large;
 }
 
-// Passes that the picture is without at present are passed over.
+// Skips passes that the current plan does not draw.
 template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer()->executor();
@@ -53,7 +53,7 @@ void expose(const Scene&, Edits& edits) {
     });
 }
 
-// Where the channels were just changed, the numbers are yet to come.
+// The levels are fitted later: the histogram may still be pending after a change of channels.
 void fit_levels(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         window.shows_inspector = true;

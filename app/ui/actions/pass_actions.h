@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What the Pass menu does, about the pass that is inspected.
+/// Actions of the Pass menu on the inspected pass.
 namespace pass_actions {
 std::vector<Action> list();
 }  // namespace pass_actions

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What the Pass menu switches about the pass that is inspected.
+/// Actions of the Pass menu that switch the inspected pass: bypass, freeze, solo, stop.
 namespace pass_switch_actions {
 std::vector<Action> list();
 }  // namespace pass_switch_actions

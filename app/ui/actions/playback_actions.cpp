@@ -42,7 +42,7 @@ bool is_recording(const Scene& scene) {
 bool has_moves(const Scene& scene) {
     return !scene.lab.automation().recorder().moves().empty();
 }
-// What was recorded is to be kept: the end asks where.
+// The end of a recording opens the save dialog.
 void record_moves(const Scene& scene, Edits& edits) {
     const bool is_starting = !is_recording(scene);
     edits.add([is_starting](Lab& lab) { lab.automation().record(is_starting); });

@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// The clock, frame rates, impulse response and automation.
+/// Actions of the Playback menu: clock, frame rates, impulse response and automation.
 namespace playback_actions {
 std::vector<Action> list();
 }

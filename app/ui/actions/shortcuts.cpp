@@ -9,7 +9,7 @@
 #include <imgui/imgui_internal.h>
 
 namespace {
-// Held down, it does the same again and again.
+// Keys that repeat while held.
 bool repeats(int key) {
     return key == '.' || key == 'Z' || (key >= gpu::key::right && key <= gpu::key::up);
 }
@@ -20,7 +20,7 @@ bool is_pressed(const Chord& chord) {
            !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats(chord.key));
 }
 
-// Escape goes through what is in the way, nearest first.
+// Escape cancels the topmost active item.
 void escape(const Scene& scene, Edits& edits) {
     if (scene.is_behind_output)
         edits.arrange([](WindowState& window) { window.output.is_open = false; });
@@ -69,7 +69,8 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
     if (is_entered && !is_typing && scene.lab.drawing().board().open_line())
         edits.end_line();
     for (const Action& action : scene.actions.rows()) {
-        // A text field has its own copy, paste, undo and letters; saving works from everywhere.
+        // An active text field handles copy, paste, undo and letters. Other Ctrl shortcuts always
+        // work.
         const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
                                      action.id == ActionId::paste_line ||
                                      action.id == ActionId::undo || action.id == ActionId::redo;

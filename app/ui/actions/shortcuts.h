@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Runs the actions whose keys are pressed. While a text field is active, letters belong to it.
+/// Runs the actions of pressed keys. An active text field gets the letters instead.
 void run_shortcuts(const Scene& scene, Edits& edits);

@@ -28,7 +28,7 @@ void toggle_filter(const Scene& scene, Edits& edits) {
     });
 }
 
-// From the menu the pointer is on no slider: then it tells how.
+// Without a slider under the pointer, as from the menu, it shows instructions.
 template <bool is_up>
 void show_step(const Scene& scene, Edits& edits) {
     if (scene.window.pointed)
@@ -62,7 +62,7 @@ std::vector<Action> step_actions() {
 std::vector<Action> tuning_actions::list() {
     constexpr auto favourites = ParameterFilter::favourites;
     constexpr auto of_pass = ParameterFilter::of_pass;
-    // The first two go on the list of what is shown that ends the actions before these.
+    // The first two extend the group of display actions that precedes this list.
     std::vector<Action> actions{{ActionId::show_favourites,
                                  Menu::edit,
                                  "Show only favourites",

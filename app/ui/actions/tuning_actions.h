@@ -2,7 +2,7 @@
 
 #include "ui/frame/action.h"
 
-/// What the menus do to many parameters at once.
+/// Menu actions on many parameters: filters, step preview and random values.
 namespace tuning_actions {
 std::vector<Action> list();
 }  // namespace tuning_actions

@@ -22,7 +22,7 @@ bool is_shown(const Scene& scene) {
     return scene.window.*shown;
 }
 
-// They share the bottom pane: the one that is not there comes, the one that is there goes.
+// Shows this part of the bottom pane, or hides the pane if it already shows the part.
 template <BottomPart part>
 void toggle_bottom(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
@@ -36,7 +36,7 @@ bool is_bottom(const Scene& scene) {
     return scene.window.shows_bottom && scene.window.bottom_part == part;
 }
 
-// A line of the menu with a tick while its pane is shown.
+// A menu item with a check mark while its pane is shown.
 template <bool WindowState::*shown>
 Action toggling(ActionId id, const char* label, Chord chord, bool is_first = false) {
     return {id, Menu::view, label, chord, is_first, toggle<shown>, nullptr, is_shown<shown>};
@@ -47,7 +47,7 @@ Action bottom(ActionId id, const char* label, Chord chord) {
     return {id, Menu::view, label, chord, false, toggle_bottom<part>, nullptr, is_bottom<part>};
 }
 
-// The history may stand in its place.
+// The history panel replaces the library panel while it is shown.
 bool shows_library(const Scene& scene) {
     return scene.window.shows_library && !scene.window.shows_history;
 }

@@ -13,7 +13,7 @@
 #include <imgui/imgui_stdlib.h>
 
 namespace {
-// None: it went meanwhile.
+// nullopt: the choice no longer exists.
 std::optional<Choice> asking(const Scene& scene) {
     const std::string& label = scene.window.dialog.subject;
     for (const ChoiceList& list : all_choices(scene.lab, scene.window, scene.shelf.looks()))
@@ -37,7 +37,7 @@ std::string words_about(const AskedNumber& asked) {
                               : fmt::format("{} to {} {}", low, high, asked.unit);
 }
 
-// What is typed, as it is after this frame's keys.
+// The typed text, including the input of this frame.
 std::string draw_answer(const Choice& choice, const Dialog& dialog, Edits& edits) {
     std::string text = dialog.text;
     if (dialog.is_new) {

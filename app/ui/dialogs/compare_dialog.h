@@ -4,7 +4,7 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Shows what the open values have otherwise than a preset.
+/// Opens the dialog that lists how the open values differ from a preset.
 void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits);
 
 void draw_compare_dialog(const Scene& scene, Edits& edits);

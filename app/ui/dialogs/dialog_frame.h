@@ -3,10 +3,10 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// A window in the middle, above all else, until it ends. Escape closes it.
+/// A centred modal window, open during its lifetime. Escape closes it.
 class DialogFrame {
 public:
-    /// `width` in letters' heights.
+    /// `width` in multiples of the font size.
     DialogFrame(const char* title, float width, const Scene& scene, Edits& edits);
     ~DialogFrame();
     DialogFrame(const DialogFrame&) = delete;
@@ -20,8 +20,9 @@ private:
 
 void close_dialog(Edits& edits);
 
-/// The only button of a dialog that tells something. Gives whether it was left by it.
+/// The only button of an informational dialog. Returns true when it is clicked.
 bool draw_close_button(const char* label, Edits& edits);
 
-/// The buttons at the end: the first does it, Cancel closes. Gives whether it was asked for.
+/// Cancel and the default button, which Enter activates too. Returns true when the default
+/// button is activated and `can_do`. Cancel closes the dialog.
 bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits);

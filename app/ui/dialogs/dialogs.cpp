@@ -27,7 +27,7 @@ struct Question {
     const char* label;
     void (*answer)(Lab& lab, const std::string& name, const std::string& subject);
     bool (*is_taken)(const Scene& scene, const std::string& name);
-    // Null: a taken name is refused.
+    // Null: an existing name is refused.
     void (*replace)(Lab& lab, const std::string& name, const std::string& subject) = nullptr;
 };
 
@@ -37,7 +37,7 @@ bool is_look(const Scene& scene, const std::string& name) {
                        [&](const ShelfLook& look) { return look.entry.id == name; });
 }
 
-// The user has a preset of that name for the open look. A shipped one may have the same.
+// Whether the user has a preset with this name for the open look. Shipped presets do not count.
 bool is_preset(const Scene& scene, const std::string& name) {
     for (const ShelfLook& look : scene.shelf.looks())
         for (const ShelfPreset& preset : look.presets)
@@ -52,7 +52,7 @@ bool is_other_preset(const Scene& scene, const std::string& name) {
            is_preset(scene, name);
 }
 
-// A dialog that asks for one name.
+// A dialog with one text field for a name.
 void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
     const DialogFrame frame(question.title, 26.0f, scene, edits);
     if (!frame.is_open())

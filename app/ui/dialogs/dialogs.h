@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The dialog that is open, if any, above all else.
+/// Draws the open dialog, if any, above everything else.
 void draw_dialogs(const Scene& scene, Edits& edits);

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-/// Begins to draw the document into a film or a sequence, and shows how far it is.
+/// Starts the export of the document to a film or an image sequence and shows its progress.
 void export_frames(const std::filesystem::path& file, const Scene& scene, Edits& edits);
 
-/// How much is exported, within the dialog that asks where to.
+/// The duration and frame rate fields of the file dialog for an export.
 void draw_export_numbers(const Scene& scene, Edits& edits);
 
 void draw_export_dialog(const Scene& scene, Edits& edits);

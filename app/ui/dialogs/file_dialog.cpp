@@ -64,7 +64,7 @@ const char* title_for(Dialog::Kind kind) {
     }
 }
 
-// What the arrow keys chose is to be scrolled to, and the field to have the keyboard again.
+// Value of `Dialog::chosen` after an arrow key: scroll to the entry and focus the name field.
 constexpr int shows_chosen = 1;
 
 bool is_saving(const Dialog& dialog) {
@@ -93,7 +93,7 @@ void start(const Scene& scene, Edits& edits) {
     if (scene.window.dialog.kind == Dialog::Kind::save_pass)
         edits.arrange([](WindowState& window) {
             window.dialog.text = window.dialog.subject + ".exr";
-            std::ranges::replace(window.dialog.text, '/', '-');  // "crt/mask" of a stack
+            std::ranges::replace(window.dialog.text, '/', '-');  // "crt/mask" in a stack
         });
     if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
@@ -149,7 +149,7 @@ bool is_listed(const Dialog& dialog, const std::string& name) {
     });
 }
 
-// A folder is gone into, unless it is a look's.
+// Opens a folder in the list. The folder of a look is opened as a look.
 void accept(const fs::path& path, const Scene& scene, Edits& edits) {
     std::error_code ignored;
     const bool is_folder = fs::is_directory(path, ignored);
@@ -161,7 +161,7 @@ void accept(const fs::path& path, const Scene& scene, Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog.text.clear(); });
 }
 
-// Up and Down choose in the list while the name is being typed.
+// Up and Down select an entry of the list while the name field has the focus.
 void follow_arrows(const Dialog& dialog, Edits& edits) {
     const int by = ImGui::IsKeyPressed(gpu::key::down) ? 1
                    : ImGui::IsKeyPressed(gpu::key::up) ? -1
@@ -174,14 +174,14 @@ void follow_arrows(const Dialog& dialog, Edits& edits) {
         present == dialog.entries.end()
             ? (by > 0 ? 0 : count - 1)
             : std::clamp(static_cast<int>(present - dialog.entries.begin()) + by, 0, count - 1);
-    ImGui::ClearActiveID();  // or the field would keep what it holds
+    ImGui::ClearActiveID();  // otherwise the active field would keep its text
     edits.arrange([name = dialog.entries[static_cast<std::size_t>(at)].name](WindowState& window) {
         window.dialog.text = name;
         window.dialog.chosen = shows_chosen;
     });
 }
 
-// Beside what the folder holds; a click opens one.
+// The recent files, next to the entries of the folder. Click to open one.
 void draw_recent(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
     if (is_saving(dialog))
@@ -202,7 +202,7 @@ void draw_recent(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
 }
 
-// A look's folder opens as a look with a double click on its look.json.
+// Double-click on look.json opens its folder as a look.
 void draw_entries(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
     const ScopedColor back(ImGuiCol_ChildBg, theme::surround);

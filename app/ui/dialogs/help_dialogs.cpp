@@ -39,7 +39,7 @@ struct KeyGroup {
     const char* title;
     std::vector<const Action*> actions;
 
-    std::size_t lines() const { return actions.size() + 2; }  // with its title and a gap
+    std::size_t lines() const { return actions.size() + 2; }  // includes the title and a gap
 };
 
 std::vector<KeyGroup> key_groups(const Scene& scene) {
@@ -60,7 +60,8 @@ std::vector<KeyGroup> key_groups(const Scene& scene) {
     return groups;
 }
 
-// Whole groups, in their order, so that the longest column is as short as can be.
+// Distributes whole groups over at most `count` columns. Keeps their order and minimises the
+// longest column.
 std::vector<std::vector<KeyGroup>> in_columns(std::vector<KeyGroup> groups, std::size_t count) {
     const auto filled = [&](std::size_t most) {
         std::vector<std::vector<KeyGroup>> columns(1);
@@ -91,12 +92,13 @@ void draw_table(const char* id, float keys_width, const Lines& lines) {
     ImGui::EndTable();
 }
 
-// As high as what it holds, and no higher than the window has room for; then it scrolls.
+// Sizes the area to its content, limited by the window height. Longer content scrolls.
 void draw_in_room(const char* id, const std::function<void()>& draw) {
-    const float around = 5.0f * ImGui::GetFrameHeightWithSpacing();  // title, close, paddings
+    const float around = 5.0f * ImGui::GetFrameHeightWithSpacing();  // title, close button,
+                                                                     // paddings
     const float most = ImGui::GetIO().DisplaySize.y - around;
     float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id), most);
-    {  // of this part alone: what pops up above it has its own
+    {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild(id, {0.0f, std::min(wanted, most)});
     }

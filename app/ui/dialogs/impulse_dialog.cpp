@@ -22,7 +22,7 @@ constexpr std::array<theme::Color, 8> hues{{{0.95f, 0.75f, 0.35f, 1.0f},
                                             {0.95f, 0.60f, 0.85f, 1.0f},
                                             {0.60f, 0.75f, 0.65f, 1.0f},
                                             {0.60f, 0.60f, 1.00f, 1.0f}}};
-constexpr double least = 0.001;  // of the peak; the floor of the plot
+constexpr double least = 0.001;  // floor of the plot, relative to the peak
 
 const theme::Color& hue_of(std::size_t pass) {
     return hues[pass % hues.size()];
@@ -34,7 +34,7 @@ Pin place_of_flash(const Scene& scene) {
     return scene.window.probe ? pin_at(*scene.window.probe) : Pin{};
 }
 
-// Up to the moment when the slowest pass is down at the floor, and a little more.
+// The time until the slowest pass has decayed to the floor, plus a margin.
 double shown_seconds(const ImpulseResponse& response) {
     double longest = 0.0;
     for (const PassImpulse& pass : response.passes) {
@@ -104,7 +104,7 @@ bool lies_on(const Curve& one, const Curve& other) {
     });
 }
 
-// All that pass near the pointer, which may lie on each other.
+// All curves near the pointer; curves can overlap.
 std::vector<std::size_t> curves_at_pointer(const std::vector<Curve>& curves) {
     constexpr float reach = 6.0f;
     std::vector<std::size_t> found;
@@ -122,7 +122,7 @@ std::vector<std::size_t> curves_at_pointer(const std::vector<Curve>& curves) {
     return found;
 }
 
-// In dashes one that lies on another is seen too.
+// Dashes keep overlapping curves visible.
 void draw_fall(const Curve& curve, ImU32 color, float thickness, bool is_dashed, ImDrawList& list) {
     if (!is_dashed) {
         list.AddPolyline(curve.data(), static_cast<int>(curve.size()), color, ImDrawFlags_None,

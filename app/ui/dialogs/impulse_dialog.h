@@ -3,9 +3,9 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Fires a flash at the first pin, else at the pixel under the pointer, else in the middle, and
-/// shows the dialog.
+/// Draws an impulse at the first pin and shows the dialog. Without pins it uses the pixel under the
+/// pointer, or else the centre.
 void fire_impulse(const Scene& scene, Edits& edits);
 
-/// How the flash falls in every pass: a plot over time, and a table of times.
+/// The decay of the impulse in every pass: a plot over time and a table of times.
 void draw_impulse_dialog(const Scene& scene, Edits& edits);

@@ -14,7 +14,7 @@
 namespace {
 constexpr int rows_shown = 12;
 
-// What is typed, as it is after this frame's keys.
+// The typed text, including the input of this frame.
 std::string draw_query(const Dialog& dialog, float width, Edits& edits) {
     std::string text = dialog.text;
     ImGui::SetNextItemWidth(width);
@@ -30,7 +30,7 @@ std::string draw_query(const Dialog& dialog, float width, Edits& edits) {
     return text;
 }
 
-// The row that is chosen after this frame's keys.
+// The selected row after the key presses of this frame.
 int moved_choice(int chosen, int count, Edits& edits) {
     const int before = chosen;
     const auto move = [&](int key, int by) {
@@ -54,7 +54,7 @@ struct PaletteRow {
     float width = 0.0f;
 };
 
-// A label with the letters that fit in the accent's colour; gives where it ends.
+// Draws a label with its matched letters in the accent colour. Returns the x at its end.
 float draw_label(const PaletteRow& row, ImVec2 at) {
     const std::string& label = row.entry.label;
     const theme::Color plain = row.entry.why_not.empty() ? theme::text : theme::faint;
@@ -93,7 +93,7 @@ bool draw_palette_row(const PaletteRow& row) {
     return is_clicked;
 }
 
-// The row that was clicked; -1: none.
+// The clicked row; -1: none.
 int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<PaletteMatch>& matches,
               int chosen, bool follows, Edits& edits) {
     const float height = ImGui::GetTextLineHeightWithSpacing();
@@ -164,7 +164,7 @@ void draw_palette_dialog(const Scene& scene, Edits& edits) {
     const ScopedStyle<float> edge(ImGuiStyleVar_PopupBorderSize, 1.0f);
     const ScopedColor line(ImGuiCol_Border, theme::faint);
     if (!ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove)) {
-        close_dialog(edits);  // a click beside it
+        close_dialog(edits);  // clicked outside
         return;
     }
     draw_palette(scene, width, edits);

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// All that a person may ask for by name: every action, then what the lab has.
+/// All palette entries: every action, then the choices of the lab.
 std::vector<PaletteEntry> palette_list(const Scene& scene);
 
-/// Does what the entry says, and remembers that it was used.
+/// Runs the entry and records its use.
 void run(const PaletteEntry& entry, const Scene& scene, Edits& edits);

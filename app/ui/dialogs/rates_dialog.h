@@ -3,8 +3,9 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Begins to compare what several frame rates make of the picture, and shows the dialog.
+/// Starts the comparison of several frame rates and shows the dialog.
 void compare_rates(Edits& edits);
 
-/// How far it has come, with a way out; then which rates differ by how much, and where.
+/// Shows the progress with a Cancel button, then the differences between the rates and their
+/// location.
 void draw_rates_dialog(const Scene& scene, Edits& edits);

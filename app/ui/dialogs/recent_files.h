@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
-/// The files that were opened lately and are still there.
+/// The recently opened files with these endings that still exist. Empty `endings`: all files.
 std::vector<std::filesystem::path> recent_files(const Scene& scene,
                                                 const std::vector<std::string>& endings);
 
-/// Lists them in what room there is; gives the one that was clicked.
+/// Draws the list in the available width; returns the clicked file.
 std::optional<std::filesystem::path> draw_recent_files(
     const std::vector<std::filesystem::path>& files, Edits& edits);

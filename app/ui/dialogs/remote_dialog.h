@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// What other programs may turn, and what has come from them.
+/// Settings and status of remote control: OSC port and received values.
 void draw_remote_dialog(const Scene& scene, Edits& edits);

@@ -11,8 +11,8 @@
 
 #include <cmath>
 
-/// Inside an open dialog: what background work is `doing` and how far it is, then what `draw` shows
-/// of its outcome, or why there is none. Leaving the dialog does `cancel` in the lab.
+/// Content of a dialog for background work. While it runs: `doing` and the progress. Then `draw`
+/// shows its outcome, or the error is shown. Closing the dialog runs `cancel` on the lab.
 template <class Outcome, class Draw, class Cancel>
 void draw_work(const BackgroundWork<Outcome>& work, const char* doing, const Draw& draw,
                const Cancel& cancel, Edits& edits) {

@@ -7,7 +7,7 @@
 class Edits;
 struct Scene;
 
-/// What a menu, a key or a button can do.
+/// A command of a menu, a key or a button.
 enum class ActionId {
     open,
     take_up_unsaved,
@@ -140,12 +140,12 @@ enum class Menu { file, edit, knob, view, output, frame_rate, compare, pass, pla
 
 /// A key with its modifiers.
 struct Chord {
-    int key = 0;  // as gpu::KeyEvent names it; 0: none
+    int key = 0;  // key code of gpu::KeyEvent; 0: no key
     bool control = false;
     bool shift = false;
 };
 
-/// One row of the action table: text, key and effect of one command.
+/// One row of the action table: label, key and effect of a command.
 /// Menus, shortcuts, tooltips, the palette and the help are made of these rows.
 struct Action {
     ActionId id;
@@ -154,10 +154,10 @@ struct Action {
     Chord chord;
     bool is_first = false;  // a separator is drawn above it
     void (*act)(const Scene& scene, Edits& edits);
-    bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always
+    bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always enabled
     bool (*is_on)(const Scene& scene) = nullptr;       // null: no check mark
     void (*let_go)(const Scene& scene,
-                   Edits& edits) = nullptr;  // when its key is released; null: nothing
+                   Edits& edits) = nullptr;  // on release of its key; null: ignored
     std::string (*current_label)(const Scene& scene) = nullptr;  // "Undo: Decay"; null: label
 };
 
@@ -168,7 +168,7 @@ public:
 
     const std::vector<Action>& rows() const { return m_rows; }
     const Action& row(ActionId id) const;
-    /// "F4"; "" without a key.
+    /// "F4"; "": no key.
     std::string key(ActionId id) const;
     /// "Play or pause (Space)".
     std::string help(ActionId id) const;
@@ -177,11 +177,11 @@ private:
     std::vector<Action> m_rows;
 };
 
-/// "Ctrl+Shift+S"; "" for none.
+/// "Ctrl+Shift+S"; "": no key.
 std::string chord_text(const Chord& chord);
 
 bool is_enabled(const Action& action, const Scene& scene);
-/// With its present object: "Undo: Decay".
+/// The label with its current object: "Undo: Decay".
 std::string label_of(const Action& action, const Scene& scene);
 
 /// Runs the action if it is enabled.

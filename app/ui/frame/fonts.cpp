@@ -11,7 +11,7 @@ namespace {
 constexpr float text_height = 15.0f;
 constexpr float number_height = 13.0f;
 
-// Latin, Greek and Cyrillic, and the signs that labels and units use.
+// Latin, Greek, Cyrillic, and the symbols in labels and units.
 const ImWchar* glyphs() {
     static constexpr std::array<ImWchar, 17> ranges{0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF,
                                                     0x2010, 0x2044, 0x2070, 0x209F, 0x2190, 0x21FF,
@@ -19,7 +19,7 @@ const ImWchar* glyphs() {
     return ranges.data();
 }
 
-// ImGui's own face is a bitmap of 13 pixels; it stays sharp at whole multiples only.
+// ImGui's built-in font is a 13-pixel bitmap. It is sharp only at whole multiples.
 ImFont* add_built_in(ImFontAtlas& atlas, float scale) {
     ImFontConfig config;
     config.SizePixels = 13.0f * std::max(1.0f, std::round(scale));
@@ -55,7 +55,7 @@ BuiltFonts build_fonts(float scale) {
     unsigned char* pixels = nullptr;
     int width = 0;
     int height = 0;
-    atlas->GetTexDataAsRGBA32(&pixels, &width, &height);  // it keeps them for who uploads them
+    atlas->GetTexDataAsRGBA32(&pixels, &width, &height);  // the atlas keeps the pixels
     return {std::move(atlas), fonts, scale};
 }
 

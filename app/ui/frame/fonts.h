@@ -5,22 +5,22 @@
 #include <future>
 #include <memory>
 
-/// The faces of the window; their atlas owns them.
+/// The fonts of the window; the atlas owns them.
 struct Fonts {
     ImFont* text = nullptr;
-    ImFont* strong = nullptr;   // of a name or a heading
-    ImFont* numbers = nullptr;  // digits of one width
+    ImFont* strong = nullptr;   // for names and headings
+    ImFont* numbers = nullptr;  // monospaced digits
 };
 
-/// An atlas of the fonts that the system has, best first, as pixels.
+/// Pixel atlas of the best available system fonts.
 struct BuiltFonts {
     std::unique_ptr<ImFontAtlas> atlas;
     Fonts fonts;
-    float scale = 0.0f;  // device pixels a pixel of the layout
+    float scale = 0.0f;  // device pixels per layout pixel
 };
 
-/// The scale that fonts are built for, near a wanted one.
+/// The wanted scale rounded to 1/8 and limited to 0.5 to 4.
 float fitted_scale(float wanted);
 BuiltFonts build_fonts(float scale);
-/// On a thread of its own; to be waited for before ImGui's context is made.
+/// On a background thread. Wait for the result before creating ImGui's context.
 std::future<BuiltFonts> build_fonts_beside(float scale);

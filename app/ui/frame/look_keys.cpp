@@ -8,9 +8,9 @@
 #include <array>
 
 namespace {
-// Those that are not the same in both worlds, or that move with others.
+// Keys with different numbers in browsers, or in one range with such keys.
 struct KeyNumbers {
-    int first;  // of the window's
+    int first;  // key code of the window
     int count;
     std::size_t browser;
 };

@@ -5,13 +5,13 @@
 
 #include <cstddef>
 
-/// The number that browsers give to a key of the window; 0 where they have none.
+/// The browser's key code for a key of the window; 0: no such key.
 std::size_t browser_key(int key);
 
-/// Hands the keys that are held to a look that reads them while the pointer is over its picture and
-/// nobody types; otherwise all of its keys are up. One that went down as a key of the program, with
-/// Ctrl for one, stays the program's until it is let go.
+/// Passes held keys to a look that reads keys. The pointer must be over its picture and no text
+/// field active; otherwise all keys are up. A key pressed as a shortcut, such as with Ctrl, stays
+/// the program's until released.
 void tell_keys(bool is_pointed, const Scene& scene, Edits& edits);
 
-/// Whether a key with nothing held is the look's now, and no action's.
+/// Whether a key without modifiers goes to the look instead of an action.
 bool is_key_of_look(int key, const Scene& scene);

@@ -12,7 +12,7 @@
 #include "ui/frame/action.h"
 #include "ui/frame/fonts.h"
 
-/// What there is to show in a frame, all of it to be read only.
+/// The read-only data of a frame for the panels.
 struct Scene {
     const Lab& lab;
     const WindowState& window;
@@ -22,14 +22,14 @@ struct Scene {
     const KeptPictures& kept_pictures;
     const Shelf& shelf;
     const Pace& pace;
-    std::size_t output_monitor;     // that the output window is on, or would open on
+    std::size_t output_monitor;     // of the output window, or where it would open
     bool is_behind_output = false;  // the output window covers this one
     const Fonts& fonts;
     const ActionTable& actions;
-    long turn = 0;           // frames of the window so far
-    bool is_behind = false;  // the person did more than this frame can answer
-    float scale = 1.0f;      // coordinates of the window a pixel of the layout
-    float density = 1.0f;    // device pixels a coordinate of the window
+    long turn = 0;                                     // number of window frames so far
+    bool is_behind = false;                            // input events wait for later frames
+    float scale = 1.0f;                                // window coordinates per layout pixel
+    float density = 1.0f;                              // device pixels per window coordinate
     std::vector<gpu::PointerEvent> pointer_path = {};  // since the last frame
     double panel_milliseconds = 0.0;                   // CPU time of the last frame's panels
 

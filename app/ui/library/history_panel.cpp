@@ -20,7 +20,7 @@ theme::Color name_color(const HistoryRow& row) {
     return row.is_present ? theme::accent : row.step.distance > 0 ? theme::dim : theme::text;
 }
 
-// The picture in a frame of 16:9, so that names stand below one another.
+// The picture in a 16:9 frame, so that all names align.
 float draw_image(const HistoryRow& row, const ImVec2& low) {
     const ImVec2 size(row.height * 16.0f / 9.0f, row.height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -38,7 +38,7 @@ float draw_image(const HistoryRow& row, const ImVec2& low) {
     return size.x;
 }
 
-// The picture as it was, a name and below it what was changed.
+// The picture of the step, its name, and its changes below.
 bool draw_history_row(const HistoryRow& row) {
     const bool is_clicked = ImGui::Selectable("##step", row.is_present, 0, {0.0f, row.height});
     const ImVec2 low = ImGui::GetItemRectMin();
@@ -72,7 +72,7 @@ void draw_head(Edits& edits) {
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight());
 }
 
-// Where a step was made or taken back the list follows; else it stays where it was scrolled to.
+// Scrolls to the current step after an edit, undo or redo. Otherwise keeps the scroll position.
 void follow(const Document& document, const WindowState& window, float height, Edits& edits) {
     const HistorySeen seen{history_place(document), history_size(document)};
     if (seen == window.history_seen)
@@ -92,7 +92,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
         return;
     const float between = ImGui::GetStyle().ItemSpacing.y;
     const float height = ImGui::GetFontSize() * 2.7f;
-    {  // of the list alone: what pops up above it has its own
+    {  // only for the list: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##steps");
     }

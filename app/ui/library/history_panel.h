@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Every step of undo and redo by name, with what it changed; a click goes there.
+/// All undo and redo steps with their names and changes. Click a step to restore it.
 void draw_history_panel(const Scene& scene, Edits& edits);

@@ -14,7 +14,7 @@ struct Line {
     bool is_modified = false;
 };
 
-// A line of the list; true when it was clicked.
+// A line of the list; true when clicked.
 bool draw_line(const Line& line) {
     const ScopedId id(line.label);
     const ImVec2 at = ImGui::GetCursorPos();

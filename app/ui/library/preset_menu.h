@@ -4,11 +4,11 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// What can be done with a preset, behind the right button on the item that was drawn last.
+/// The context menu of a preset, on the last drawn item.
 void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edits);
 
-/// Opens it, or the look without one. `brings_content`: with its own signal or source, also where
-/// the user's is locked.
+/// Opens the preset, or the look without a preset. With `brings_content`, its own signal or source
+/// is used even if the user's content is locked.
 void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
                  bool brings_content = false);
 

@@ -15,12 +15,12 @@
 #include <cmath>
 
 namespace {
-/// The size of one preset's place in the grid.
+/// The size of one cell of the preset grid.
 struct PresetCell {
     float width = 0.0f;
     float height = 0.0f;  // of the picture
     float gap = 0.0f;
-    float words = 0.0f;  // height of the line below
+    float words = 0.0f;  // height of the text line below
     int columns = 1;
 };
 
@@ -113,7 +113,7 @@ void draw_count(const Scene& scene, const std::vector<ListedPreset>& listed) {
     dim_text(fmt::format("{} left to render", due));
 }
 
-// Whole, in the middle, over a dark ground.
+// The whole picture, centred on a dark background.
 void draw_image(const Views::Image& image, const ImVec2& low, const PresetCell& cell) {
     const auto width = static_cast<float>(image.extent.width);
     const auto height = static_cast<float>(image.extent.height);
@@ -124,7 +124,7 @@ void draw_image(const Views::Image& image, const ImVec2& low, const PresetCell& 
         texture_id(image.handle), at, {at.x + size.x, at.y + size.y}, {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
-// Why there is no picture, as much of it as there is room for.
+// The reason why there is no picture, clipped to the cell.
 void draw_why_none(const std::string& problem, const ImVec2& low, const PresetCell& cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = ImGui::GetFontSize() * 0.5f;
@@ -135,7 +135,7 @@ void draw_why_none(const std::string& problem, const ImVec2& low, const PresetCe
                  nullptr, cell.width - 2.0f * pad, &clip);
 }
 
-// Seen on any picture: on a dark ground of its own.
+// The star has a dark background, so it is visible on any picture.
 bool draw_star(const ListedPreset& preset, const ImVec2& low, const PresetCell& cell) {
     const float side = ImGui::GetFontSize() * 1.6f;
     ImGui::SetCursorScreenPos({low.x + cell.width - side, low.y});
@@ -199,7 +199,7 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
         is_starred = draw_star(preset, low, cell);
         edits.mark("preset_star:" + preset.preset.entry.id);
         ImGui::SetCursorScreenPos({low.x, low.y});
-        ImGui::Dummy(size);  // the next one stands beside the whole of it
+        ImGui::Dummy(size);  // so that the next cell is placed next to the whole cell
     }
     if (is_starred)
         star_listed(preset, edits);

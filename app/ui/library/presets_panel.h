@@ -3,9 +3,9 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The presets of the open look as pictures: a click opens one, Shift and a click morphs to it.
+/// The presets of the open look as pictures. Click to open one, Shift+click to morph to it.
 void draw_presets_panel(const Scene& scene, Edits& edits);
 
-/// Opens the browser, with room for its pictures, or closes it.
+/// Opens the preset browser with room for its pictures, or closes it.
 void toggle_presets(const Scene& scene, Edits& edits);
 bool shows_presets(const Scene& scene);

@@ -3,8 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The looks that are drawn one after the other: to be added, moved, bypassed and removed.
+/// The looks of the stack in drawing order, with controls to add, move, bypass and remove them.
 void draw_stack_panel(const Scene& scene, Edits& edits);
 
-/// One look more, behind those that are there.
+/// Appends a look to the stack.
 void add_to_stack(const ShelfLook& look, Edits& edits);

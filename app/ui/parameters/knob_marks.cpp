@@ -31,7 +31,7 @@ void change(const Knob& knob, bool KnobSetting::*mark, Edits& edits) {
         [name = knob.parameter.name, next](Document& document) { document.set_knob(name, next); });
 }
 
-// A sign that is quieter than a button.
+// An icon button that is less prominent than a normal button.
 bool draw_mark(const char* id, Icon icon, bool is_set, const std::string& help) {
     const float width = mark_width();
     const float height = ImGui::GetFrameHeight();
@@ -48,7 +48,7 @@ bool draw_mark(const char* id, Icon icon, bool is_set, const std::string& help) 
     tooltip(help);
     return is_pressed;
 }
-// Whether the pointer is there, and not on its way with something that was taken elsewhere.
+// Whether the pointer is in the area, and not dragging from elsewhere.
 bool is_in_hand(const ImVec2& low, const ImVec2& high) {
     const ImVec2 taken = ImGui::GetIO().MouseClickedPos[0];
     const bool is_elsewhere = ImGui::IsMouseDown(0) && !(taken.x >= low.x && taken.x < high.x &&

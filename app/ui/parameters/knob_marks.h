@@ -3,22 +3,22 @@
 #include "ui/parameters/parameter_control.h"
 #include "ui/widgets/form.h"
 
-/// The star and the padlock at the end of a parameter's label: there when they are set, and both
-/// while the pointer is on the label.
+/// Star and padlock at the end of a parameter's label. Each is visible when it is set; both while
+/// the pointer is on the label.
 struct KnobMarks {
     bool shows_star = false;
     bool shows_lock = false;
     float left = 0.0f;  // of the star, on the screen
     float width = 0.0f;
 
-    /// The columns with what is left to the label.
+    /// The columns with the label shortened by the marks.
     FormColumns beside(FormColumns columns) const;
 };
 
-/// For the line that begins here.
+/// For the row at the cursor.
 KnobMarks knob_marks(const KnobSetting& setting, const FormColumns& columns);
-/// Drawn behind the label.
+/// Draws the marks after the label.
 void draw_knob_marks(const Knob& knob, const KnobMarks& marks, Edits& edits);
 
-/// The same as lines of a menu.
+/// The marks as menu items.
 void draw_knob_items(const Knob& knob, Edits& edits);

@@ -4,9 +4,9 @@
 #include "ui/frame/scene.h"
 #include "ui/parameters/parameter_control.h"
 
-/// In the menu of a parameter: which controller of a MIDI device turns it, to learn one, and to let
-/// it go. Nothing for what no knob can turn.
+/// Menu items of a parameter: shows its MIDI controller, learns one or removes it. Draws nothing
+/// for a parameter that MIDI cannot control.
 void draw_midi_items(const Knob& knob, Edits& edits);
 
-/// In the dialog about remote control: devices, and every controller that is bound.
+/// The MIDI section of the remote control dialog: devices and all bindings.
 void draw_midi_settings(const Scene& scene, Edits& edits);

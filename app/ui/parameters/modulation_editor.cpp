@@ -6,7 +6,7 @@
 #include "ui/widgets/widgets.h"
 
 namespace {
-// What is in force when another kind is taken: how far it goes stays.
+// Changes the modulation. With `goes_on` the change joins the current undo step.
 void turn(const Knob& knob, const std::optional<Modulation>& next, bool goes_on, Edits& edits) {
     edits.document([name = knob.parameter.name, next, goes_on](Document& document) {
         document.set_modulation(name, next, goes_on);

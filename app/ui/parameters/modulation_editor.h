@@ -2,5 +2,5 @@
 
 #include "ui/parameters/parameter_control.h"
 
-/// Lines of a form that say what moves a parameter by itself; nothing for one that cannot move.
+/// Form rows for the modulation of a parameter; draws nothing for one that cannot be modulated.
 void draw_modulation_editor(const Knob& knob, const Fonts& fonts, Edits& edits);

@@ -83,7 +83,7 @@ Turned draw_component(const Knob& knob, std::size_t component, Value& value,
 Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
                   Edits& edits) {
     Turned turned;
-    const float indent = ImGui::GetFontSize() * 0.95f;  // as far as a heading's words
+    const float indent = ImGui::GetFontSize() * 0.95f;  // indent of a heading's text
     FormColumns indented = columns;
     indented.label -= indent;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
@@ -216,8 +216,8 @@ int expected_lines(const Parameter& parameter) {
 }
 
 namespace {
-// Of the rows that were drawn since `top` the one that the pointer is on; a vector's parts are
-// below the line of its label.
+// Stores which of the rows drawn since `top` is under the pointer. The components of a vector are
+// below its label.
 void tell_pointed(const Knob& knob, float top, Edits& edits) {
     const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
     const float left = ImGui::GetWindowPos().x;

@@ -7,24 +7,24 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// One knob of a look as the panel shows it.
+/// One parameter of a look with its state, as the panel displays it.
 struct Knob {
     const Parameter& parameter;
     const Value& value;
     bool is_changed = false;
     const KnobSetting& setting;
-    const Range& declared;  // the parameter's own range is what the person made of it
+    const Range& declared;  // without the user's own slider ends
     const Look& look;
-    const Modulation* modulation = nullptr;  // null: it rests
-    const Value* now = nullptr;              // as drawn, while it moves by itself
-    PeriodFacts period = {};                 // of what repeats on pixels
-    std::optional<std::size_t> typed = {};   // which of its numbers has the keyboard from now on
-    std::vector<MidiBinding> midi = {};      // what turns it
+    const Modulation* modulation = nullptr;  // null: not modulated
+    const Value* now = nullptr;              // the modulated value of this frame
+    PeriodFacts period = {};                 // of a pattern of pixels
+    std::optional<std::size_t> typed = {};   // number to focus for typing
+    std::vector<MidiBinding> midi = {};      // its controllers
 };
 
-/// Lines of the panel that a parameter takes, before it has been drawn.
+/// Number of rows the parameter needs, before it has been drawn.
 int expected_lines(const Parameter& parameter);
 
-/// Label, control, number and reset of one parameter, whatever its type; whether the hand or the
-/// keyboard is on its control.
+/// Draws the label, control, number and reset of a parameter of any type. Returns whether its
+/// control is active by mouse or keyboard.
 bool draw_parameter(const Knob& knob, const Scene& scene, Edits& edits);

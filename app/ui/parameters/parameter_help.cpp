@@ -68,7 +68,7 @@ void reset_parameter(const std::string& name, Edits& edits) {
 }
 
 namespace {
-constexpr float fact_column = 6.0f;  // letters
+constexpr float fact_column = 6.0f;  // in font sizes
 
 void fact(const char* name, const std::string& text) {
     if (text.empty())
@@ -92,7 +92,7 @@ std::string range_text(const Parameter& parameter) {
     return range_text(facts);
 }
 
-// The control shows a colour as a display is told it.
+// A colour control shows display values, so the text says "linear light".
 std::string told_value(const Parameter& parameter, const Value& value) {
     const std::string text = short_value(parameter, value);
     return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
@@ -137,7 +137,7 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
         fact("Modulation", summary_of(*knob.modulation));
     fact("Declared", place_text(parameter.declared));
 }
-// A number on a field of its own, which says that it can be typed.
+// An editable number on its own background, so that it looks editable.
 bool draw_end(const char* id, double& end, const NumberFacts& facts) {
     const float width = ImGui::GetFontSize() * 4.6f;
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -147,7 +147,7 @@ bool draw_end(const char* id, double& end, const NumberFacts& facts) {
     return draw_number(id, end, width, facts).is_changed;
 }
 
-// Two numbers to be typed, beside the names of the facts above; whether one was.
+// Two editable numbers, aligned with the facts above; returns whether one changed.
 bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     const double factor = shown_factor(parameter);
@@ -172,7 +172,7 @@ bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edi
     return is_changed;
 }
 
-// Where the slider begins and ends.
+// The editable ends of the slider.
 void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = knob.parameter;
     if (!has_ends(parameter))

@@ -2,17 +2,17 @@
 
 #include "ui/parameters/parameter_control.h"
 
-/// Behind the label that was drawn last: what the parameter is, on hover; on a click the same with
-/// a way into the shader.
+/// Attaches to the last drawn label: help as a tooltip, and on click a popup with a link to the
+/// shader.
 void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits);
 
-/// Angles are radians in the shader and degrees to a person.
+/// Factor from the shader's unit to the displayed one: degrees for angles in radians.
 double shown_factor(const Parameter& parameter);
 
-/// A value as a person reads it: with its unit, a list's item by its label.
+/// The displayed value: with its unit, and list items by their label.
 std::string short_value(const Parameter& parameter, const Value& value);
 
-/// What a period does that pixels cannot draw evenly; "" where they can.
+/// Warns about moiré between this period and the pixels; "": no warning.
 std::string moire_warning(const Knob& knob);
 
 void reset_parameter(const std::string& name, Edits& edits);

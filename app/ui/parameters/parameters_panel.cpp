@@ -32,7 +32,7 @@ void draw_search(const WindowState& window, float width, Edits& edits) {
 struct FilterChoice {
     ParameterFilter filter;
     const char* name;   // on the button
-    const char* words;  // in its list
+    const char* words;  // in the list
 };
 constexpr std::array<FilterChoice, 4> filters{
     {{ParameterFilter::all, "All", "All parameters"},
@@ -108,7 +108,7 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
     edits.document([names](Document& document) { document.reset_group(names); });
 }
 
-/// A row of the list: out of sight it only takes its room, as high as when it was last drawn.
+/// A row of the list. Outside the visible area it only reserves the height of its last drawing.
 class ParameterRow {
 public:
     explicit ParameterRow(const Parameter& parameter)
@@ -116,8 +116,8 @@ public:
         m_lines = m_storage.GetFloat(m_id, static_cast<float>(expected_lines(parameter)));
     }
 
-    /// With a line's room around, so that the keyboard gets to the next one; never while it is
-    /// held.
+    /// With a margin of one line, so that keyboard navigation reaches the next row. A row that is
+    /// being dragged is always drawn.
     bool is_in_sight() const {
         const float line = ImGui::GetFrameHeightWithSpacing();
         const float top = ImGui::GetWindowPos().y - line;
@@ -226,7 +226,7 @@ void draw_orphans(const Document& document) {
         fitted_text(fmt::format("{} = {}", name, to_string(document.values().at(name))),
                     ImGui::GetContentRegionAvail().x, theme::dim);
 }
-// Words and place of one look's list say nothing about another's. Gives whether it is another.
+// Clears search and scroll position for another look. Returns whether it is another look.
 bool begin_list(const Document& document, const WindowState& window, Edits& edits) {
     const std::string look = document.look().manifest.string();
     if (window.listed_look == look)
@@ -247,7 +247,7 @@ void draw_parameters_panel(const Scene& scene, Edits& edits) {
     const bool is_other = begin_list(*document, scene.window, edits);
     draw_toolbar(scene, edits);
     ImGui::Spacing();
-    {  // of the list alone: what pops up above it has its own
+    {  // only for the list: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##groups");
     }

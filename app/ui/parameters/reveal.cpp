@@ -19,7 +19,7 @@ void show_if_revealed(const Parameter& parameter, float top, const WindowState& 
         return;
     const float line = ImGui::GetFrameHeightWithSpacing();
     float bottom = ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y;
-    if (has_parts(parameter)) {  // below the line of its label
+    if (has_parts(parameter)) {  // below its label
         top += line * static_cast<float>(1 + revealed.component);
         bottom = top + ImGui::GetFrameHeight();
     }

@@ -6,11 +6,11 @@
 
 #include <vector>
 
-/// Whether a person just asked to see one of these parameters.
+/// Whether one of these parameters was just revealed.
 bool is_to_be_shown(const std::vector<const Parameter*>& parameters, const WindowState& window);
 
-/// Scrolls the present child window to a parameter that a person asked to see, and tints it until
-/// the next click (of a vector the part that keys turn). To be called behind the parameter's
-/// controls; they begin at `top`.
+/// Scrolls the current child window to the revealed parameter and tints it until the next click. Of
+/// a vector, only the component that the keys change is tinted. Call it after the parameter's
+/// controls, which start at `top`.
 void show_if_revealed(const Parameter& parameter, float top, const WindowState& window,
                       Edits& edits);

@@ -18,7 +18,7 @@ void show_sheet(const SheetRequest& request, Edits& edits) {
     run(sheet_deeds(request), edits);
 }
 
-// "Bloom · Intensity": labels alone come more than once.
+// "Bloom · Intensity". Labels alone are not unique.
 std::string long_label(const Parameter& parameter) {
     return parameter.group.empty() ? parameter.label
                                    : fmt::format("{} · {}", parameter.group, parameter.label);
@@ -29,7 +29,7 @@ std::string label_of(const Look& look, const std::string& name) {
     return parameter ? long_label(*parameter) : name;
 }
 
-// One of the parameters that can be varied, or "".
+// A list of the parameters that can be varied; "": no parameter.
 bool draw_parameter_choice(const char* id, const Look& look, std::string& chosen, Edits& edits) {
     const std::string before = chosen;
     const float width = ImGui::GetFontSize() * 11.0f;
@@ -106,13 +106,13 @@ void draw_head(const VariantSheet& sheet, const Look& look, Edits& edits) {
         show_sheet(request, edits);
 }
 
-/// How the pictures stand in the room there is.
+/// Layout of the pictures in the available space.
 struct Grid {
     int columns = 1;
     float width = 0.0f;  // of a picture
     float height = 0.0f;
     float gap = 0.0f;
-    float words = 0.0f;  // height of the line below
+    float words = 0.0f;  // height of the text line below
 };
 
 Grid grid_for(const VariantSheet& sheet, Extent picture) {

@@ -17,7 +17,7 @@
 #include <vector>
 
 namespace {
-// Their sum is a grey.
+// The three colours add up to a grey.
 constexpr theme::Color red{0.50f, 0.12f, 0.12f, 1.0f};
 constexpr theme::Color green{0.10f, 0.40f, 0.10f, 1.0f};
 constexpr theme::Color blue{0.10f, 0.18f, 0.48f, 1.0f};
@@ -31,7 +31,7 @@ void set_levels(const Levels& levels, Edits& edits) {
     edits.arrange([levels](WindowState& window) { window.inspected.levels = levels; });
 }
 
-// The light of several channels together, as the waveform mixes it.
+// The sum of the colours of several channels, as in the waveform.
 theme::Color sum_of(const std::vector<std::size_t>& channels, std::size_t count) {
     static constexpr std::array colors{red, green, blue};
     if (count == 1)
@@ -45,7 +45,7 @@ theme::Color sum_of(const std::vector<std::size_t>& channels, std::size_t count)
     return sum;
 }
 
-// Heights are logarithmic: what a single texel in a dark picture does is seen too.
+// Heights are logarithmic, so that a single texel in a dark picture is visible.
 void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high) {
     const double most = std::log1p(static_cast<double>(histogram.highest()));
     if (most <= 0.0 || histogram.bins.empty())
@@ -62,7 +62,7 @@ void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high
                           [&](std::size_t channel) { return histogram.bins[channel][i]; });
         const float left = low.x + width * static_cast<float>(i);
         float bottom = high.y;
-        // From below: as high as the lowest of them is the light of all.
+        // From the bottom: the part below the lowest bar has the colour of all channels.
         for (; !channels.empty(); channels.pop_back()) {
             const double share =
                 std::log1p(static_cast<double>(histogram.bins[channels.back()][i])) / most;
@@ -88,7 +88,7 @@ void draw_ramp(const ImVec2& low, const ImVec2& high) {
     }
 }
 
-// Something lies beyond an end.
+// Markers for values below or above the range.
 void draw_ends(const Histogram& histogram, const ImVec2& low, const ImVec2& high, float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (histogram.below > 0)
@@ -97,7 +97,7 @@ void draw_ends(const Histogram& histogram, const ImVec2& low, const ImVec2& high
         list.AddRectFilled({high.x - width, low.y}, high, IM_COL32(230, 184, 0, 255));
 }
 
-// Over the bars, as they are rare and matter.
+// Drawn over the bars, because NaN and infinity are rare but important.
 void draw_flaws(const Statistics& all, const ImVec2& at) {
     std::string text;
     if (all.not_a_number > 0)
@@ -148,7 +148,7 @@ std::string help_text(const Histogram& histogram) {
     return text;
 }
 
-// The end that is nearer follows the hand; the other one stays.
+// Dragging moves the nearer end; the other end stays.
 void drag(const ImVec2& low, const ImVec2& high, const Scene& scene, Edits& edits) {
     const ImGuiIO& io = ImGui::GetIO();
     if (ImGui::IsItemHovered())
@@ -158,7 +158,7 @@ void drag(const ImVec2& low, const ImVec2& high, const Scene& scene, Edits& edit
     if (!ImGui::IsItemActive() || io.MouseDelta.x == 0.0f)
         return;
     const Levels& levels = scene.window.inspected.levels;
-    // Half the strip halves or doubles what is between, however many steps the hand takes.
+    // A drag over half the strip halves or doubles the range, independent of the number of steps.
     const double part = io.MouseDelta.x / (high.x - low.x);
     const double range = levels.white - levels.black;
     if (io.MouseClickedPos[0].x < (low.x + high.x) * 0.5f)
@@ -186,7 +186,7 @@ void draw_strip(const Scene& scene, Edits& edits) {
         draw_words(*all, {low.x + 5.0f * scene.scale, low.y + 2.0f * scene.scale}, scene);
 }
 
-// A click types it.
+// The value of one end. Click to type it.
 void draw_end(const char* name, double value, const Scene& scene, Edits& edits, float width) {
     const bool is_black = std::string_view(name) == "black";
     const ScopedFont font(scene.fonts.numbers);

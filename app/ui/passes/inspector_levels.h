@@ -4,6 +4,6 @@
 
 class Edits;
 
-/// How the inspected target's numbers are spread over the view: their histogram from black to white
-/// with what they come to, and below it both ends, with the switches that mark numbers in the view.
+/// Histogram of the inspected target from black to white, with statistics. Below are both ends and
+/// the switches that mark values in the view.
 void draw_inspector_levels(const Scene& scene, Edits& edits);

@@ -23,7 +23,7 @@ void arrange(PassView view, Edits& edits) {
     edits.arrange([view = std::move(view)](WindowState& window) { window.inspected = view; });
 }
 
-// One of a list; looks into it when it is clicked.
+// A list entry; a click inspects it.
 void draw_choice(const TextureChoice& choice, const std::string& words, bool is_present,
                  Edits& edits) {
     if (ImGui::Selectable(words.c_str(), is_present))
@@ -31,7 +31,7 @@ void draw_choice(const TextureChoice& choice, const std::string& words, bool is_
     edits.mark("inspect:" + choice.label());
 }
 
-// Passes, and below a line each the source and images.
+// The passes, then the source and the images, each after a separator.
 void draw_picture_list(const TextureChoice& present, const Scene& scene, Edits& edits) {
     const ScopedFont text(scene.fonts.text);
     Input::From kind = Input::From::pass;
@@ -92,7 +92,7 @@ void draw_levels(const InspectedTexture& inspected, int count, float width, Edit
     edits.mark("inspector_level");
 }
 
-// Which picture, which frame of it and which of its levels, as far as there is a choice.
+// Choices of picture, frame and mip level, each only if there are several.
 void draw_choices(const InspectedTexture& inspected, float width, const Scene& scene,
                   Edits& edits) {
     const int frames = frame_count(scene.lab.renderer()->executor(), inspected.choice);

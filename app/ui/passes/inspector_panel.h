@@ -3,6 +3,6 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The chosen pass, large: with exposure, one channel, zoom to its pixels and the numbers under the
-/// pointer; and its scale, format and filter, to be tried and written back.
+/// The inspected pass, large: exposure, single channels, zoom to texels, and the values under the
+/// pointer. Its scale, format and filter can be tried and saved.
 void draw_inspector_panel(const Scene& scene, Edits& edits);

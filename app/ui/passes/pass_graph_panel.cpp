@@ -19,10 +19,10 @@ namespace {
 using Node = PassGraph::Node;
 using Edge = PassGraph::Edge;
 
-/// Where the graph lies in the pane.
+/// Position and spacing of the graph in the pane.
 struct Paper {
     ImVec2 middle_of_left;  // of column 0, row 0
-    float column = 0.0f;    // from one to the next
+    float column = 0.0f;    // spacing
     float row = 0.0f;
     ImVec2 node;  // size
 
@@ -72,7 +72,7 @@ void draw_arrow(const ImVec2& tip, const ImVec2& toward, ImU32 color, float size
         {tip.x - along.x - across.x, tip.y - along.y - across.y}, color);
 }
 
-// From column to column, level where it leaves and where it arrives.
+// From column to column, horizontal at both ends.
 void draw_forward(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU32 color,
                   float width) {
     const Node& from = graph.nodes[edge.from];
@@ -98,7 +98,7 @@ void draw_forward(const Edge& edge, const PassGraph& graph, const Paper& paper, 
     draw_arrow(end, {1.0f, 0.0f}, color, arrow);
 }
 
-// From an earlier frame: below the passes, back to where it is read.
+// An edge from an earlier frame runs below the passes back to its reader.
 void draw_backward(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU32 color,
                    float width) {
     const Node& from = graph.nodes[edge.from];
@@ -128,7 +128,7 @@ void draw_edge(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU
         draw_forward(edge, graph, paper, color, width);
 }
 
-// What is switched about a pass, on the upper edge of its node.
+// The switch state of a pass, on the upper edge of its node.
 void draw_state(const std::string& state, const ImVec2& middle, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     const ImVec2 text = ImGui::CalcTextSize(state.c_str());
@@ -210,7 +210,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
         draw_state(state, {middle.x, low.y}, scene);
 }
 
-// Of the passes that the picture is not without at present, and of the one that is looked into.
+// The graph without idle passes, but with the inspected one.
 PassGraph graph_of_present(const Executor& executor, std::size_t inspected) {
     const Look& look = executor.look();
     Look present;
@@ -244,13 +244,13 @@ Paper paper_for(const PassGraph& graph) {
     const float width = static_cast<float>(graph.columns - 1) * paper.column + paper.node.x;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float left = low.x + std::max(0.0f, (room.x - width) * 0.5f);
-    // Room for what returns below the lowest row.
+    // Space for backward edges below the lowest row.
     const float below = paper.row * 0.6f;
     const float top = low.y + std::max(0.0f, (room.y - height - below) * 0.5f);
     paper.middle_of_left = {
         std::floor(left + paper.node.x * 0.5f),
         std::floor(top + paper.node.y * 0.5f - static_cast<float>(graph.highest) * paper.row)};
-    ImGui::Dummy({width, height + below});  // what can be scrolled
+    ImGui::Dummy({width, height + below});  // scrollable area
     return paper;
 }
 
@@ -262,7 +262,7 @@ bool is_over(const Node& node, const Paper& paper) {
            std::abs(mouse.y - middle.y) <= paper.node.y * 0.5f;
 }
 
-// A graph that is larger than its pane begins with what is looked into in the middle.
+// A graph larger than its pane is first scrolled so that the inspected pass is centred.
 void scroll_at_first(const ImVec2& middle) {
     if (!ImGui::IsWindowAppearing())
         return;

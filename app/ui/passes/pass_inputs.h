@@ -3,6 +3,6 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The chosen pass as it was told: of every sampler what it reads and how, and the built-in
-/// uniforms with their numbers. A click on a pass that is read chooses that one.
+/// The inputs of the inspected pass: for each sampler its input and settings, and the values of the
+/// built-in uniforms. Click a pass that is read to inspect it.
 void draw_pass_inputs(const Scene& scene, Edits& edits);

@@ -14,13 +14,13 @@
 namespace {
 constexpr float word_lines = 3.7f;  // below the picture: name, facts, gain
 
-// In a stack the looks are named above their passes.
+// In a stack, the key of the look is shown above its passes.
 std::string look_key(const std::string& pass) {
     const std::size_t end = pass.find('/');
     return end == std::string::npos ? std::string() : pass.substr(0, end);
 }
 
-// What is switched, over the picture.
+// The switch state, over the picture.
 void draw_state(const std::string& state, const Scene& scene, const ImVec2& low, float width) {
     const ScopedFont font(scene.fonts.numbers);
     const ImVec2 pad(4.0f * scene.scale, 1.0f * scene.scale);
@@ -37,7 +37,7 @@ ImU32 color_of_time(const StripWords& words) {
     return theme::packed(words.longest > heavy_pass_milliseconds ? theme::problem : theme::dim);
 }
 
-// To the left of that point; gives its width.
+// Draws the time to the left of `right`; returns its width.
 float draw_time(const StripWords& words, const ImVec2& right, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     const std::string time = strip_words::time(words.milliseconds);
@@ -79,8 +79,8 @@ void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, con
                  theme::packed(is_clipped ? theme::warning : theme::dim), gain.c_str());
 }
 
-// Of a pyramid each level shows a part of its picture, so that all of them are one that becomes
-// coarser or finer; with more room the parts overlap.
+// Each level of a pyramid shows its part of the picture. Together they form one picture with
+// changing resolution. If there is more room, the parts overlap.
 void draw_block(const StripBlock& block, const Scene& scene, float image_height, Edits& edits) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = block.width_of_one();
@@ -102,14 +102,14 @@ void draw_block(const StripBlock& block, const Scene& scene, float image_height,
                {low.x, low.y + image_height + 3.0f * scene.scale}, block.width);
 }
 
-/// The passes of one look of a stack, as they lie in the strip.
+/// The passes of one look of a stack and their extent in the strip.
 struct Group {
     std::string key;
     float left;
     float right;
 };
 
-// A tag that stays in sight as long as any of its passes is.
+// A tag that stays visible while any pass of its look is visible.
 void draw_key(const Group& group, float top, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     const ImVec2 text = ImGui::CalcTextSize(group.key.c_str());
@@ -123,7 +123,7 @@ void draw_key(const Group& group, float top, const Scene& scene) {
     list.AddText({left + pad.x, top + pad.y}, theme::packed(theme::label), group.key.c_str());
 }
 
-// Where the next block comes: nearer to one of the same look.
+// Sets the position of the next block, closer to a block of the same look.
 void go_on(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
     const float gap = strip_gap();
     const bool is_other = groups.back().key != key;
@@ -137,8 +137,8 @@ void go_on(const std::vector<Group>& groups, const std::string& key, const Scene
                                         scene.scale);
 }
 
-// Brings the block that was just drawn into sight when one of its passes is looked into, and
-// another one of the same look was before.
+// Scrolls to the block that was just drawn if one of its passes has just been inspected. The
+// previously inspected pass must be in the same look.
 void follow_chosen(const StripBlock& block, const Scene& scene, Edits& edits) {
     const std::string& chosen = scene.window.inspected.pass;
     const std::string& seen = scene.window.strip_seen;
@@ -186,15 +186,15 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
     const int wanted = static_cast<int>(image_height * scene.density);
     if (wanted != scene.window.views.thumbnail_height)
         edits.arrange([wanted](WindowState& window) { window.views.thumbnail_height = wanted; });
-    {  // of the strip alone: what pops up above it has its own
+    {  // only for the strip: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     }
     const std::vector<StripPass> passes = present_passes(scene);
     draw_blocks(arrange_strip(passes, ImGui::GetContentRegionAvail().x, scene), image_height, scene,
                 edits);
-    // It has no height to scroll, so the wheel goes along it.
-    constexpr float a_notch = 5.0f;  // letters
+    // The strip cannot scroll vertically, so the wheel scrolls it horizontally.
+    constexpr float a_notch = 5.0f;  // in font sizes
     if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f && ImGui::IsWindowHovered())
         ImGui::SetScrollX(ImGui::GetScrollX() - wheel * a_notch * ImGui::GetFontSize());
     ImGui::EndChild();

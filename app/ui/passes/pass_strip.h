@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Every pass in order: what it draws now, its name, size, format and time. A click inspects it.
+/// All passes in order: current picture, name, size, format and time. Click a pass to inspect it.
 void draw_pass_strip(const Scene& scene, Edits& edits);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 namespace {
-// The lines of the program's own text have no file.
+// Lines added by Afterglow have no file.
 std::string origin_text(const Location& origin) {
     return origin.file.empty() ? "Afterglow"
                                : fmt::format("{}:{}", origin.file.filename().string(), origin.line);

@@ -14,7 +14,7 @@
 #include <utility>
 
 namespace {
-// By a person; what is left out behind a pass that is stopped at is not.
+// Switched by the user. Passes after a stop are "not drawn" and do not count.
 bool is_switched(const StripPass& pass) {
     return !pass.state.empty() && pass.state != "not drawn";
 }
@@ -23,7 +23,7 @@ std::string number_of(const StripPass& level) {
     return level.pass.name.substr(name_without_number(level.pass.name).size());
 }
 
-// Own names but of those that begin so: the pass itself, or the levels of a pyramid.
+// Own names of the passes that do not begin with `name`, so without its pyramid levels.
 std::vector<std::string> others_than(const std::string& name, std::span<const StripPass> all) {
     std::vector<std::string> others;
     for (const StripPass& other : all)
@@ -42,7 +42,7 @@ bool is_louder(const Gain& gain, const Gain& other) {
     return std::pair(gain.clipped, gain.peak) > std::pair(other.clipped, other.peak);
 }
 
-// Of a pyramid what its levels come to: their time together, and of the rest what is most.
+// For a pyramid: the total time, and the highest of the other values.
 StripWords words_of_pyramid(std::span<const StripPass> levels, std::span<const StripPass> all) {
     StripWords words{pyramid_name(levels, all),
                      strip_words::facts(levels.front().target, levels.back().target)};
@@ -58,7 +58,7 @@ StripWords words_of_pyramid(std::span<const StripPass> levels, std::span<const S
     return words;
 }
 
-// A level that is looked into has the words of its pyramid.
+// An inspected level of a pyramid shows its own text instead of that of the pyramid.
 StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass> all) {
     const auto chosen = std::ranges::find(passes, true, &StripPass::is_chosen);
     if (passes.size() > 1 && chosen == passes.end())
@@ -73,7 +73,7 @@ StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass
             .is_chosen = told.is_chosen};
 }
 
-// What all of them have, or the first one that a person switched.
+// The common state of all passes, or that of the first switched one.
 std::string state_of(std::span<const StripPass> passes) {
     const std::string& first = passes.front().state;
     if (std::ranges::all_of(passes, [&](const StripPass& pass) { return pass.state == first; }))
@@ -101,7 +101,7 @@ float text_width(const std::string& text) {
     return ImGui::CalcTextSize(text.c_str()).x;
 }
 
-// For a name of some length beside its time; it does not change with the time.
+// Width of the name, up to a limit, and the time. It does not depend on the time.
 float words_width(const StripWords& words, const Scene& scene) {
     const float longest = ImGui::GetFontSize() * 11.0f;
     const float gap = strip_gap();

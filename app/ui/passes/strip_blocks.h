@@ -8,19 +8,19 @@
 #include <string>
 #include <vector>
 
-/// A pass in the strip, and what is known of it now.
+/// A pass in the strip and its current values.
 struct StripPass {
     std::size_t index = 0;
     const Pass& pass;
     const PlannedTarget& target;
     double milliseconds = 0.0;
     const Gain* gain = nullptr;             // null: not measured yet
-    std::optional<PassChange> change = {};  // by the step that somebody asks about
+    std::optional<PassChange> change = {};  // by the previewed step
     bool is_chosen = false;
-    std::string state = {};  // what is switched about it; "": nothing
+    std::string state = {};  // switch state; "": unchanged
 };
 
-/// What is said below a picture of the strip.
+/// The text below a picture of the strip.
 struct StripWords {
     ToldName name;
     std::string facts;
@@ -35,21 +35,20 @@ struct StripWords {
 struct StripBlock {
     std::span<const StripPass> passes;
     StripWords words;
-    std::string state;  // what is switched; "": nothing
+    std::string state;  // switch state; "": unchanged
     float width = 0.0f;
-    bool is_narrow = false;  // the time stands in the place of size and format
+    bool is_narrow = false;  // shows the time instead of size and format
 
     bool is_pass() const { return passes.size() == 1; }
     float width_of_one() const { return width / static_cast<float>(passes.size()); }
 };
 
-/// Passes that the picture is not without at present, switched ones and the one that is looked
-/// into.
+/// The passes of the strip: all that are not idle, switched ones and the inspected one.
 std::vector<StripPass> present_passes(const Scene& scene);
 
-/// From the left to the right of a strip that has `room`.
+/// The blocks from left to right in a strip of width `room`.
 std::vector<StripBlock> arrange_strip(std::span<const StripPass> passes, float room,
                                       const Scene& scene);
 
-/// From one block to the next of the same look.
+/// The gap between two blocks of the same look.
 float strip_gap();

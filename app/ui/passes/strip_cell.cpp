@@ -31,8 +31,8 @@ void draw_image(const Views::Image& image, const Rect& place, float density, flo
                       is_faint ? IM_COL32(255, 255, 255, 96) : IM_COL32_WHITE);
 }
 
-// From 16 stops below the ceiling: filled up to the mean, a line at the peak. The ceiling of a
-// 32-bit float is out of all sight.
+// Covers the 16 stops below the ceiling: filled up to the mean, with a line at the peak. It is not
+// drawn for lower peaks, such as below the ceiling of 32-bit floats.
 void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto at = [&](double number) {
@@ -46,7 +46,7 @@ void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
         list.AddRectFilled({peak - 2.0f, low.y}, {peak, high.y}, theme::packed(color));
 }
 
-// From a hundredth of a per cent on.
+// Logarithmic, from 0.01 %.
 void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float width = (high.x - low.x) * static_cast<float>(change_place(change));
@@ -71,7 +71,7 @@ std::string cell_help(const StripPass& pass) {
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
-// Where it is clicked; the whole height of the strip. Gives whether the pointer is over it.
+// The clickable area over the height of the strip. Returns whether it is hovered.
 bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, Edits& edits) {
     if (ImGui::InvisibleButton("##pass", size))
         edits.arrange([name = pass.pass.name](WindowState& window) {

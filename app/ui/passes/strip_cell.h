@@ -5,8 +5,8 @@
 #include "ui/passes/strip_blocks.h"
 #include "ui/widgets/widgets.h"
 
-/// The picture of a pass in the strip with what is marked on it, at the cursor and to be clicked,
-/// over `words` more height too. Where the picture is wider than the place, the part of it that is
-/// seen lies from 0, its left end, to 1, its right one.
+/// The picture of a pass with its marks, at the cursor. The clickable area extends `words` below
+/// the picture. If the picture is wider than `place`, `part` selects the visible part, from 0 at
+/// its left end to 1 at its right end.
 void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& place, float words,
                      float part, Edits& edits);

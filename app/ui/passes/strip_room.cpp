@@ -9,7 +9,7 @@ float sum_of(const std::vector<float>& widths) {
     return std::accumulate(widths.begin(), widths.end(), 0.0f);
 }
 
-// Each goes the same share of its way from what it has to what it may have.
+// Increases all widths from `from` towards `to` by the same share, to fill the room.
 std::vector<float> grown(const std::vector<float>& from, const std::vector<float>& to, float room) {
     const float way = sum_of(to) - sum_of(from);
     const float spare = room - sum_of(from);
@@ -24,8 +24,8 @@ std::vector<float> grown(const std::vector<float>& from, const std::vector<float
 StripRoom share_strip(std::span<const AskedWidth> asked, float room) {
     std::vector<float> least;
     std::vector<float> wanted;
-    std::vector<float> told;  // passes with what they want, pyramids with the least
-    std::vector<float> rich;  // passes with all that they have use for
+    std::vector<float> told;  // passes wanted, pyramids least
+    std::vector<float> rich;  // passes best, pyramids least
     std::vector<float> best;
     for (const AskedWidth& one : asked) {
         least.push_back(one.least);

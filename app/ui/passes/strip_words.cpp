@@ -11,7 +11,7 @@ std::string percent_text(double share) {
     return fmt::format("{:.{}f} %", share * 100.0, share < 0.0995 ? 1 : 0);
 }
 
-// A peak at the ceiling may be a rounding above it: that is 0.0, not -0.0.
+// A peak at the ceiling can round to above it. Adding 0.0 avoids "-0.0".
 std::string stops_text(double stops) {
     return fmt::format("{:.1f}", std::round(stops * 10.0) / 10.0 + 0.0);
 }
@@ -27,7 +27,7 @@ std::string strip_words::facts(const PlannedTarget& first, const PlannedTarget& 
                        last.extent.height);
 }
 
-// As many digits as are worth telling: three.
+// Three significant digits.
 std::string strip_words::time(double milliseconds) {
     if (milliseconds <= 0.0)
         return {};
@@ -36,7 +36,7 @@ std::string strip_words::time(double milliseconds) {
 }
 
 bool strip_words::is_clipped(const Gain& gain) {
-    constexpr double counts = 0.0005;  // "0.1 %"
+    constexpr double counts = 0.0005;  // shown as "0.1 %"
     return gain.clipped >= counts;
 }
 

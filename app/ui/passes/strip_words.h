@@ -6,19 +6,19 @@
 
 #include <string>
 
-/// What the strip of passes says of a pass.
+/// The texts of a pass in the strip.
 namespace strip_words {
 /// "640×480 rgba16f".
 std::string facts(const PlannedTarget& target);
-/// Of a pyramid from its first level to its last: "320×240 to 5×4".
+/// Of a pyramid, from its first to its last level: "320×240 to 5×4".
 std::string facts(const PlannedTarget& first, const PlannedTarget& last);
-/// "1.25 ms"; "" where nothing is known. "00.00 ms" is room for all.
+/// "1.25 ms"; "": unknown. At most as wide as "00.00 ms".
 std::string time(double milliseconds);
 bool is_clipped(const Gain& gain);
-/// What counts most, in the room there is.
+/// The most important value that fits.
 std::string gain(const Gain& gain, bool is_narrow);
-/// All of it, in lines of their own.
+/// All values, one per line.
 std::string gain_help(const Gain& gain);
-/// By how much, and a word where not at all.
+/// The amount of the change, or a text for no change.
 std::string change(const PassChange& change, bool is_narrow);
 }  // namespace strip_words

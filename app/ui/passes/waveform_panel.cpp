@@ -16,7 +16,7 @@
 namespace {
 using Numbers = std::vector<std::array<float, 4>>;
 
-// Of red, green and blue together, a bit each: where curves lie on each other they add up.
+// Indexed by a bit each for red, green and blue. Overlapping curves show their sum.
 constexpr std::array<theme::Color, 8> mixtures{{theme::none,
                                                 {0.90f, 0.34f, 0.30f, 1.0f},
                                                 {0.38f, 0.80f, 0.38f, 1.0f},
@@ -52,7 +52,7 @@ void draw_segment(const WavePlot& plot, std::size_t index, double from, double t
         {plot.x(index), plot.y(from)}, {plot.x(index + 1), plot.y(to)}, theme::packed(color), 1.3f);
 }
 
-// From one texel to the next: each channel once, with those that go the same way.
+// From one texel to the next: coinciding channels are drawn once in their mixed colour.
 void draw_step(const WavePlot& plot, std::size_t index, const Numbers& numbers,
                std::size_t channels) {
     const auto& from = numbers[index];
@@ -63,7 +63,7 @@ void draw_step(const WavePlot& plot, std::size_t index, const Numbers& numbers,
             continue;
         std::size_t mixture = 0;
         for (std::size_t k = i; k < channels; ++k) {
-            constexpr float same = 0.5f;  // of a coordinate
+            constexpr float same = 0.5f;  // in window coordinates
             if (std::abs(plot.y(from[k]) - plot.y(from[i])) > same ||
                 std::abs(plot.y(to[k]) - plot.y(to[i])) > same)
                 continue;
@@ -91,7 +91,7 @@ void draw_curves(const WavePlot& plot, const Numbers& numbers, const Scene& scen
     }
 }
 
-// Lines and their numbers, up and along; the numbers along begin at 0 with the line.
+// Grid lines with numbers on both axes; the horizontal axis starts at 0.
 void draw_scales(const WavePlot& plot) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetTextLineHeight();
@@ -120,7 +120,7 @@ void draw_scales(const WavePlot& plot) {
     }
 }
 
-// The texel under the pointer, else how to draw a line.
+// The values under the pointer, or instructions for drawing a line.
 void draw_readout(const std::optional<std::size_t>& index, const Scene& scene) {
     const Waveform& waveform = scene.views.closer().waveform();
     if (!index || *index >= waveform.numbers().size()) {

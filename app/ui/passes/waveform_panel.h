@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The numbers along a line over the picture, plotted from its start to its end.
+/// Plots the values along a line over the picture.
 void draw_waveform_panel(const Scene& scene, Edits& edits);

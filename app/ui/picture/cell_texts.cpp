@@ -27,7 +27,7 @@ CellNumber shown_numbers(const std::array<float, 4>& rgba, int most, ChannelChoi
     return {{rgba[0], rgba[1], rgba[2], rgba[3]}, most};
 }
 
-/// How the letters lie in a cell, in coordinates of the window.
+/// Layout of the numbers in a cell, in window coordinates.
 struct CellLayout {
     ImVec2 start;  // of the texture's corner
     ImVec2 cell;
@@ -52,7 +52,7 @@ CellLayout layout_of(const CellNumbers::Sight& sight, const ImVec2& low, const S
     return layout;
 }
 
-// In the middle of what is seen of the cell, as far as there is room.
+// Centres text in the visible part of the cell, as far as it fits.
 float middle_of(float cell_start, float cell_length, float text, float view_start,
                 float view_length) {
     const auto between = [&](float place, float start, float length) {
@@ -63,13 +63,13 @@ float middle_of(float cell_start, float cell_length, float text, float view_star
     return between(middle, cell_start, cell_length);
 }
 
-/// The view that cells lie in.
+/// The visible area of the view.
 struct CellView {
     ImVec2 low;
     ImVec2 size;
 };
 
-// In a cell whose top left corner is `corner`.
+// `corner`: the top left corner of the cell.
 void draw_cell(const CellNumber& shown, const ImVec2& corner, const CellLayout& layout,
                const CellView& view, ImU32 ink) {
     ImDrawList& list = *ImGui::GetWindowDrawList();

@@ -5,10 +5,10 @@
 
 #include <imgui/imgui.h>
 
-/// Device pixels that a texel needs for three numbers below each other.
+/// The size of a texel, in device pixels, that fits three numbers below each other.
 Extent least_cell(const Scene& scene);
 
-/// Writes the numbers of texels into them, over a view whose top left corner is `low`: red first,
-/// alpha where there is room for it; of a chosen channel that one alone.
+/// Draws the values of texels into their cells, over a view with top left corner `low`. Red is
+/// first; alpha only if it fits. If one channel is chosen, only that one.
 void draw_cell_texts(const CellNumbers& cells, const ImVec2& low, const ImVec2& size,
                      const Scene& scene);

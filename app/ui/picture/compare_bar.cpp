@@ -102,7 +102,7 @@ void draw_choices(const Scene& scene, Edits& edits) {
     edits.mark("compare_end");
 }
 
-// `room`: for the label, the slider and its number.
+// `room`: the width for the label, the slider and its number.
 void draw_gain(const Scene& scene, float room, Edits& edits) {
     double gain = scene.lab.comparing().chosen().gain_stops;
     const SliderFacts facts{.low = -4.0,
@@ -168,7 +168,7 @@ void draw_numbers(const Scene& scene, Edits& edits) {
             100.0 * distances->share_beyond));
 }
 
-// What the numbers leave of the row.
+// The width of the row minus the numbers.
 float gain_room(const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     const float gaps = 2.0f * ImGui::GetStyle().ItemSpacing.x + ImGui::GetFrameHeight();

@@ -3,8 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// At the lower end of the picture while something is compared: with what, how the two are seen,
-/// and what they come to.
+/// The bar at the bottom of the picture during a comparison: reference, compare mode and measured
+/// differences.
 void draw_compare_bar(const Scene& scene, Edits& edits);
-/// How much of the picture it covers; 0 where nothing is compared.
+/// Height in window coordinates; 0: no comparison.
 float compare_bar_height(const Scene& scene);

@@ -6,7 +6,7 @@ void set_compare_mode(CompareMode mode, Edits& edits) {
     edits.add([mode](Lab& lab) { lab.set_compare_mode(mode); });
 }
 
-// Of what is chosen when it is applied: two keys may come in one frame.
+// Changes the comparison that is current when the edit is applied. One frame can contain two keys.
 void change_comparison(Edits& edits, const std::function<void(Comparison&)>& change) {
     edits.add([change](Lab& lab) {
         Comparison next = lab.comparing().chosen();

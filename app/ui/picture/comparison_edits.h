@@ -5,5 +5,5 @@
 #include <functional>
 
 void set_compare_mode(CompareMode mode, Edits& edits);
-/// Changes the chosen comparison and keeps the rest of it.
+/// Changes parts of the current comparison.
 void change_comparison(Edits& edits, const std::function<void(Comparison&)>& change);

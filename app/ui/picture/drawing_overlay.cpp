@@ -4,7 +4,7 @@
 #include "ui/widgets/theme.h"
 
 namespace {
-/// Lines of the beam's places on the screen.
+/// Draws lines given by beam positions on the screen.
 class Overlay {
 public:
     Overlay(const Scene& scene, const std::function<ImVec2(const PicturePixel&)>& screen)
@@ -41,7 +41,7 @@ void draw_open_line(const Stroke& line, const CanvasInput& input, const Overlay&
                      theme::accent, 1.0f);
 }
 
-// Every point that can be taken hold of, and what the hand would take, or has.
+// All grips, and the one that is hovered or dragged.
 void draw_grips(const DrawingBoard& board, const CanvasInput& input, const Overlay& overlay) {
     const Keyframe& strokes = board.drawing()->keyframes[board.keyframe()];
     const auto grip = input.hovered ? board.grip_at(overlay.placing().place_of(*input.hovered),

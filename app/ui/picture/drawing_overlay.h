@@ -4,8 +4,8 @@
 
 #include <functional>
 
-/// Over the picture, while the pen is in the hand: the keyframe before, thinly; the line that is
-/// under way; the points that can be moved; the stroke that would be deleted. `screen` gives the
-/// place on the screen of a pixel of the picture.
+/// Drawn over the picture while the pen is active: the previous keyframe, the open line, the
+/// movable points, and the stroke that would be deleted. `screen` maps a pixel of the picture to
+/// the screen.
 void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
                           const std::function<ImVec2(const PicturePixel&)>& screen);

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 namespace {
-// A ring, filled once it is done.
+// A ring; filled when done.
 void draw_tick(bool is_done) {
     const float size = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
@@ -45,7 +45,7 @@ void note_first_steps(const Lab& lab, WindowState& window) {
     FirstSteps& steps = window.first_steps;
     steps.has_turned |= state.values != saved.values;
     steps.has_driven |= state.signal != saved.signal || state.source != saved.source;
-    const std::string& inspected = window.inspected.pass;  // at first the last one
+    const std::string& inspected = window.inspected.pass;  // initially the last pass
     steps.has_looked |= !inspected.empty() && inspected != document->look().passes.back().name;
 }
 

@@ -19,7 +19,7 @@ std::string label_of(const Scene& scene) {
                       : fmt::format("{} flashes/s", most);
 }
 
-// As wide for any number, so that what stands beside it does not move.
+// A fixed width, so that neighbouring items do not move.
 std::string widest_label(const Scene& scene) {
     return scene.window.comfort.is_on ? "00 flashes/s · limited" : "00 flashes/s";
 }
