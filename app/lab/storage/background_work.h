@@ -10,18 +10,18 @@
 #include <optional>
 #include <utility>
 
-/// Long work on a thread of its own: one at a time.
+/// One long task at a time on a background thread.
 template <class Outcome>
 class BackgroundWork {
 public:
     using Task = std::function<Result<Outcome>(Work& work)>;
 
     BackgroundWork() = default;
-    ~BackgroundWork() { cancel(); }  // the future waits for its thread, which ends soon
+    ~BackgroundWork() { cancel(); }  // the future waits for the thread, which ends soon
     BackgroundWork(const BackgroundWork&) = delete;
     BackgroundWork& operator=(const BackgroundWork&) = delete;
 
-    /// Begins anew; what was found before is forgotten.
+    /// Starts a new task and discards the previous outcome.
     void start(Task task) {
         cancel();
         m_outcome.reset();
@@ -30,14 +30,14 @@ public:
         m_next = std::move(task);
         begin_next();
     }
-    /// Nothing comes of what is under way.
+    /// Cancels the task and discards its outcome.
     void cancel() {
         if (m_work)
             m_work->is_cancelled = true;
         m_is_wanted = false;
         m_next = nullptr;
     }
-    /// To be called every turn.
+    /// Call it in every update.
     void update() {
         if (!m_coming.valid() ||
             m_coming.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
@@ -51,21 +51,21 @@ public:
     }
 
     bool is_running() const { return m_is_wanted && m_coming.valid(); }
-    /// Nothing is under way, not even what was cancelled: start() need not wait for it.
+    /// Whether no task runs, not even a cancelled one, so that start() begins immediately.
     bool is_free() const { return !m_coming.valid(); }
     double share() const { return m_work && !m_next ? m_work->share.load() : 0.0; }
-    /// At the pace so far; none while that says little.
+    /// Estimated from the progress so far; nullopt: too early to estimate.
     std::optional<double> seconds_left() const {
         const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - m_start;
         if (!is_running() || share() <= 0.0 || gone.count() < 2.0)
             return std::nullopt;
         return gone.count() * (1.0 - share()) / share();
     }
-    /// None before the work has come to its end.
+    /// nullopt: not finished.
     const std::optional<Result<Outcome>>& outcome() const { return m_outcome; }
 
 private:
-    // Not beside what was cancelled and has not ended yet; nobody waits for that.
+    // Waits in the queue until a cancelled task has ended, without blocking the caller.
     void begin_next() {
         if (m_coming.valid())
             return;

@@ -3,7 +3,7 @@
 #include <utility>
 
 namespace {
-/// Reads a command letter by letter.
+/// Parses a command character by character.
 class CommandReader {
 public:
     explicit CommandReader(std::string_view text) : m_text(text) {}
@@ -17,7 +17,7 @@ public:
     }
 
 private:
-    // A blank, a quoted part or one letter; false where a quote never ends.
+    // A separator, a quoted part or one character; false: an unterminated quote.
     bool read_piece(char letter) {
         if (letter == ' ' || letter == '\t' || letter == '\n') {
             end_word();
@@ -47,7 +47,7 @@ private:
         return true;
     }
 
-    // A backslash quotes $ ` " \ alone there.
+    // In double quotes, a backslash escapes only $ ` " \.
     bool read_double() {
         constexpr std::string_view quoted = "$`\"\\";
         while (m_at < m_text.size()) {
@@ -70,7 +70,7 @@ private:
     std::size_t m_at = 0;
     std::vector<std::string> m_words;
     std::string m_word;
-    bool m_is_in_word = false;  // "" is a word, too
+    bool m_is_in_word = false;  // "" is also a word
 };
 }  // namespace
 

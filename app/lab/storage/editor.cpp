@@ -26,7 +26,7 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// A path with blanks that is a program stands for itself.
+// The path of an existing program is not split at its blanks.
 Result<std::vector<std::string>> editor_words(const char* variable_name,
                                               const std::string& editor) {
     std::error_code error;
@@ -42,7 +42,7 @@ Result<std::vector<std::string>> editor_words(const char* variable_name,
     return std::move(*words);
 }
 
-// A path that begins with '/' is never taken for an option or a command, as "+!ls" would be.
+// An absolute path cannot be mistaken for an option or a command such as "+!ls".
 std::vector<std::string> with_place(std::vector<std::string> command, const Location& place) {
     const std::string name = std::filesystem::path(command.front()).filename();
     const std::string file = std::filesystem::absolute(place.file).string();
@@ -63,7 +63,8 @@ std::vector<std::string> with_place(std::vector<std::string> command, const Loca
     return command;
 }
 
-// A pass of a shader lies in its JSON file as in a folder; its line there is another.
+// A pass inside a JSON file has a path below that file. Opens the file at line 1, because the line
+// in the pass differs.
 Location place_on_disk(const Location& place) {
     std::error_code error;
     const std::filesystem::path whole = place.file.parent_path();
@@ -86,7 +87,7 @@ Result<std::vector<std::string>> editor_command(const Location& asked) {
 }
 
 namespace {
-// The error of errno, or 0.
+// Returns errno; 0: success.
 int start(const std::vector<std::string>& command) {
     std::vector<char*> arguments;
     for (const std::string& word : command)

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-/// Changes when the file does, by its size and time; of a numbered sequence when its folder does.
-/// "" when it cannot be read.
+/// Size and modification time of a file, to detect changes. For a numbered sequence, only the time
+/// of its folder. "": not readable.
 std::string stamp_of(const std::filesystem::path& file);
-/// Of all of them, a line each with its name.
+/// The stamps of all files, one line each with the name.
 std::string stamp_of(const std::vector<std::filesystem::path>& files);

@@ -9,12 +9,13 @@
 namespace fs = std::filesystem;
 
 namespace {
-// A .json is a look or preset by its "format", or one of Shadertoy; of texts one is known to be
-// neither sound nor scene.
+// Files with a wanted ending that Afterglow cannot open: CMakeLists.txt, and .json files that are
+// neither looks, presets nor Shadertoy shaders. In a look's folder, look.json counts as one of
+// these.
 bool is_of_others(const fs::path& file, const std::string& ending) {
     if (ending != ".json")
         return file.filename() == "CMakeLists.txt";
-    constexpr std::size_t beginning = 4096;  // bytes, in which a format is told
+    constexpr std::size_t beginning = 4096;  // bytes that contain the format
     std::string text(beginning, '\0');
     std::ifstream stream(file, std::ios::binary);
     stream.read(text.data(), static_cast<std::streamsize>(beginning));
@@ -35,7 +36,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder,
         const std::string name = entry->path().filename().string();
         if (name.starts_with('.'))
             continue;
-        std::error_code ignored;  // what cannot be looked at is listed as a file
+        std::error_code ignored;  // unreadable entries are listed as files
         const bool is_folder = entry->is_directory(ignored);
         const std::string ending = to_lower(entry->path().extension().string());
         const bool is_wanted = endings.empty() || std::ranges::count(endings, ending) > 0;

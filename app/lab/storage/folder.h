@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// One line of a folder's listing.
+/// An entry of a folder.
 struct FolderEntry {
     std::string name;
     bool is_folder = false;
@@ -12,7 +12,8 @@ struct FolderEntry {
     bool operator==(const FolderEntry&) const = default;
 };
 
-/// What a folder holds: folders first, then files, each by name; hidden ones are left out. Only
-/// files with one of the `endings` (".wav", lower case); none: all. Empty where it cannot be read.
+/// The entries of a folder: folders first, then files, sorted by name, without hidden ones. Only
+/// files with one of the `endings` (".wav", lower case); empty: all. An unreadable folder gives an
+/// empty list.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
                                      const std::vector<std::string>& endings);

@@ -2,12 +2,12 @@
 
 #include "lab/storage/roots.h"
 
-/// The folders that the user named in the window for includes, one a line of the file; none where
-/// there is no file.
+/// The include folders that the user set in the window, one per line of the file. Empty if the file
+/// does not exist.
 std::vector<std::filesystem::path> load_include_folders(const Roots& roots);
 Result<void> save_include_folders(const Roots& roots,
                                   const std::vector<std::filesystem::path>& folders);
 
-/// Folders as the user types them, with ':' between; "~/" is the user's home folder.
+/// Parses folders separated by ':'; "~/" is the user's home folder.
 std::vector<std::filesystem::path> parse_include_folders(std::string_view text);
 std::string include_folders_text(const std::vector<std::filesystem::path>& folders);

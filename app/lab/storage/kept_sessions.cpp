@@ -26,7 +26,7 @@ bool is_kept_session(const fs::path& file) {
                        [](unsigned char letter) { return std::isdigit(letter) != 0; });
 }
 
-// A file's name: without folders in it, and short enough.
+// A valid file name of limited length.
 std::string name_for(const Session& session) {
     constexpr std::size_t longest = 120;
     std::string title = session.current.preset.look;
@@ -39,7 +39,7 @@ std::string name_for(const Session& session) {
         return title;
     std::size_t end = longest;
     while (end > 0 && (static_cast<unsigned char>(title[end]) & 0xC0U) == 0x80U)
-        --end;  // within a letter
+        --end;  // within a UTF-8 character
     return title.substr(0, end);
 }
 
@@ -47,7 +47,7 @@ fs::path picture_of(const fs::path& file) {
     return fs::path(file).replace_extension(".png");
 }
 
-// A damaged file is known by its name.
+// A damaged file is listed by its file name.
 KeptSession described(const fs::path& file) {
     std::error_code error;
     KeptSession kept;
@@ -111,7 +111,7 @@ Result<bool> KeptSessions::keep(const Session& session,
         return fail(written.error());
     m_files.insert(m_files.begin(), file);
     if (const auto drawn = picture ? picture() : std::nullopt)
-        (void)save_picture(*drawn, picture_of(file));  // a help only
+        (void)save_picture(*drawn, picture_of(file));  // optional, so errors are ignored
     while (m_files.size() > most_kept_sessions)
         forget(m_files.back());
     return true;
@@ -130,7 +130,7 @@ void KeptSessions::forget(const fs::path& file) {
 }
 
 namespace {
-// Keys that one map has and the other has not, or otherwise.
+// The number of keys that are missing in one map or have different values.
 template <class T>
 std::size_t count_differences(const std::map<std::string, T>& one,
                               const std::map<std::string, T>& other) {

@@ -10,32 +10,33 @@
 #include <string>
 #include <vector>
 
-/// What a list says of unsaved changes that are kept.
+/// A stored session with unsaved changes, for display in a list.
 struct KeptSession {
     std::filesystem::path file;
-    std::filesystem::path picture;  // a PNG; need not exist
+    std::filesystem::path picture;  // a PNG; may not exist
     std::string look;               // its id, or "a+b"
-    std::string preset;             // its name; "": the look's defaults were open
-    std::size_t changes = 0;        // values, signal or source, modulations and passes
+    std::string preset;             // its name; "": the look's defaults
+    std::size_t changes = 0;        // number of changed values, signal or source, modulations and
+                                    // passes
     std::filesystem::file_time_type time;
 };
 
-/// Unsaved changes whose place another look took, in a file each: the latest dozen.
+/// Stores unsaved changes when another look is opened: the latest 12, one file each.
 class KeptSessions {
 public:
     explicit KeptSessions(const Roots& roots);
 
     /// The latest first.
     const std::vector<std::filesystem::path>& files() const { return m_files; }
-    /// The same with what their files say; each is read once.
+    /// The files with their contents; each is read only once.
     const std::vector<KeptSession>& list() const;
-    /// Keeps a session that has unsaved changes, the same but once. True where there were some.
-    /// `picture` draws what was seen; it is called only where it is needed.
+    /// Stores a session with unsaved changes, unless the latest stored one is the same. False: no
+    /// unsaved changes. `picture` renders the displayed picture; it is only called if needed.
     Result<bool> keep(const Session& session,
                       const std::function<std::optional<Picture>()>& picture = {});
-    /// What a file holds; a damaged one stays where it is.
+    /// Reads a stored session. A damaged file is not deleted.
     static Result<Session> read(const std::filesystem::path& file);
-    /// It is open again, or its like is kept.
+    /// Deletes a stored session, such as after it was restored.
     void forget(const std::filesystem::path& file);
 
 private:
@@ -43,13 +44,13 @@ private:
 
     std::filesystem::path m_folder;
     std::vector<std::filesystem::path> m_files;
-    mutable std::vector<KeptSession> m_list;  // of m_files, as far as they were asked for
+    mutable std::vector<KeptSession> m_list;  // cached entries of m_files
 };
 
-/// Whether closing without saving would have lost something.
+/// Whether closing without saving would lose changes.
 bool has_unsaved(const Session& session);
 
-/// How many things differ from what was saved. Locked content does not count.
+/// The number of differences from the saved state. Locked content does not count.
 std::size_t count_changes(const Session& session);
 
 /// "just now", "10 min ago", "3 h ago", "2 days ago".

@@ -9,7 +9,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Another build of the program may translate otherwise.
+// Identifies this build, because another build can translate differently.
 std::string this_program() {
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);

@@ -6,6 +6,6 @@
 
 struct Roots;
 
-/// What compilers and the driver made of shaders in former runs of this program, in the person's
-/// cache folder; null where there is none. Shared by the threads that open looks.
+/// The on-disk shader cache in the user's cache folder: results of compilers and driver. Null: no
+/// cache folder. The threads that open looks share it.
 std::shared_ptr<ByteStore> kept_shaders(const Roots& roots);

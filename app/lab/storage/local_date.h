@@ -2,5 +2,5 @@
 
 #include "model/devices/date.h"
 
-/// Now, where this machine is.
+/// The current date and time in the local time zone.
 Date local_date();

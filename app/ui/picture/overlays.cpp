@@ -32,7 +32,7 @@ std::vector<const Problem*> errors_of(const Lab& lab) {
     return errors;
 }
 
-// Of a problem as draw_problem() writes it: place and message in a row, the source line below.
+// Height of a problem as draw_problem() draws it: location and message, then the source line.
 float height_of(const Problem& problem, float width) {
     const std::string words =
         told_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
@@ -41,7 +41,7 @@ float height_of(const Problem& problem, float width) {
     return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
 }
 
-// Of a look that is not the one that is seen.
+// The heading for errors of a look that could not be opened.
 std::string headline_of(const Lab& lab) {
     if (lab.loader().failed().empty() || !lab.document())
         return {};
@@ -70,7 +70,7 @@ void draw_errors(const Scene& scene, Edits& edits) {
     const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
     ImGui::BeginChild("##errors", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    {  // of the list alone
+    {  // only for the list
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##list", {inner, 0.0f});
     }
@@ -96,7 +96,7 @@ struct Pill {
     const char* id;
     std::string text;
     theme::Color color;
-    float rise = 0.0f;  // from the bottom, in lines
+    float rise = 0.0f;  // above the bottom, in lines
     float opacity = 1.0f;
 };
 
@@ -142,7 +142,7 @@ void draw_replay(const Scene& scene) {
               scene);
 }
 
-// What stopped the clock, and what may be done about it.
+// The non-finite pixel that stopped the clock, with buttons for the possible actions.
 void draw_trip(const Scene& scene, Edits& edits) {
     const auto& trip = scene.lab.trip();
     if (!trip || !scene.lab.renderer())

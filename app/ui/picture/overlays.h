@@ -3,10 +3,10 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Over the picture: the problems of the look, a replay that is under way, and the notice.
-/// Whether what is wrong is told over the picture.
+/// Whether errors are displayed over the picture.
 bool shows_errors(const Scene& scene);
+/// Draws everything over the picture: first steps, errors, progress and notices.
 void draw_overlays(const Scene& scene, Edits& edits);
 
-/// In place of a picture, while no look is open.
+/// The text that replaces the picture while no look is open.
 void draw_welcome(const Scene& scene);

@@ -18,7 +18,7 @@ PictureView zoomed(const PictureCanvas& canvas, const PicturePlace& place,
     return view;
 }
 
-// A quick hand turns several in a frame; a touchpad sends parts of one, which add up.
+// One frame can contain several notches, or a fraction of one from a touchpad. Fractions add up.
 int turned_notches() {
     float& rest = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("wheel"));
     rest += ImGui::GetIO().MouseWheel;
@@ -45,7 +45,7 @@ bool is_dragged() {
     return ImGui::IsItemActive() && (delta.x != 0.0f || delta.y != 0.0f);
 }
 
-// Across the view is half a turn.
+// Dragging across the view is a rotation by 180 degrees.
 std::function<Orbit(const Orbit&)> dragged_orbit(const PictureCanvas& canvas) {
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
     const double degrees = 180.0 / std::max(std::min(canvas.size.x, canvas.size.y), 1.0f);
@@ -89,7 +89,7 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
                                (canvas.has_orbit ? ImGuiButtonFlags_MouseButtonRight : 0));
     if (canvas.image.handle != 0) {
-        // The view's texture covers whole device pixels and has its row 0 at the bottom.
+        // The texture covers whole device pixels and has its row 0 at the bottom.
         const ImVec2 end(low.x + static_cast<float>(canvas.image.extent.width) / scene.density,
                          low.y + static_cast<float>(canvas.image.extent.height) / scene.density);
         ImGui::GetWindowDrawList()->AddImage(texture_id(canvas.image.handle), low, end,

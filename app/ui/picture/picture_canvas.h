@@ -10,32 +10,31 @@
 #include <functional>
 #include <optional>
 
-/// A picture in its view, that the wheel zooms and a drag moves (with the middle button, where the
-/// left one is the look's). With an orbit the left button
-/// turns the object, the right one moves the camera, and the wheel with Ctrl brings it nearer; the
-/// middle one still moves the view.
+/// A view of a picture. The wheel zooms, dragging pans. The middle button always pans; the left one
+/// only if neither look nor pen uses it. With an orbit, the left button rotates the object, the
+/// right one moves the camera, and Ctrl+wheel changes the distance.
 struct PictureCanvas {
     const char* id;
-    Views::Image image;  // as it lies in the view
-    Extent picture;      // the whole of it, px
+    Views::Image image;  // the visible part
+    Extent picture;      // the whole picture, px
     PictureView view;
-    ImVec2 size;  // of the view, coordinates of the window
+    ImVec2 size;  // of the view, window coordinates
     bool has_orbit = false;
-    bool has_pen = false;    // the left button draws, the right one is handed on
-    bool has_press = false;  // the left button is the look's
+    bool has_pen = false;    // left button draws; right clicks are reported
+    bool has_press = false;  // the look reads the left button
 };
 
-/// What a person did to it.
+/// The input to the canvas in one frame.
 struct CanvasInput {
     std::optional<PictureView> moved;
-    std::optional<std::array<double, 2>> hovered;  // pixel of the picture, from the top left
-    std::function<Orbit(const Orbit&)> turned;     // empty: not
+    std::optional<std::array<double, 2>> hovered;  // pixel, from the top left
+    std::function<Orbit(const Orbit&)> turned;     // empty: unchanged
     bool is_turn_finished = false;
-    std::optional<std::array<double, 2>> pen_down;  // pixels, as hovered
+    std::optional<std::array<double, 2>> pen_down;  // pixel, as hovered
     std::vector<std::array<double, 2>> pen_path;    // while the left button is held
     bool is_pen_up = false;
-    std::optional<std::array<double, 2>> other_button;  // pressed at this pixel
+    std::optional<std::array<double, 2>> other_button;  // right click at this pixel
 };
 
-/// Draws it at the cursor. The picture is zoomed about the pointer.
+/// Draws the picture at the cursor. Zooming is centred on the pointer.
 CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene);

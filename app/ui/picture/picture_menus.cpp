@@ -20,7 +20,7 @@ double present_zoom(const Scene& scene) {
     return scene.window.large_view().zoom_for(large_extent(scene), large_room(scene));
 }
 
-// At whole zooms every pixel of the picture is a block of pixels of the screen.
+// Only at integer zooms is every pixel of the picture a block of screen pixels.
 std::string zoom_label(const Scene& scene) {
     const double zoom = present_zoom(scene);
     const bool is_whole = zoom >= 1.0 && zoom == std::floor(zoom);

@@ -3,17 +3,17 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The picture's size and its zoom, each a button with a menu behind it.
+/// Buttons with menus for render size and zoom.
 void draw_picture_menus(const Scene& scene, Edits& edits);
 float picture_menus_width(const Scene& scene);
 
-/// Of what lies in the picture's place: the picture, or the pass that is shown large.
+/// The size of the picture, or of the pass that replaces it.
 Extent large_extent(const Scene& scene);
 
-/// What it has of the view, in device pixels: a half of two side by side.
+/// Its part of the view, in device pixels: half the view for side-by-side comparison.
 Extent large_room(const Scene& scene);
 
-/// The choices behind the buttons, also for the menu bar.
+/// The items of both menus, also for the menu bar.
 void draw_size_items(const Scene& scene, Edits& edits);
 void draw_zoom_items(const Scene& scene, Edits& edits);
 

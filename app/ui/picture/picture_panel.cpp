@@ -33,7 +33,7 @@ void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
     edits.arrange([probe](WindowState& window) { window.probe = probe; });
 }
 
-// The look gets the pointer in pixels from the bottom left; the status line what lies under it.
+// Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
 void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     const Extent extent = scene.lab.size().extent();
     const double x = place.pixel[0];
@@ -41,7 +41,7 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     const std::array<double, 2> mouse{x, extent.height - y};
-    if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // or it would never rest
+    if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // else the lab never idles
         edits.add([mouse](Lab& lab) { lab.set_mouse(mouse[0], mouse[1]); });
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
@@ -50,7 +50,7 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     edits.arrange([probed](WindowState& window) { window.probe = probed; });
 }
 
-// To be called behind the picture's item, where the look reads the button.
+// Call it after the picture's item if the look reads the mouse button.
 void tell_press(const Scene& scene, Edits& edits) {
     const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     if (scene.lab.renderer() && scene.lab.renderer()->hand().press().is_down != is_down)
@@ -68,7 +68,7 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
         edits.add([pixel = *input.other_button](Lab& lab) { lab.drawing().other_button(pixel); });
 }
 
-// What stands in the picture's place; "" where that is the picture.
+// The text for a pass that replaces the picture; "": the picture is displayed.
 std::string other_words(const Scene& scene) {
     const PassSwitches& switches = scene.lab.pass_switches();
     if (scene.window.shows_pass_large)
@@ -80,7 +80,7 @@ std::string other_words(const Scene& scene) {
     return {};
 }
 
-// Says that this is not the picture, and how to get it back.
+// A button that returns to the picture.
 void draw_other_words(const Scene& scene, Edits& edits) {
     const std::string label = other_words(scene);
     if (label.empty())
@@ -90,7 +90,7 @@ void draw_other_words(const Scene& scene, Edits& edits) {
         ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetCursorPos({margin, margin});
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    ImGui::BeginChild("##back", {width, ImGui::GetFrameHeight()});  // lies above the picture
+    ImGui::BeginChild("##back", {width, ImGui::GetFrameHeight()});  // above the picture
     if (ImGui::Button(label.c_str())) {
         if (scene.window.shows_pass_large)
             run(ActionId::pass_large, scene, edits);
@@ -101,7 +101,7 @@ void draw_other_words(const Scene& scene, Edits& edits) {
     ImGui::EndChild();
 }
 
-/// One of the pictures that are shown: ours, or the one beside it.
+/// A displayed picture: the current one or the reference.
 struct Shown {
     const char* name = "picture";
     Views::Image image;
@@ -122,7 +122,7 @@ std::vector<Shown> shown_pictures(const Scene& scene) {
     return {ours, beside};
 }
 
-// What tells of our own picture's texels.
+// Overlays that show texel values of the current picture.
 void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene) {
     draw_cell_texts(scene.views.closer().picture(), low, size, scene);
     draw_scan_line(low, size, scene);

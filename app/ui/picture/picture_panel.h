@@ -4,5 +4,5 @@
 #include "ui/frame/scene.h"
 #include "ui/widgets/widgets.h"
 
-/// The picture, and over it what is wrong with the look and what has just happened.
+/// The picture with overlays for problems and notices.
 void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits);

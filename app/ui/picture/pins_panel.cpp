@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 namespace {
-// In columns, so that passes compare at a glance.
+// In columns, so that values of passes are easy to compare.
 std::string value_text(const std::array<float, 4>& rgba, Format format) {
     std::string text;
     for (int i = 0; i < facts_of(format).channels; ++i)
@@ -25,7 +25,7 @@ void remove(std::size_t pin, Edits& edits) {
     });
 }
 
-// The pixel of the picture that it lies in; each pass's own is in the tooltip of its value.
+// The pixel of the picture at each pin. The tooltip of a value has the pixel of its pass.
 void draw_heads(const Scene& scene, Edits& edits) {
     const Extent picture = scene.lab.size().extent();
     ImGui::TableNextRow();

@@ -4,12 +4,12 @@
 
 class Edits;
 
-/// The pinned points in a table: what every pass holds there.
+/// A table of the pinned pixels with their value in every pass.
 void draw_pins_panel(const Scene& scene, Edits& edits);
 
-/// Pins the pixel that was probed last when a view that was drawn last is clicked with Ctrl.
+/// Ctrl+click on the view that was drawn last pins the probed pixel.
 void pin_on_click(const Scene& scene, Edits& edits);
 
-/// Their numbers where they lie in a view of a picture whose top left corner is `low`.
+/// Marks the pins with their numbers in a view with top left corner `low`.
 void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const PictureView& view,
                     Extent room);

@@ -14,7 +14,7 @@ bool has_scan_line(const Scene& scene) {
            scene.window.bottom_part == BottomPart::waveform && !large_extent(scene).is_empty();
 }
 
-/// Between shares of the picture and coordinates of the window.
+/// Converts between relative positions in the picture and window coordinates.
 struct Ground {
     ImVec2 low;
     PicturePlace place;
@@ -45,7 +45,7 @@ void set_line(const ScanLine& line, Edits& edits) {
     edits.arrange([line](WindowState& window) { window.scan_line = line; });
 }
 
-// All of it by the way of the pointer, as far as the picture goes.
+// Moves the whole line with the pointer, limited to the picture.
 ScanLine moved_line(const ScanLine& line, const Ground& ground) {
     const ImVec2 way = ImGui::GetIO().MouseDelta;
     const auto step = [](double by, double a, double b) {
@@ -57,7 +57,7 @@ ScanLine moved_line(const ScanLine& line, const Ground& ground) {
     return {{line.start.x + x, line.start.y + y}, {line.end.x + x, line.end.y + y}};
 }
 
-// A handle around a point; whether it is held.
+// A handle around a point; returns whether it is dragged.
 bool is_held(const char* id, const ImVec2& at, const ImVec2& start, const ImVec2& low) {
     const float grip = ImGui::GetFontSize() * 1.2f;
     ImGui::SetCursorPos(
@@ -68,7 +68,7 @@ bool is_held(const char* id, const ImVec2& at, const ImVec2& start, const ImVec2
     return ImGui::IsItemActive();
 }
 
-// From where the button went down to where it is.
+// Shift+drag draws a new line from the start of the drag to the pointer.
 void draw_anew(const ImVec2& size, const Ground& ground, Edits& edits) {
     const bool is_drawing = ImGui::GetActiveID() == ImGui::GetID("##new_line");
     if (!ImGui::GetIO().KeyShift && !is_drawing)

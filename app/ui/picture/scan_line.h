@@ -5,9 +5,9 @@
 
 #include <imgui/imgui.h>
 
-/// Lets the mouse move the line of the waveform in a view of this size at the cursor: its ends, all
-/// of it by its middle, or with Shift a new one. To be called before the picture, which would catch
-/// the mouse; nothing while the waveform is not shown.
+/// Dragging of the waveform's line in a view of this size at the cursor. Its ends and its middle
+/// are handles; Shift+drag draws a new line. Call it before drawing the picture, which would
+/// capture the mouse. Does nothing while the waveform is hidden.
 void drag_scan_line(const ImVec2& size, const Scene& scene, Edits& edits);
-/// The line over the picture, in a view whose top left corner is `low`.
+/// Draws the line over the picture, in a view with top left corner `low`.
 void draw_scan_line(const ImVec2& low, const ImVec2& size, const Scene& scene);

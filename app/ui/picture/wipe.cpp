@@ -8,7 +8,7 @@
 namespace {
 constexpr theme::Color shade{0.0f, 0.0f, 0.0f, 0.62f};
 
-// Right of `x`, or with its end there.
+// Starts right of `x`, or ends left of it.
 void draw_name(const std::string& name, float x, float y, bool is_left, const Scene& scene) {
     const ImVec2 text = ImGui::CalcTextSize(name.c_str());
     const ImVec2 pad(ImGui::GetFontSize() * 0.5f, ImGui::GetFontSize() * 0.2f);

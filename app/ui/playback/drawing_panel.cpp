@@ -86,7 +86,7 @@ void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
     }
 }
 
-/// A button that does something to the chosen keyframe.
+/// A button that changes the selected keyframe.
 struct KeyframeButton {
     const char* label;
     const char* id;

@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The pen, its keyframes, and the files of a drawing: a part of the signal's pane.
+/// Pen, keyframes and files of a drawing, as part of the signal panel.
 void draw_drawing_panel(const Scene& scene, Edits& edits);

@@ -25,7 +25,7 @@ void set_signal(const Spec& spec, Edits& edits) {
     edits.document([spec](Document& document) { document.set_signal(spec, true); });
 }
 
-// What a setting is when nobody has turned it: as the look or the preset has it.
+// The saved value of a setting, from the preset or the look.
 double usual_number(const SettingFacts& setting, const Document& document) {
     const auto saved = completed(document.saved().signal);
     if (!saved || saved->kind != document.state().signal.kind)
@@ -95,7 +95,7 @@ void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumn
     edits.finish();
 }
 
-// A place where others connect is made when it is written to its end, and not at each letter.
+// The device or stream is opened when the text is confirmed, not for each character.
 void draw_place_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
                         Edits& edits) {
     std::string text = std::get<std::string>(spec.settings[setting.key]);
@@ -153,7 +153,7 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
         draw_reset(setting, spec, columns, scene, edits);
 }
 
-// Settings without a group come first; of the groups the first one is open at the start.
+// Settings without a group are first. Only the first group is initially open.
 void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits& edits) {
     std::string group;
     bool is_open = true;
@@ -188,7 +188,7 @@ void draw_kinds(const std::string& present, Edits& edits) {
         tooltip(kind->help);
 }
 
-// V/div and s/div say little on lines that lie elsewhere.
+// V/div and s/div are meaningless if the graticule has other divisions.
 void draw_graticule_hint(const Document& document, Edits& edits) {
     const Values wanted =
         scope_graticule(document.look(), document.values(), document.state().signal);

@@ -3,6 +3,6 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// What drives the open look: the kind of signal and its settings, or the source picture; and the
-/// sound, where there is one.
+/// The input of the open look: the kind of signal and its settings, or the source picture. Also the
+/// controls of the sound, if any.
 void draw_signal_panel(const Scene& scene, Edits& edits);

@@ -56,7 +56,7 @@ void begin_line(const std::string& label, const std::string& help, const FormCol
 
 enum class Way { out, in };
 
-// The list is made anew when it opens; until then it holds what was there when last looked.
+// Opening the list searches for devices. Until it is done, the previous list is displayed.
 void draw_device(Way way, const Scene& scene, Edits& edits) {
     const bool is_out = way == Way::out;
     const ScopedId id(std::string(is_out ? "output" : "input"));

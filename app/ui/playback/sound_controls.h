@@ -3,12 +3,11 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Where the sound is, with a bar to seek in, how loud it plays; of a live sound what it comes
-/// in from.
+/// Seek bar and volume of the sound; for live sound the name of the input device.
 void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits);
-/// Why nothing is heard, or comes in; how the beam of another program stands.
+/// Why there is no sound or input, and the state of the beam to or from another program.
 void draw_silence(const Scene& scene);
-/// The devices that a person may choose among.
+/// The choice of audio devices.
 void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits);
 
 /// "1:02.34".

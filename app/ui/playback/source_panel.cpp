@@ -19,7 +19,7 @@ void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
     });
 }
 
-// The pattern's label, or a file's name.
+// The label of the pattern, or the file name.
 std::string label_of(const SourceSpec& source) {
     if (!source.is_pattern())
         return std::filesystem::path(source.picture).filename().string();
@@ -53,7 +53,7 @@ struct NamedList {
     const char* mark;
     const char* label;
     const char* help;
-    std::string other = {};  // what is chosen where none of the list is
+    std::string other = {};  // text if no entry is chosen
 };
 
 void draw_named(const NamedList& list, const std::vector<NamedSource>& choices,
@@ -76,7 +76,7 @@ void draw_named(const NamedList& list, const std::vector<NamedSource>& choices,
     edits.mark(list.mark);
 }
 
-// Of a pattern, from a preset or the command line.
+// The size in a pattern's text, set by a preset or the command line.
 std::string own_size(const SourceSpec& source) {
     return source.picture.substr(std::min(source.picture.find("size="), source.picture.size()));
 }
@@ -139,7 +139,7 @@ void draw_loop(SourceSpec source, Edits& edits) {
     edits.mark("source_loop");
 }
 
-// Where no ratio of the whole picture is chosen.
+// Only if no aspect ratio of the whole picture is chosen.
 void draw_own_aspect(const SourceSpec& source, const Scene& scene, Edits& edits) {
     if (source.shape)
         return;

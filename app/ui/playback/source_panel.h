@@ -3,5 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The picture that the open look works on, and how it lies in what is drawn.
+/// The source picture of the open look and how it is fitted to the render size.
 void draw_source(const Scene& scene, Edits& edits);

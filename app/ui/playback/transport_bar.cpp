@@ -75,7 +75,7 @@ std::string points_text(std::size_t count) {
     return count == 1 ? "1 point" : fmt::format("{} points", count);
 }
 
-// Left out from the end where the pane is narrow.
+// In a narrow pane, the last facts are omitted.
 void draw_facts(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
     const Player& player = scene.lab.player();

@@ -39,7 +39,7 @@ std::string pace_text(const Scene& scene) {
     return fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
 }
 
-// What a machine too slow for the picture does about it; "" where it keeps up.
+// How playback is reduced if the machine is too slow; "": it is fast enough.
 std::string lag_text(const Player& player) {
     constexpr double hardly_seen = 0.93;
     const double share = player.shown_share();
@@ -63,7 +63,7 @@ void draw_lag(const Scene& scene, Edits& edits) {
         "points.");
 }
 
-// Asked for by nobody, so it takes no more room than a few words.
+// An unrequested suggestion, so it is only a short button.
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
     const auto half = scene.lab.size().chosen().halved();
     const Renderer* renderer = scene.lab.renderer();
@@ -84,7 +84,7 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
         "about four times faster.");
 }
 
-/// What a frame costs, in words around the one number that may be too much.
+/// The cost of a frame. Only the time is highlighted if it is over the budget.
 struct Cost {
     std::string before;
     std::string time;
@@ -104,7 +104,7 @@ Cost cost_of(const Scene& scene) {
                        : fmt::format("   {} draws   {:.1f} MiB", draws, memory)};
 }
 
-// One button; over the budget its time alone is red.
+// One button. Over the budget, only the time is red.
 void draw_cost(const Scene& scene, Edits& edits) {
     const ScopedFont font(scene.fonts.numbers);
     const Cost cost = cost_of(scene);
@@ -130,7 +130,7 @@ std::string pointer_text(const Scene& scene) {
     const Probe& probe = *scene.window.probe;
     const auto& rgba = *scene.views.probed();
     return fmt::format("{}  {}, {}   {}  {}  {}  {}", probe.pass, probe.x, probe.y, rgba[0],
-                       rgba[1], rgba[2], rgba[3]);  // as exactly as they are stored
+                       rgba[1], rgba[2], rgba[3]);  // all stored digits
 }
 
 void draw_problems(const Scene& scene, Edits& edits) {
@@ -156,7 +156,7 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
     same_line_right(ImGui::GetFrameHeight());
     if (icon_button("##close", Icon::close, "Close", theme::dim))
         edits.arrange([](WindowState& window) { window.shows_bottom = false; });
-    {  // of this part alone: what pops up above it has its own
+    {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##content");
     }

@@ -3,8 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Problems or timings, as chosen in its first line.
+/// The bottom pane with the part that is chosen in its first line, such as problems or timings.
 void draw_bottom_panel(const Scene& scene, Edits& edits);
 
-/// The line at the very bottom: problems, pace, memory, and what is under the pointer.
+/// The status bar: problems, frame rate, cost of a frame and the probed pixel.
 void draw_status_bar(const Scene& scene, Edits& edits);

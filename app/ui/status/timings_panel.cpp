@@ -37,7 +37,7 @@ void draw_line(const Plot& plot, double milliseconds, const theme::Color& color)
                                         theme::packed(color));
 }
 
-/// A bar for each number, the oldest on the left; the newest stands at the right end.
+/// A bar for each number, from the oldest at the left to the newest at the right end.
 template <class Time, class Color>
 void draw_bars(const Plot& plot, std::size_t count, std::size_t room, Time time, Color color) {
     const float bar = plot.size.x / static_cast<float>(room);
@@ -95,7 +95,7 @@ void draw_budget_words(const Scene& scene, Edits& edits) {
     tooltip("GPU time budget for all passes of a frame. Click to type it.");
 }
 
-/// One line: the latest frames of a pass as a plot behind its name.
+/// One line: the pass name, a plot of its latest frames, its time and its memory.
 void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     const Executor& executor = scene.lab.renderer()->executor();
     const PassTimes& times = scene.lab.renderer()->pass_times();
@@ -137,7 +137,7 @@ void draw_passes(const Scene& scene) {
             most = std::max(most, times.milliseconds(pass, frame));
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> spacing(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 3.0f * scene.scale));
-    const float line = ImGui::GetTextLineHeight();  // with the sum below there are one more
+    const float line = ImGui::GetTextLineHeight();  // the sum adds one more
     const float fitting = ImGui::GetContentRegionAvail().y / static_cast<float>(count + 1);
     const float height = std::clamp(fitting - 3.0f * scene.scale, line * 0.9f, line * 1.35f);
     for (std::size_t pass = 0; pass < count; ++pass)
@@ -186,7 +186,7 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     draw_budget_words(scene, edits);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
-    {  // of this part alone: what pops up above it has its own
+    {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##passes");
     }

@@ -3,8 +3,7 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The pace of the window's frames; the time of all passes against the budget, and of each in the
-/// latest frames with its memory.
-/// Whether the passes take longer than they may; never while nothing runs.
+/// Whether the passes exceed the time budget; false while paused.
 bool is_over_budget(const Scene& scene);
+/// Frame times of the window, GPU times of all passes against the budget, and of each pass.
 void draw_timings_panel(const Scene& scene, Edits& edits);

@@ -4,11 +4,11 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Does what was chosen.
+/// Runs the effects of a choice.
 void run(const Deeds& deeds, Edits& edits);
 
-/// The same, or asks first for the number or the words that it needs. `id`: of its palette entry.
+/// Runs the choice, or first opens a dialog if it needs a number or text. `id`: its palette entry.
 void take(const Choice& choice, const std::string& id, Edits& edits);
 
-/// A submenu for each list of that menu.
+/// A submenu for each list of choices of that menu.
 void draw_choice_menus(ChoiceList::Place place, const Scene& scene, Edits& edits);

@@ -14,7 +14,7 @@
 namespace {
 using Rgba = std::array<float, 4>;
 
-// Alpha is no light and stays as it is.
+// Alpha is linear and not converted.
 Rgba encoded(const Value& value) {
     Rgba color{0.0f, 0.0f, 0.0f, 1.0f};
     for (std::size_t i = 0; i < std::min<std::size_t>(value.numbers.size(), 4); ++i)

@@ -3,7 +3,7 @@
 #include "model/look/parameter.h"
 #include "ui/widgets/form.h"
 
-/// A swatch that opens a picker. The parameter is linear light; a person sees and picks the
-/// display-encoded colour.
+/// A swatch that opens a colour picker. The parameter is linear light; the picker uses
+/// display-encoded sRGB.
 Turned draw_color(const Parameter& parameter, Value& value, const FormColumns& columns,
                   const Fonts& fonts);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 namespace {
-// The nearest place at or before `place` where a character begins.
+// The start of the UTF-8 character at `place`.
 std::size_t character_at(const std::string& text, std::size_t place) {
     place = std::min(place, text.size());
     while (place > 0 && place < text.size() &&
@@ -29,7 +29,7 @@ std::string cut_at_width(const std::string& text, float most,
     };
     if (width_of(cut(fitting)) > most)
         fitting = 0;
-    while (over - fitting > 1) {  // the first with a mark fits, or is empty; the other does not
+    while (over - fitting > 1) {  // cut(fitting) fits, cut(over) does not
         const std::size_t middle = fitting + (over - fitting) / 2;
         (width_of(cut(middle)) <= most ? fitting : over) = middle;
     }

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// The text, or as much of its beginning as is no wider than `most` together with a "…" behind it.
-/// Never cuts within a UTF-8 character. Measures little more than what fits, however long the text.
+/// The text if it fits `most`, otherwise its longest beginning that fits with "…". Never cuts
+/// within a UTF-8 character. Measures little more than the result, even for long texts.
 std::string cut_at_width(const std::string& text, float most,
                          const std::function<float(const std::string&)>& width_of);

@@ -16,24 +16,25 @@ struct FormColumns {
 
     float control_and_number() const;
 };
-/// For the present pane; `has_button`: with room for form_reset().
+/// For the current pane. `has_button`: reserves space for form_reset().
 FormColumns form_columns(bool has_button = true);
-/// A line with a check box where numbers end; the rest is left to its label.
+/// A row with a check box at the right end of the number column; the label gets the remaining
+/// width.
 FormColumns check_box_columns();
 
-/// Begins a line of a form with its label; the control is drawn next. Gives whether the label was
-/// clicked, and leaves it the last item, for a tooltip.
+/// Starts a row with its label; draw the control next. Returns whether the label was clicked. The
+/// label is the last item, so a tooltip can follow.
 bool form_label(const std::string& label, const FormColumns& columns, bool is_changed);
-/// Moves to the control's column of the present line.
+/// Moves to the control column of the current row.
 void form_control(const FormColumns& columns);
 
-/// A slider with its number.
+/// A slider with its number field.
 Turned form_slider(const char* id, double& value, const SliderFacts& facts,
                    const FormColumns& columns, const Fonts& fonts);
 
-/// The reset button at the end of the line; only there when something is changed.
+/// The reset button at the end of a row, only drawn if `is_changed`.
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns);
 
-/// A combo box; true when another one of `labels` was chosen. It says `otherwise` while none is.
+/// A combo box; true when another label is chosen. Shows `otherwise` if none is chosen.
 bool form_list(const char* id, const char* const* labels, int count, int& chosen, float width,
                const char* otherwise = "");

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace {
-// Draws in a square from (0, 0) to (1, 1).
+// Draws in a unit square, (0, 0) to (1, 1).
 class IconPen {
 public:
     IconPen(const ImVec2& at, float size, ImU32 color)
@@ -26,8 +26,7 @@ public:
     void thick_line(const ImVec2& a, const ImVec2& b) {
         m_list.AddLine(at(a.x, a.y), at(b.x, b.y), m_color, m_size * 0.26f);
     }
-    // Part of a circle around the middle, from one angle to another; radians, clockwise from the
-    // right.
+    // An arc around the centre; angles in radians, clockwise from the right.
     void arc(float radius, float from, float to) {
         m_list.PathArcTo(at(0.5f, 0.5f), radius * m_size, from, to, 24);
         m_list.PathStroke(m_color, 0, m_size * 0.11f);
@@ -60,14 +59,14 @@ private:
     ImU32 m_color;
 };
 
-// An arc that ends in an arrowhead at its upper left.
+// An arc with an arrowhead at its upper left end.
 void draw_turn_back(IconPen& pen) {
     constexpr float pi = 3.14159265f;
     pen.arc(0.36f, -0.8f * pi, 0.75f * pi);
     pen.triangle({0.06f, 0.06f}, {0.06f, 0.46f}, {0.46f, 0.46f});
 }
 
-// Between two walls, as wide as they let it.
+// A double arrow between two vertical lines.
 void draw_fit(IconPen& pen) {
     pen.line({0.1f, 0.16f}, {0.1f, 0.84f});
     pen.line({0.9f, 0.16f}, {0.9f, 0.84f});
@@ -76,7 +75,7 @@ void draw_fit(IconPen& pen) {
     pen.triangle({0.8f, 0.5f}, {0.6f, 0.34f}, {0.6f, 0.66f});
 }
 
-// A curve that is cut off at the top.
+// A curve that is clipped at the top.
 void draw_plateau(IconPen& pen) {
     pen.line({0.06f, 0.86f}, {0.3f, 0.28f});
     pen.line({0.3f, 0.28f}, {0.7f, 0.28f});
@@ -84,7 +83,7 @@ void draw_plateau(IconPen& pen) {
     pen.line({0.06f, 0.1f}, {0.94f, 0.1f});
 }
 
-// Seen from the side; one that is not pinned leans and is hollow.
+// A side view; an unpinned one is tilted and hollow.
 void draw_pushpin(IconPen& pen, bool is_pinned) {
     if (is_pinned) {
         pen.box(0.26f, 0.06f, 0.74f, 0.18f);
@@ -117,7 +116,7 @@ void draw_star(IconPen& pen, bool is_filled) {
         pen.outline(points.data(), static_cast<int>(points.size()));
 }
 
-// An open shackle is swung out to the right.
+// An open shackle is shifted to the right.
 void draw_padlock(IconPen& pen, bool is_locked) {
     pen.box(0.18f, 0.46f, 0.82f, 0.94f);
     const float middle = is_locked ? 0.5f : 0.78f;
@@ -135,7 +134,7 @@ void draw_die(IconPen& pen) {
     pen.dot(0.29f, 0.71f, 0.09f);
 }
 
-// Two corners that draw apart.
+// Two corners with a diagonal between them.
 void draw_spread(IconPen& pen) {
     pen.line({0.14f, 0.4f}, {0.14f, 0.14f});
     pen.line({0.14f, 0.14f}, {0.4f, 0.14f});
@@ -148,7 +147,7 @@ void draw_pencil(IconPen& pen) {
     pen.thick_line({0.3f, 0.7f}, {0.8f, 0.2f});
     pen.triangle({0.06f, 0.94f}, {0.16f, 0.6f}, {0.4f, 0.84f});
 }
-// What stands beside a view that is looked into.
+// The icons of the inspector.
 void draw_looking_icon(Icon icon, IconPen& pen) {
     switch (icon) {
         case Icon::save:

@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// Small signs, drawn rather than taken from a font.
+/// Icons that are drawn with vector graphics, not with a font.
 enum class Icon {
     play,
     pause,
@@ -27,14 +27,14 @@ enum class Icon {
     star_outline,
     locked,
     unlocked,
-    pinned,  // a drawing pin: the user's signal or source stays
+    pinned,  // the signal or source is locked
     unpinned,
     dice,
 };
 
-/// A square button with a sign; `help` is shown on hover.
+/// A square icon button; `help` is its tooltip.
 bool icon_button(const char* id, Icon icon, const std::string& help, const ImVec4& color);
 bool icon_button(const char* id, Icon icon, const std::string& help);
 
-/// The sign alone, within a square whose top left corner is `at`.
+/// Draws only the icon, in a square with top left corner `at`.
 void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color);

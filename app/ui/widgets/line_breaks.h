@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-/// The text with line breaks in the place of blanks, so that no line is wider than `most` where its
-/// words are not. Dear ImGui's own also breaks within a number, behind its point.
+/// Replaces blanks by line breaks so that no line exceeds `most`, except for a single long word.
+/// Dear ImGui's wrapping also breaks within numbers, after the decimal point.
 std::string broken_at_blanks(const std::string& text, float most,
                              const std::function<float(const std::string&)>& width_of);

@@ -18,7 +18,7 @@ double value_at(double place, const Range& range) {
     return std::round((range.low + std::clamp(place, 0.0, 1.0) * span) / step) * step;
 }
 
-/// Where a point is in the pad.
+/// The screen position of a point in the pad.
 ImVec2 place_in(const Parameter& parameter, double x, double y, const ImVec2& low,
                 const ImVec2& high) {
     return {low.x + (high.x - low.x) * static_cast<float>(place_of(x, range_of(parameter, 0))),

@@ -3,7 +3,7 @@
 #include "model/look/parameter.h"
 #include "ui/widgets/form.h"
 
-/// A pad for a point (x to the right, y up) with its numbers below. `now`: where it is while it
-/// moves by itself, which gets a ring; may be null.
+/// A pad for a point (x to the right, y up) with its numbers below. `now`: its modulated position,
+/// drawn as a ring; may be null.
 Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
                   const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts);

@@ -3,8 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// One problem: where (a click opens the editor there), what, and the line of text that it is
-/// about.
+/// One problem: location, message and source line. Click the location to open it in the user's
+/// editor.
 void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits);
-/// What is wrong with the file that drives the look, for as long as it is named.
+/// The problems of the file that drives the look.
 void draw_file_problems(const Scene& scene, Edits& edits);

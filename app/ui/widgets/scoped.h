@@ -4,7 +4,7 @@
 
 #include <string>
 
-/// What ImGui pushes and pops, popped by itself.
+/// Scope guards for ImGui's push and pop functions.
 class ScopedId {
 public:
     explicit ScopedId(const std::string& id) { ImGui::PushID(id.c_str()); }

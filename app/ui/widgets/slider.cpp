@@ -25,7 +25,7 @@ std::optional<Steps> steps_of(const SliderFacts& facts) {
     return steps_in(range_of(facts), facts.steps_from.value_or(facts.low));
 }
 
-// How far a slider goes for the way of the hand.
+// Slider movement relative to pointer movement.
 double factor_of(DragPace pace) {
     return pace == DragPace::fine ? 0.1 : pace == DragPace::coarse ? 10.0 : 1.0;
 }
@@ -51,7 +51,7 @@ double dragged_value(double place, const SliderFacts& facts, DragPace pace) {
 }
 
 std::vector<double> notch_places(const SliderFacts& facts, double width) {
-    constexpr double room = 5.0;  // pixels from one to the next
+    constexpr double room = 5.0;  // minimum spacing in pixels
     const auto steps = steps_of(facts);
     if (!steps || steps->count * room > width + room)
         return {};
@@ -70,7 +70,7 @@ std::vector<double> notch_places(const SliderFacts& facts, double width) {
 }
 
 std::vector<double> safe_places(const SliderFacts& facts, double width) {
-    constexpr double room = 5.0;  // pixels from one to the next
+    constexpr double room = 5.0;  // minimum spacing in pixels
     std::vector<double> places;
     for (const double value : facts.safe) {
         const double place = slider_place(value, facts);
@@ -104,7 +104,7 @@ Typing& typing() {
     return *static_cast<Typing*>(ImGui::GetIO().UserData);
 }
 
-// The field has been left, by whatever way: reads what is in it.
+// Parses the text of a field when it loses the focus.
 Turned read_field(const TypedField& field, double& value, const NumberFacts& facts) {
     if (field.text == field.before)
         return {};
@@ -116,7 +116,7 @@ Turned read_field(const TypedField& field, double& value, const NumberFacts& fac
     return {true, true};
 }
 
-// `id_text` is what the id was made from: the text field takes its own from it.
+// `id_text`: the text that `id` was made from. The text field gets the same id.
 Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value,
                    const NumberFacts& facts) {
     Typing& all = typing();
@@ -137,7 +137,7 @@ Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& v
     return read_field(std::exchange(all.open, {}), value, facts);
 }
 
-// Reads a field that another widget took the keyboard from, in this frame or since the last.
+// Parses a field that lost the focus to another widget in this frame or the last one.
 Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
     Typing& all = typing();
     if (all.open.id == id)
@@ -148,7 +148,7 @@ Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
     return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts) : Turned{};
 }
 
-// Safe values are marked along the top, steps along the bottom.
+// Safe values are marked at the top, steps at the bottom.
 void draw_marks(const ImRect& box, const SliderFacts& facts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double width = box.GetWidth();
@@ -165,7 +165,7 @@ void draw_marks(const ImRect& box, const SliderFacts& facts) {
                      theme::packed(safe));
 }
 
-// Left of the hand where it has room there, else right of it.
+// Left of the grab if it fits there, otherwise right of it.
 void draw_note(const ImRect& box, const std::string& note, float hand, bool is_warning) {
     const ImVec2 size = ImGui::CalcTextSize(note.c_str());
     constexpr float gap = 4.0f;
@@ -206,7 +206,7 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
                        half);
 }
 
-// Where the value is that moves: a bright line with heads, apart from the hand's own.
+// Marks the modulated value by a bright line with arrowheads, distinct from the grab.
 void draw_now(const ImRect& box, const SliderFacts& facts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float x =
@@ -227,8 +227,8 @@ DragPace drag_pace() {
     return io.KeyShift ? DragPace::fine : DragPace::direct;
 }
 
-// The value that the mouse asks for. What the hand has moved adds up before it is rounded, so that
-// also a fine hand gets to the next step.
+// The value for the current drag. The unrounded position accumulates, so that fine dragging reaches
+// the next step.
 double dragged(double value, const ImRect& box, ImGuiID id, const SliderFacts& facts) {
     const ImGuiIO& io = ImGui::GetIO();
     const DragPace pace = drag_pace();

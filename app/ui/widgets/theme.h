@@ -2,7 +2,7 @@
 
 #include <imgui/imgui.h>
 
-/// The colours of the window: greys without a hue, always darker than a picture's lights, and one
+/// The colours of the window: neutral greys, always darker than the lights of a picture, and one
 /// accent. Display-encoded.
 namespace theme {
 struct Color {
@@ -11,7 +11,7 @@ struct Color {
 };
 
 constexpr Color none{0.0f, 0.0f, 0.0f, 0.0f};
-constexpr Color surround{0.055f, 0.055f, 0.057f, 1.0f};  // behind the picture
+constexpr Color surround{0.055f, 0.055f, 0.057f, 1.0f};  // around the picture
 constexpr Color pane{0.098f, 0.098f, 0.102f, 1.0f};
 constexpr Color popup{0.118f, 0.118f, 0.122f, 1.0f};
 constexpr Color field{0.150f, 0.150f, 0.156f, 1.0f};
@@ -29,7 +29,7 @@ constexpr Color problem{0.900f, 0.430f, 0.380f, 1.0f};
 constexpr Color problem_pane{0.160f, 0.085f, 0.080f, 0.940f};
 constexpr Color warning{0.840f, 0.710f, 0.380f, 1.0f};
 
-/// Colours and sizes of every widget, for a scale of 1.
+/// Colours and sizes of all widgets at scale 1.
 ImGuiStyle style();
 /// For draw lists.
 inline ImU32 packed(const ImVec4& color) {

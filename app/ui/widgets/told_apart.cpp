@@ -10,7 +10,7 @@ bool is_one(int (*kind)(int), char c) {
     return kind(static_cast<unsigned char>(c)) != 0;
 }
 
-// Where "down_3", "down3" and "downPass" may be parted.
+// Possible splits: "down_3", "down3" and "downPass".
 bool is_word_start(const std::string& name, std::size_t at) {
     if (at == 0 || at >= name.size())
         return false;
@@ -26,13 +26,13 @@ std::size_t shared_words(const std::string& name, const std::string& other) {
     const auto end = std::ranges::mismatch(name, other).in1;
     auto shared = static_cast<std::size_t>(end - name.begin());
     if (shared == name.size())
-        return 0;  // the same, or the other one goes on
+        return 0;  // the same, or a prefix of the other
     while (shared > 0 && !is_word_start(name, shared))
         --shared;
     return shared;
 }
 
-// Without its last character.
+// Removes the last UTF-8 character.
 std::string shortened(std::string text) {
     while (text.size() > 1 && (static_cast<unsigned char>(text.back()) & 0xC0) == 0x80)
         text.pop_back();
@@ -40,7 +40,7 @@ std::string shortened(std::string text) {
     return text;
 }
 
-// As much of the start of `text` as fits between the other two.
+// Shortens `text` until the whole fits.
 std::string cut_between(const std::string& before, std::string text, const std::string& behind,
                         float most, const WidthOf& width_of) {
     std::string cut = before + text + behind;

@@ -4,20 +4,20 @@
 #include <span>
 #include <string>
 
-/// A name in two parts; where there is little room, the front gives way.
+/// A name in two parts. If space is short, the front is shortened first.
 struct ToldName {
     std::string front;
-    std::string end;  // tells it from others; "": the front does
+    std::string end;  // the distinguishing part; "": only the front
 };
 
-/// The front is what the name begins with as one of the others does, whole words of it.
+/// The front is the longest beginning in whole words that another name shares.
 ToldName told_apart(const std::string& name, std::span<const std::string> others);
 
-/// Of passes that are numbered from `first` to `last` behind the stem of their names: of "down_", 1
-/// and 6 "down 1–6". `others` are the names of other passes.
+/// The name of passes numbered from `first` to `last` after a common stem: "down_", 1 and 6 give
+/// "down 1–6". `others` are the names of other passes.
 ToldName told_apart(const std::string& stem, const std::string& first, const std::string& last,
                     std::span<const std::string> others);
 
-/// The name where it is not wider than `most`; else with "…" in the place of what does not fit.
+/// The name if it fits `most`, otherwise shortened with "…".
 std::string cut_to_tell(const ToldName& name, float most,
                         const std::function<float(const std::string&)>& width_of);

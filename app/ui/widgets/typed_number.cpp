@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace {
-// "1,000" and "12,345": a comma between thousands, or before three decimals.
+// "1,000" and "12,345": a thousands separator or a decimal comma.
 bool is_ambiguous(std::string_view text) {
     const auto comma = text.find(',');
     const auto first = text.find_first_of("123456789");

@@ -6,46 +6,45 @@
 #include <string>
 #include <string_view>
 
-/// What a field for a number takes, and how it says it.
+/// The accepted values of a number field and how it displays them.
 struct NumberFacts {
     bool is_changed = false;
     std::string unit = {};
-    std::optional<Limit> limit = {};  // what is typed beyond it stops there
+    std::optional<Limit> limit = {};  // typed values are limited to it
     bool is_whole = false;
-    bool is_decay = false;        // may be typed as a time, see model/look/decay.h
-    bool is_to_be_typed = false;  // has the keyboard from now on
+    bool is_decay = false;        // accepts a time, see model/look/decay.h
+    bool is_to_be_typed = false;  // gets the keyboard focus
 };
 
-/// What became of a text that was typed as a number.
+/// The result of parsing a typed number.
 struct TypedNumber {
-    std::optional<double> value;  // none: the text was no number, the old value stays
-    std::string complaint;        // "" when it was taken as it was typed
+    std::optional<double> value;  // nullopt: not a number, the value is unchanged
+    std::string complaint;        // "" if accepted unchanged
 };
 
-/// Reads what a person types: a point or a comma before the decimals, and the unit behind if they
-/// like; for a decay also a time, see model/look/decay.h. "4,096" is refused: it may mean four or
-/// four thousand. An empty text changes nothing.
+/// Parses a typed number: a decimal point or comma, and an optional unit. For a decay also a time,
+/// see model/look/decay.h. "4,096" is rejected as ambiguous: 4.096 or 4096. An empty text changes
+/// nothing.
 TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts);
 
-/// A field that is, or a moment ago was, typed into.
+/// A text field that is open or has just been closed.
 struct TypedField {
-    unsigned id = 0;  // of ImGui; 0: none
-    int frame = 0;    // that last showed it
+    unsigned id = 0;  // ImGui id; 0: no field
+    int frame = 0;    // last frame that displayed it
     std::string text;
-    std::string before;  // as it was when the field opened
+    std::string before;  // the text when the field opened
 };
 
-/// The hand that drags a slider.
+/// The state of a dragged slider.
 struct SliderHand {
     unsigned id = 0;     // of the slider
-    double place = 0.0;  // on it, not rounded to what the value stops at
+    double place = 0.0;  // unrounded position
 };
 
-/// What is being typed into numbers, and dragged. ImGui has it as its user data; the toolkit owns
-/// it.
+/// Text fields and drags in progress. Stored as ImGui's user data; the toolkit owns it.
 struct Typing {
     TypedField open;
-    TypedField left;        // for another field, and not read yet
-    std::string complaint;  // about what was typed last, to be said once
+    TypedField left;        // lost the focus, not parsed yet
+    std::string complaint;  // about the last typed text, reported once
     SliderHand hand;
 };

@@ -58,7 +58,7 @@ std::string cut_to_fit(const std::string& text, float width) {
 }
 
 namespace {
-constexpr std::size_t most_tooltip_bytes = 4096;  // fills a screen
+constexpr std::size_t most_tooltip_bytes = 4096;  // fills the screen
 }
 
 void fitted_text(const std::string& text, float width, const ImVec4& color) {
@@ -81,8 +81,8 @@ bool is_lingered_on() {
 void tooltip(const std::string& text) {
     if (text.empty() || !is_lingered_on())
         return;
-    const ScopedColor color(ImGuiCol_Text, theme::text);         // whatever the item's own is
-    const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // likewise: the one for text
+    const ScopedColor color(ImGuiCol_Text, theme::text);         // independent of the item's colour
+    const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // and of its font
     ImGui::BeginTooltip();
     ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 24.0f).c_str());
     ImGui::EndTooltip();
@@ -121,7 +121,7 @@ bool section(const std::string& label, bool opens_first) {
     const float middle = at.y + height * 0.5f;
     const float size = ImGui::GetFontSize();
     const float room = ImGui::GetItemRectSize().x - size * 0.95f;
-    const std::string shown = cut_to_fit(label, room);  // a small button may stand at the end
+    const std::string shown = cut_to_fit(label, room);  // a small button can follow
     draw_chevron({at.x + size * 0.3f, middle}, is_open,
                  ImGui::IsItemHovered() ? theme::accent : theme::dim);
     ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
@@ -154,7 +154,7 @@ bool begin_combo(const char* id, const std::string& present, float width) {
     const bool is_open = ImGui::BeginCombo(
         id, cut.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
     if (is_open)
-        return true;  // from here on the list is drawn
+        return true;  // now the list is drawn
     draw_chevron(
         {low.x + width - ImGui::GetFontSize() * 0.7f, low.y + ImGui::GetFrameHeight() * 0.5f}, true,
         theme::dim);

@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <string>
 
-/// A part of the window, in its coordinates from the top left corner.
+/// An area of the window, in window coordinates from the top left corner.
 struct Rect {
     float left = 0.0f;
     float top = 0.0f;
@@ -20,10 +20,10 @@ struct Rect {
     bool is_shown() const { return width > 0.0f && height > 0.0f; }
 };
 
-/// What ImGui calls a texture; it takes GL's name in a pointer's clothes.
+/// ImGui's texture handle: the GL name, stored as a pointer.
 ImTextureID texture_id(std::uintptr_t handle);
 
-/// A pane of the window: drawn into until it ends.
+/// An area of the window to draw into during its lifetime.
 class Pane {
 public:
     Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded = true,
@@ -34,44 +34,44 @@ public:
 };
 
 void dim_text(const std::string& text);
-/// As dim_text, over as many lines as it takes.
+/// As dim_text, wrapped into lines.
 void wrapped_dim_text(const std::string& text);
-/// As many lines as `width` takes; they end at blanks.
+/// Wraps the text at blanks to `width`.
 std::string wrapped(const std::string& text, float width);
-/// Cut at the right with "…" where it does not fit `width`; the whole in a tooltip.
+/// Cuts the text with "…" if it does not fit `width`; the tooltip has the whole text.
 void fitted_text(const std::string& text, float width, const ImVec4& color);
 std::string cut_to_fit(const std::string& text, float width);
 
-/// Whether the last item has been hovered for a moment, with no button held.
+/// Whether the last item has been hovered for a moment without a pressed button.
 bool is_lingered_on();
-/// Shows a text, broken into lines, when the last item is hovered for a moment.
+/// Shows a wrapped text when the last item is hovered for a moment.
 void tooltip(const std::string& text);
-/// The same of a file that a click opens in the user's editor.
+/// A tooltip for a file that opens in the user's editor on click.
 void editor_tooltip(const std::filesystem::path& file);
 
-/// A quiet heading over a part of a pane.
+/// The heading of a section.
 void heading(const std::string& text);
-/// The same with room for a small button at its end, which is drawn next.
+/// As heading(), with space for a small button, which is drawn next.
 void heading_with_button(const std::string& text);
 
-/// A line that opens and closes what follows; leaves room for a small button at its end.
+/// A collapsible header with space for a small button at its end.
 bool section(const std::string& label, bool opens_first);
-/// Opens the section of that label that comes next.
+/// Opens the next section with this label.
 void open_section(const std::string& label);
 
-/// An arrowhead around `middle` that points down or to the right.
+/// An arrowhead centred at `middle`, pointing down or right.
 void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color);
 
-/// ImGui::BeginCombo with a quieter arrow.
+/// ImGui::BeginCombo with a less prominent arrow.
 bool begin_combo(const char* id, const std::string& present, float width);
 
-/// A button with a text that stays quiet until hovered.
+/// A text button without a background until it is hovered.
 bool quiet_button(const std::string& label);
 
-/// A choice among a few words, as buttons in a row, named "ID:WORD"; gives the one in force.
+/// A choice as a row of buttons with marks "ID:WORD"; returns the chosen index.
 int choice(const char* id, const char* const* labels, int count, int chosen, Edits& edits);
 
-/// Moves on along the line, to `x` from the pane's left edge.
+/// Continues the line with an item of this width at the right end.
 void same_line_right(float width);
 
 /// "1280 × 720".

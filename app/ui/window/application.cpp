@@ -36,13 +36,13 @@ double seconds_between(Clock::time_point start, Clock::time_point end) {
     return std::chrono::duration<double>(end - start).count();
 }
 
-// A widget's answer to an event shows a frame or two later, a tooltip after a moment.
+// Drawing continues after an event: widgets react a frame or two later, tooltips after a delay.
 constexpr auto awake = std::chrono::milliseconds(450);
 
-// So long the panels wait for a first picture.
+// Maximum delay of the panels for the first picture.
 constexpr double picture_patience_seconds = 0.25;
 
-// What somebody waits to see or to read is yet to come; on a slow machine that takes long.
+// Whether displayed results are still pending. On a slow machine they take long.
 bool is_owing(const Lab& lab, const Views& views) {
     const ComparedPictures& compared = views.compared();
     const Comparison& chosen = lab.comparing().chosen();
@@ -51,13 +51,13 @@ bool is_owing(const Lab& lab, const Views& views) {
     return owes_distances || owes_stops || views.is_owing();
 }
 
-/// What the window begins with.
+/// The initial state of the window.
 struct Start {
     WindowState state;
     FirstFile first_file = {};
 };
 
-// Opens what the command line names, else what was open last.
+// Opens the look of the command line, otherwise the last session.
 void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
     std::optional<std::string> look = options.look;
     if (look && FirstFile::is_one(*look, lab)) {
@@ -68,7 +68,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     start.state.first_steps.is_shown = session.look.empty();
     lab.parameters().set_all(session.knobs);
     lab.set_content(content_of(session));
-    (void)lab.transport().mute_input(true);  // until the user asks for a live sound
+    (void)lab.transport().mute_input(true);  // until the user chooses a live input
     lab.set_slots(session.slots);
     lab.presets().set_stars(session.preset_stars);
     if (look)
@@ -77,10 +77,10 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
         restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
 
-/// The window with all that runs in it, turn by turn.
+/// The window and its main loop.
 class Application {
 public:
-    /// `lab` stays longer; a look is being opened in it.
+    /// `lab` must outlive the application; it is already opening a look.
     Application(const WindowOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
                 Views views, Start start)
         : m_options(options),
@@ -92,7 +92,7 @@ public:
           m_state(std::move(start.state)),
           m_waker(m_lab.loader().files().descriptor(), [] { gpu::Window::wake(); }) {}
 
-    /// False where the driver has lost the window's context.
+    /// False if the driver has lost the window's context.
     bool run() {
         SessionKeeper keeper(m_options.roots);
         while (!m_is_quitting && !m_window.is_close_requested()) {
@@ -113,7 +113,7 @@ public:
     }
 
 private:
-    bool wait();  // whether a turn is due
+    bool wait();  // whether an update is due
     bool has_lost_context() const;
     Extent view() const;
     void turn();
@@ -147,7 +147,7 @@ private:
     Pace m_pace;
     Waker m_waker;
     Waker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::Window::wake(); }};
-    std::optional<Waker> m_remote_waker;  // while another program may turn something
+    std::optional<Waker> m_remote_waker;  // while other programs can set parameters
     int m_remote_port = 0;
     std::string m_title;
     std::string m_state_text;
@@ -155,20 +155,20 @@ private:
     Clock::time_point m_awake_until = Clock::now() + awake;
     Clock::time_point m_attended_until = m_awake_until;
     Clock::time_point m_drawn = m_last;
-    double m_frame_seconds = 0.0;  // since a frame of the picture was whole
+    double m_frame_seconds = 0.0;  // since the last complete frame of the picture
     long m_turn = 0;
-    bool m_has_had_picture = false;           // a look has drawn
-    std::optional<bool> m_waits_for_display;  // as the window was last told
+    bool m_has_had_picture = false;           // a look has been drawn
+    std::optional<bool> m_waits_for_display;  // as last set on the window
     bool m_is_quitting = false;
 };
 
-// While nothing moves the program sleeps until the person or a file wants something, and looks to
-// the session now and then. While it moves no more frames are drawn than the display shows.
+// While idle, waits for input or file changes, and returns false about once a second to update the
+// session. Otherwise limits updates to the chosen frame rate.
 bool Application::wait() {
     constexpr double rest_seconds = 1.0;
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
-        m_awake_until = start + awake;  // what is measured of the last frame comes a little later
+        m_awake_until = start + awake;  // measurements of the last frame follow later
     const bool owes = is_owing(m_lab, m_views) || m_views.is_settling() || m_state.pending.is_any();
     const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
@@ -193,7 +193,7 @@ bool Application::has_lost_context() const {
     return gpu::was_reset() || (m_turn >= injected_turn && take_injected_reset());
 }
 
-// The pixels that a picture which follows the view has: the output window's, where it is open.
+// The size in pixels of a picture that follows the view: that of the output window if it is open.
 // Empty before the first panels.
 Extent Application::view() const {
     return m_state.views.output.is_empty() ? m_state.views.picture : m_state.views.output;
@@ -217,7 +217,7 @@ void Application::turn() {
     if (is_before_panels(now))
         return make_panels_ready(wall_seconds);
     if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
-        return;  // all there is of the machine for a look that takes long
+        return;  // a slow look gets all of the time
     m_drawn = now;
     list_looks(wall_seconds);
     m_views.update(m_lab, m_state);
@@ -243,7 +243,7 @@ void Application::list_looks(double wall_seconds) {
                    wall_seconds);
 }
 
-// While this thread has nothing else to do.
+// Prepares the panels while the first picture is still being loaded.
 void Application::make_panels_ready(double wall_seconds) {
     if (!m_toolkit.is_ready()) {
         gpu::bind_screen(m_window.framebuffer_size());
@@ -253,7 +253,7 @@ void Application::make_panels_ready(double wall_seconds) {
     list_looks(wall_seconds);
 }
 
-// Of the picture's frames: one that takes long covers many turns.
+// Measures frames of the picture; a slow one spans many updates.
 void Application::note_pace(double wall_seconds) {
     const bool was_amid = m_frame_seconds > 0.0;
     m_frame_seconds += wall_seconds;
@@ -265,21 +265,21 @@ void Application::note_pace(double wall_seconds) {
                   m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
 }
 
-// The first of all.
+// Whether the first picture of all is still pending.
 bool Application::awaits_picture() {
     m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
     const bool is_coming = m_lab.loader().is_loading() || m_lab.is_amid_frame();
     return is_coming && !m_has_had_picture;
 }
 
-// A first picture that comes at once is seen with the first panels. How large it is to be nobody
-// knows where there were no panels yet.
+// The panels wait briefly, so that a fast first picture is displayed with them. Without stored
+// panel sizes, the size of the picture is unknown.
 bool Application::is_before_panels(Clock::time_point now) {
     return m_turn == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
            seconds_between(m_drawn, now) < picture_patience_seconds;
 }
 
-// Whether a new frame of the panels would be missed: else they come a few times a second.
+// Whether the panels need a new frame now. Otherwise they are drawn ten times a second.
 bool Application::is_attended(Clock::time_point now) {
     constexpr double now_and_then = 0.1;
     if (m_turn == 0 || m_window.has_input() || m_toolkit.is_behind() ||
@@ -292,7 +292,7 @@ void Application::follow_remote() {
     const int port = m_lab.remote().osc().port();
     if (port == m_remote_port)
         return;
-    m_remote_port = port;  // another port may well have the same descriptor
+    m_remote_port = port;  // another port can have the same descriptor
     m_remote_waker.emplace(m_lab.remote().osc().descriptor(), [] { gpu::Window::wake(); });
 }
 
@@ -321,7 +321,7 @@ void Application::draw() {
                       m_toolkit.density(),
                       m_toolkit.pointer_path(),
                       m_toolkit.panel_milliseconds()};
-    edits.arrange([](WindowState& state) {  // panels set them anew
+    edits.arrange([](WindowState& state) {  // panels set them again
         state.probe.reset();
         state.pointed.reset();
         state.scan_place.reset();
@@ -345,7 +345,7 @@ void Application::apply(const Edits& edits) {
     for (const std::filesystem::path& file : m_lab.opened_files().take())
         note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab, m_state);
-    if (edits.has_verbs() || m_toolkit.has_input())  // a frame shows what the one before it changed
+    if (edits.has_verbs() || m_toolkit.has_input())  // changes are displayed one frame later
         m_attended_until = m_awake_until = Clock::now() + awake;
     if (edits.has_verbs())
         m_shelf.refresh();
@@ -353,7 +353,7 @@ void Application::apply(const Edits& edits) {
         m_window.set_clipboard(*edits.copied());
     m_is_quitting = edits.is_quitting();
     const bool waits = m_state.frame_rate.waits_for_display && !m_output.is_open();
-    if (waits != m_waits_for_display)  // of two windows only the output waits, or each waits twice
+    if (waits != m_waits_for_display)  // only one window waits, to avoid waiting twice
         m_window.set_vsync(*(m_waits_for_display = waits));
     offer_move();
     note_geometry();
@@ -392,7 +392,7 @@ gpu::WindowOptions geometry_of(const WindowState& state) {
 }  // namespace
 
 namespace {
-// One window until it is closed, or until the driver loses its context: then false.
+// Runs a window until it is closed. False: the driver has lost its context.
 Result<bool> run_once(const WindowOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
@@ -405,7 +405,7 @@ Result<bool> run_once(const WindowOptions& options) {
     lab.loader().worker().set_wake([] { gpu::Window::wake(); });
     if (!start.state.views.picture.is_empty())
         lab.size().set_view(
-            start.state.views.picture);  // as it was, until the panels say how it is
+            start.state.views.picture);  // the last size, until the panels report theirs
     if (!warnings.empty())
         lab.messages().say(warnings.front());
     lab.look_at(displayed_passes(lab, start.state));
@@ -428,7 +428,7 @@ Result<void> run_window(const WindowOptions& options) {
             return fail(is_closed.error());
         if (*is_closed)
             return {};
-        again.look.reset();  // the session has it
+        again.look.reset();  // it is now in the session
     }
     return fail(
         {{}, 0, "the graphics driver keeps resetting; close other programs that use the GPU"});

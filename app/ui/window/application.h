@@ -7,14 +7,15 @@
 #include <optional>
 #include <string>
 
-/// What the window is to start with.
+/// The options for the start of the window.
 struct WindowOptions {
-    std::optional<std::string> look;  // folder, name or preset; none: the session's, else Phosphor
+    std::optional<std::string> look;  // folder, name or preset; nullopt: last session, else
+                                      // Phosphor
     Roots roots;
-    /// Kept up to date with what the window shows, for tests; "": none.
+    /// Kept up to date with the displayed state, for tests; "": not written.
     std::filesystem::path state_file;
 };
 
-/// Opens the window and stays until it is closed. Fails before anything is shown where there is no
-/// display or no OpenGL 4.1.
+/// Opens the window and returns when it is closed. Fails before displaying anything if the display
+/// or OpenGL 4.1 is missing.
 Result<void> run_window(const WindowOptions& options);

@@ -21,8 +21,8 @@ struct InputQueue::Seen {
     bool has_turned_wheel = false;
     gpu::PointerEvent wheel_turned_at;
     bool has_text = false;
-    bool has_command = false;  // a key that does something rather than print
-    bool has_press = false;    // any key but those that are held with others
+    bool has_command = false;  // a key that does not only print
+    bool has_press = false;    // any key except modifiers
 };
 
 void InputQueue::add(const std::vector<gpu::InputEvent>& events) {
@@ -45,7 +45,7 @@ std::vector<gpu::InputEvent> InputQueue::take_frame(bool is_typing) {
 }
 
 namespace {
-// Whether a key only prints: then the text that follows it tells all.
+// Whether a key only prints. The following text event then contains all information.
 bool only_prints(int key, const std::set<int>& modifiers) {
     bool is_plain = key >= ' ' && key < gpu::key::escape;
     for (const int held : modifiers)
@@ -53,7 +53,7 @@ bool only_prints(int key, const std::set<int>& modifiers) {
     return is_plain;
 }
 
-// A hand on the wheel trembles; what it scrolls stays the same.
+// Small movements while scrolling do not change the scrolled item.
 bool are_near(const gpu::PointerEvent& a, const gpu::PointerEvent& b) {
     constexpr float most = 24.0f;
     return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most;

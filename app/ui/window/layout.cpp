@@ -12,7 +12,7 @@ constexpr float pane_gap = 4.0f;
 constexpr float transport_height = 38.0f;
 constexpr float status_height = 25.0f;
 
-// What two neighbours ask for, made smaller together until they leave `rest` of `room`.
+// Reduces two requested sizes by the same factor until at least `rest` of `room` remains.
 std::array<float, 2> shared(float first, float second, float room, float rest) {
     const float most = std::max(0.0f, room - rest);
     const float wanted = first + second;
@@ -51,7 +51,7 @@ void arrange_middle(const WindowState& window, const Rect& column, float scale, 
                          bottom - between};
 }
 
-// A bar between two panes; gives how far it was dragged.
+// A splitter between two panes; returns the dragged distance.
 float dragged(const char* id, const Rect& bar, bool is_upright) {
     ImGui::SetCursorPos({bar.left, bar.top});
     ImGui::InvisibleButton(id, {std::max(bar.width, 1.0f), std::max(bar.height, 1.0f)});

@@ -4,7 +4,7 @@
 #include "ui/frame/edits.h"
 #include "ui/widgets/widgets.h"
 
-/// Where each pane of the window is; one without a width or height is not shown.
+/// The positions of the panes; a pane without width or height is hidden.
 struct Layout {
     Rect library;
     Rect transport;
@@ -16,9 +16,9 @@ struct Layout {
     Rect status;
 };
 
-/// The panes in a window whose usable part (below the menu) is `all`. The picture keeps at least a
-/// third of the width and height, whatever the sizes that a person dragged.
+/// Arranges the panes in the area `all` below the menu. The picture keeps at least a third of the
+/// width and height, whatever sizes the user has dragged.
 Layout arrange_panes(const WindowState& window, const Rect& all, float scale);
 
-/// The gaps between the panes, that can be dragged.
+/// The draggable gaps between the panes.
 void draw_splitters(const Layout& layout, const WindowState& window, float scale, Edits& edits);

@@ -36,7 +36,7 @@ void draw_picture_submenus(const Scene& scene, Edits& edits) {
     }
 }
 
-// What is chosen from a list stands above the actions.
+// The submenus of choices, above the actions.
 void draw_lists(Menu menu, const Scene& scene, Edits& edits) {
     using In = ChoiceList::Place;
     for (const auto& [of, place] :

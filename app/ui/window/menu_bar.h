@@ -3,8 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// The menu bar, made from the table of actions; at its right end what is open.
+/// The menu bar from the action table, with the title of the open look at its right end.
 void draw_menu_bar(const Scene& scene, Edits& edits);
 
-/// "Phosphor – amber •": the look, its preset, and a mark when that is modified.
+/// "Phosphor – amber •": the look, its preset, and a mark for unsaved changes.
 std::string title_of(const Lab& lab);

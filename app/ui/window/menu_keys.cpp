@@ -8,19 +8,19 @@
 namespace {
 constexpr int f10 = gpu::key::first_function + 9;
 
-// One is open, or the keys stand on the bar.
+// Whether a menu is open or the menu bar has the keyboard focus.
 bool is_in_menus() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) ||
            ImGui::GetCurrentContext()->NavLayer == ImGuiNavLayer_Menu;
 }
 
-// The toolkit moves among all that is on the screen with these keys, where it is let: they belong
-// to the parameters.
+// With this flag, ImGui's keyboard navigation covers all widgets. It is normally off, because the
+// parameters use these keys.
 void let_keys_walk(bool are_let) {
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
     flags = are_let ? flags | ImGuiConfigFlags_NavEnableKeyboard
                     : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::GetIO().KeyMap[ImGuiKey_Space] = are_let ? gpu::key::enter : ' ';  // what takes an item
+    ImGui::GetIO().KeyMap[ImGuiKey_Space] = are_let ? gpu::key::enter : ' ';  // activates an item
 }
 }  // namespace
 
@@ -30,7 +30,7 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
     if (is_asked) {
         ImGui::OpenPopup(first);
         let_keys_walk(true);
-        // A pointer that rests where the menu opens has not chosen anything.
+        // The stationary pointer must not select an item of the new menu.
         ImGui::GetCurrentContext()->NavDisableMouseHover = true;
         ImGui::GetCurrentContext()->NavDisableHighlight = false;
         edits.arrange([](WindowState& window) { window.walks_menus = true; });

@@ -6,19 +6,19 @@
 #include <memory>
 #include <string>
 
-/// The window that shows the picture alone, over all of a display, while the panels stay.
+/// The full-screen window that shows only the picture, on a second display if available.
 class OutputWindow {
 public:
-    /// Opens it, closes it or takes it to another display, as `state` wants; closed by the desktop
-    /// or by Escape it says so there. Returns what went wrong, "" when nothing did.
+    /// Opens, closes or moves the window as `state` requires. If the desktop or Escape closed it,
+    /// `state` is updated. Returns the error; "": no error.
     std::string follow(WindowState& state, gpu::Window& panels);
-    /// Shows the picture, null: black. The panels' context is current afterwards.
+    /// Shows the picture; null: black. Afterwards the panels' context is current.
     void show(const gpu::Texture* picture, gpu::Window& panels);
-    /// Keys that were pressed on it, for the panels.
+    /// The key presses in this window, for the panels.
     std::vector<gpu::InputEvent> take_keys();
-    /// The display that it is on, or would open on.
+    /// The display of the window, or where it would open.
     std::size_t monitor() const { return m_monitor; }
-    /// The panels cannot be seen behind it.
+    /// Whether it hides the panels.
     bool covers_panels() const { return m_covers_panels; }
     bool is_open() const { return m_window != nullptr; }
 
@@ -26,5 +26,5 @@ private:
     std::unique_ptr<gpu::Window> m_window;
     std::size_t m_monitor = 0;
     bool m_covers_panels = false;
-    bool m_is_left = false;  // Escape was pressed on it
+    bool m_is_left = false;  // Escape was pressed in it
 };

@@ -37,7 +37,7 @@ std::string values_text(const Document& document) {
     return fmt::format("{{{}}}", fmt::join(values, ","));
 }
 
-// Of what moves by itself: its first number as drawn.
+// The first component of each modulated parameter, as drawn.
 std::string moving_text(const Lab& lab) {
     std::vector<std::string> moving;
     for (const Parameter& parameter : lab.document()->look().parameters)
@@ -82,10 +82,10 @@ std::string probe_text(const Scene& scene) {
     return fmt::format(R"({{"pass":{},"x":{},"y":{},"rgba":["{}","{}","{}","{}"]}})",
                        json_string(probe->pass), probe->x, probe->y, (*rgba)[0], (*rgba)[1],
                        (*rgba)[2],
-                       (*rgba)[3]);  // texts: a texel may be infinite or not a number
+                       (*rgba)[3]);  // as text: it can be infinite or NaN
 }
 
-// What the inspector shows of its target's numbers.
+// The target, levels and statistics of the inspector.
 std::string inspection_text(const Scene& scene) {
     const PassView& view = scene.window.inspected;
     const auto all = scene.views.statistics();
@@ -98,7 +98,7 @@ std::string inspection_text(const Scene& scene) {
                        json_string(view.label()), view.levels.black, view.levels.white, measured);
 }
 
-// Numbers that are seen in texels, of the picture's place and the inspector, and along a line.
+// The number of displayed texel values, in picture, inspector and waveform.
 std::string closer_text(const Scene& scene) {
     const CloserLook& closer = scene.views.closer();
     const auto count = [](const CellNumbers& cells) {
@@ -111,7 +111,7 @@ std::string closer_text(const Scene& scene) {
         line.end.y, closer.waveform().numbers().size());
 }
 
-// Of each pin the red of every pass; a null has not come yet.
+// The red value of each pin in every pass; null: still pending.
 std::string pins_text(const Scene& scene) {
     std::vector<std::string> pins;
     const std::size_t passes =
@@ -127,7 +127,7 @@ std::string pins_text(const Scene& scene) {
     return fmt::format(R"(,"pins":[{}])", fmt::join(pins, ","));
 }
 
-// Of each pass its peak and the share that is clipped; a null has not come yet.
+// The peak and clipped share of each pass; null: still pending.
 std::string gains_text(const Scene& scene) {
     std::vector<std::string> gains;
     const std::size_t passes =
@@ -139,7 +139,7 @@ std::string gains_text(const Scene& scene) {
     return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
 }
 
-// How and with what the picture is compared, and what the two come to.
+// The mode, reference and results of the comparison.
 std::string comparison_text(const Scene& scene) {
     static constexpr std::array modes{"off", "wipe", "side by side", "difference"};
     const Lab& lab = scene.lab;
@@ -158,14 +158,14 @@ std::string comparison_text(const Scene& scene) {
         fmt::join(slots, ","));
 }
 
-// What has stopped the clock.
+// The non-finite pixel that stopped the clock.
 std::string trip_text(const Lab& lab) {
     const auto& trip = lab.trip();
     return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
                 : R"(,"trip":null)";
 }
 
-// How often the picture flashes, and whether a person's clamp is on.
+// The number of flashes, and whether the flash limiter is on.
 std::string flashes_text(const Scene& scene) {
     const Flashes flashes = scene.views.flashes();
     return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
@@ -185,7 +185,7 @@ std::string switches_text(const Lab& lab) {
                        json_string(switches.last));
 }
 
-// What a step changes of each pass (a null has not come yet), how far a sheet is, and a morph.
+// The effect of a step on each pass (null: still pending), and the progress of sheet and morph.
 std::string tryouts_text(const Scene& scene) {
     const Lab& lab = scene.lab;
     const StepProbe& probe = lab.tryouts().probe();
@@ -202,7 +202,7 @@ std::string tryouts_text(const Scene& scene) {
         lab.morphing() ? fmt::format("{:.3f}", lab.morphing()->share()) : "null");
 }
 
-// The presets as they are listed, how many of them have a picture or say why not, and stars.
+// The listed presets, the number with pictures, the errors and the filter.
 std::string presets_text(const Scene& scene) {
     const Lab& lab = scene.lab;
     if (!lab.document())

@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-/// What the window shows, as JSON: for tests that drive the program with mouse and keyboard.
-/// docs/testing.md says what is in it.
+/// The displayed state as JSON, for tests that control the window with mouse and keyboard.
+/// docs/testing.md describes the fields.
 std::string state_text(const Scene& scene, const Edits& edits);
 
-/// Writes it beside the file and moves it there, so that a reader never sees half of it. A failure
-/// is ignored: the file is for tests, which wait for it in vain and say so.
+/// Replaces the file atomically, so that a reader never gets a partial file. Errors are ignored:
+/// the tests that wait for it report a timeout.
 void write_state(const std::filesystem::path& file, const std::string& text);

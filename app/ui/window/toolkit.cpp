@@ -18,11 +18,11 @@ Toolkit::Toolkit(gpu::Window& window, BuiltFonts fonts)
     IMGUI_CHECKVERSION();
     ImGui::CreateContext(m_fonts.atlas.get());
     ImGuiIO& io = ImGui::GetIO();
-    io.IniFilename = nullptr;  // the session keeps the window's arrangement
+    io.IniFilename = nullptr;  // the session stores the layout
     io.LogFilename = nullptr;
     io.UserData = &m_typing;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
-    io.ConfigInputTextCursorBlink = false;  // a resting window draws nothing
+    io.ConfigInputTextCursorBlink = false;  // an idle window draws nothing
     ImGui_ImplGlfw_InitForOpenGL(static_cast<GLFWwindow*>(window.native()), false);
     ImGui_ImplOpenGL3_Init("#version 410 core");
 }
@@ -48,7 +48,7 @@ void Toolkit::set_scale(float scale, float density) {
     }
     ImGui::GetIO().FontGlobalScale = 1.0f / density;
     if (is_first)
-        return;  // the backend uploads them with all else that it makes for its first frame
+        return;  // the backend uploads them with its first frame
     ImGui_ImplOpenGL3_DestroyFontsTexture();
     ImGui_ImplOpenGL3_CreateFontsTexture();
 }
@@ -97,7 +97,7 @@ void apply(const gpu::WheelEvent& event) {
 }
 }  // namespace
 
-// The backend looks at the mouse by itself; what it saw may be later than this frame's part.
+// The backend also polls the mouse. Its state can be newer than the events of this frame.
 void Toolkit::take_input() {
     ImGuiIO& io = ImGui::GetIO();
     const ImVec2 place = io.MousePos;
@@ -126,7 +126,7 @@ double cpu_seconds() {
 }  // namespace
 
 void Toolkit::make_ready(float scale) {
-    // Where the desktop scales windows itself, a coordinate of the window covers several pixels.
+    // If the desktop scales windows, one window coordinate covers several pixels.
     const Extent size = m_window.size();
     const Extent pixels = m_window.framebuffer_size();
     const float density = size.is_empty() || pixels.is_empty()

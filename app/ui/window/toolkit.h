@@ -9,45 +9,45 @@
 #include <utility>
 #include <vector>
 
-/// ImGui in a window: its context, its fonts and the two backends. One at a time.
+/// ImGui in a window: context, fonts and both backends. Only one can exist at a time.
 class Toolkit {
 public:
-    /// `fonts` serve where their scale is the display's; else they are built anew.
+    /// `fonts` are used if their scale matches the display; otherwise they are rebuilt.
     Toolkit(gpu::Window& window, BuiltFonts fonts);
     ~Toolkit();
     Toolkit(const Toolkit&) = delete;
     Toolkit& operator=(const Toolkit&) = delete;
 
-    /// Whether the person did more than the last frame could answer.
+    /// Whether input events wait for the next frame.
     bool is_behind() const { return !m_input.is_empty(); }
-    /// Whether the person did anything that this frame answers.
+    /// Whether this frame contains input events.
     bool has_input() const { return m_has_input; }
-    /// Takes what was done on another window as if it had been done on this one.
+    /// Adds events of another window.
     void also_take(const std::vector<gpu::InputEvent>& events) { m_input.add(events); }
-    /// Makes what a first frame at that scale would have to wait for; begin() does, too.
+    /// Creates the resources for a first frame at this scale; begin() does the same.
     void make_ready(float scale);
     bool is_ready() const { return m_scale > 0.0f; }
-    /// Draws a pixel as panels are drawn, when it is ready and into what they will be seen in: a
-    /// driver makes its code when it is first drawn with.
+    /// Draws one pixel like a panel, into the panels' framebuffer, after make_ready(). The driver
+    /// then compiles the shaders before the first visible frame.
     void draw_first();
-    /// Begins a frame at a scale of text and controls; `scale` 1 is the display's own.
+    /// Begins a frame at a scale of text and controls; 1 is the scale of the display.
     void begin(float scale);
-    /// Draws what was asked for since begin().
+    /// Draws everything since begin().
     void end();
 
-    /// What is wrong with the number that was typed last, once; "" when nothing is.
+    /// The error in the last typed number, once; "": no error.
     std::string take_complaint() { return std::exchange(m_typing.complaint, {}); }
 
-    /// CPU time of this thread from begin() to the end of the last frame's panels; what GL then
-    /// makes of their triangles does not count.
+    /// CPU time of this thread from begin() to the end of the last frame's panels. Does not include
+    /// GL's drawing.
     double panel_milliseconds() const { return m_panel_milliseconds; }
 
     const Fonts& fonts() const { return m_fonts.fonts; }
-    /// Where the pointer has been since the last frame, in order, in coordinates of the window.
+    /// The pointer positions since the last frame, in order, in window coordinates.
     const std::vector<gpu::PointerEvent>& pointer_path() const { return m_pointer_path; }
-    /// Coordinates of the window a pixel of the layout.
+    /// Window coordinates per layout pixel.
     float scale() const { return m_scale; }
-    /// Device pixels a coordinate of the window.
+    /// Device pixels per window coordinate.
     float density() const { return m_density; }
 
 private:

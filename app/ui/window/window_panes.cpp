@@ -23,14 +23,14 @@
 #include <algorithm>
 
 namespace {
-// What the screen was cleared with stays: software GL takes as long to fill it again as to draw the
-// panels.
+// Transparent, so that the clear colour remains. On software GL, filling it again costs as much as
+// drawing the panels.
 constexpr theme::Color nothing{0.0f, 0.0f, 0.0f, 0.0f};
 
 void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
     Rect upper = place;
     Rect lower = place;
-    // The list is as long as it needs to be, up to a little more than half.
+    // The list has its full height, up to 55 %.
     std::size_t lines = 2;
     for (const ShelfLook& look : scene.shelf.looks())
         lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
