@@ -11,7 +11,7 @@
 #include <set>
 
 namespace {
-// Two different things that a short text would show alike get as many digits as tell them apart.
+// Values that look the same in a short text get as many digits as needed to distinguish them.
 Change change_of(const Parameter& parameter, const Value& before, const Value& after) {
     constexpr int most_digits = 17;
     Change change{parameter.name, parameter.label, {}, {}, unit_text(parameter)};
@@ -82,7 +82,7 @@ std::string setting_text(const Spec::Setting& setting) {
         return text;
     std::size_t end = most;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
-        --end;  // not in the middle of a letter
+        --end;  // not within a UTF-8 character
     return text.substr(0, end) + "…";
 }
 
@@ -120,7 +120,7 @@ void add_signal(const Spec& before, const Spec& after, std::vector<Change>& chan
                       text_of(new_spec, key),
                       facts ? facts->unit : ""};
         if (change.before == change.after)
-            change.after = "another value";  // long texts that begin alike
+            change.after = "another value";  // long texts with the same beginning
         changes.push_back(std::move(change));
     }
 }

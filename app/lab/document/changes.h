@@ -2,26 +2,26 @@
 
 #include "lab/document/document.h"
 
-/// What is not the same in two states, in words: a line of a list.
+/// A difference between two states, as the texts of one line in a list.
 struct Change {
-    std::string name;    // of the parameter; "" for all else
+    std::string name;    // of the parameter; "": not a parameter
     std::string label;   // "Decay", "Signal: Across"
     std::string before;  // "0.92", "#33ff4d", "Reinhard"
     std::string after;
-    std::string unit;  // of both; "" for none
+    std::string unit;  // of both; "": no unit
 
     bool operator==(const Change&) const = default;
 };
 
-/// What of `after` differs from `before`: the values in the order of the look's panel and then
-/// those it does not know, signal, source, the looks of a stack and what was set of its passes. The
-/// look is the one that is open, perhaps not yet the states'.
+/// The differences between `before` and `after`: values in the order of the panel, then unknown
+/// ones, then modulations, signal, source, stack and pass overrides. `look` is the open look, which
+/// may not match the states yet.
 std::vector<Change> changes_between(const Look& look, const DocumentState& before,
                                     const DocumentState& after);
 
 /// "Decay 0.92 → 0.61 per 1/60 s".
 std::string line_of(const Change& change);
 
-/// All of them in a few words: "0.92 → 0.61 per 1/60 s" where `step` says of what, else "Decay 0.92
-/// → 0.61", and how many more there are; "" for none.
+/// A short summary: "0.92 → 0.61 per 1/60 s" if `step` contains the label, otherwise "Decay 0.92 →
+/// 0.61". Also the number of further changes. "": no changes.
 std::string summary_of(const std::vector<Change>& changes, const std::string& step);

@@ -26,7 +26,7 @@ void Document::change(DocumentState next, std::string step_name, bool goes_on, S
     follow_stack();
 }
 
-// While another stack is being read its names are already the state's.
+// While another stack is being read, the state already uses its names.
 std::optional<std::string> Document::present_name(const std::string& name) const {
     return is_restacking() ? moved_name(name, m_look.stack, state().stack) : name;
 }
@@ -45,7 +45,7 @@ void Document::set_stack(Stack stack, const std::string& step_name) {
     change(std::move(next), step_name);
 }
 
-// Only a step that chose content brings other content, and the lock of that time.
+// Only undoing a content step changes the content and its lock.
 void Document::undo_one() {
     const bool is_of_content = m_undo.past().back().is_marked;
     const Content before = content();
@@ -93,7 +93,7 @@ void Document::set_value(const std::string& name, Value value, bool goes_on) {
     Value& held = next.values[*present];
     held = clamped(*parameter, std::move(value));
     if (!is_restacking() && held == parameter->initial)
-        next.values.erase(*present);  // of the others only what was changed is there already
+        next.values.erase(*present);  // while restacking, the state also keeps defaults
     m_undo.change(std::move(next), parameter->label, goes_on);
     follow_stack();
 }
@@ -144,7 +144,7 @@ void Document::reset(const std::vector<std::string>& names) {
 }
 
 namespace {
-// As it is there, or not at all.
+// Copies the entry, or removes it if it is missing.
 template <class T>
 void keep(const std::map<std::string, T>& present, const std::string& here,
           std::map<std::string, T>& next, const std::string& there) {
@@ -155,7 +155,7 @@ void keep(const std::map<std::string, T>& present, const std::string& here,
 }
 }  // namespace
 
-// `next`, with the values that are locked as they are now.
+// `next` with the current values of locked parameters.
 DocumentState Document::with_locked(DocumentState next) const {
     for (const auto& [name, setting] : m_knobs) {
         const auto here = present_name(name);
@@ -333,7 +333,7 @@ void Document::open(DocumentState next, Origin from, std::string step_name, Open
     const bool keeps_content = content == OpenedWith::locked_content;
     DocumentState opened = keeps_content ? with_kept_content(next) : next;
     if (from.file == origin().file && opened == state() && !is_modified())
-        return;  // it is open already, as it is
+        return;  // already open and unmodified
     next.origin = opened.origin = m_origins.size();
     from.saved = std::move(next);
     m_origins.push_back(std::move(from));
@@ -365,7 +365,7 @@ void Document::set_identity(Preset identity, std::filesystem::path file) {
 }
 
 namespace {
-// Passes belong to the look and not to the preset, and locked content to the user.
+// Ignores pass overrides, which belong to the look, and locked content, which belongs to the user.
 DocumentState comparable(DocumentState state, const DocumentState& saved, const Look& look) {
     state.overrides = saved.overrides;
     state.origin = saved.origin;

@@ -14,129 +14,131 @@
 #include <string>
 #include <vector>
 
-/// Everything about an open look that a person can change, and undo.
+/// The part of an open look that the user can change and undo.
 struct DocumentState {
-    Values values;  // only what differs from the defaults, and orphans
+    Values values;  // only differences from the defaults, and orphans
     Spec signal;
-    std::string source;  // of both only the one that drives the look is used; the other waits
+    std::string source;  // signal or source: only the look's own kind is used
     PassOverrides overrides;
-    std::size_t origin = 0;  // of the document's origins: the preset that was open
-    Stack stack = {};        // which looks, in which order; values and overrides have its names
-    Modulations modulations = {};  // what moves by itself; in its names, too
-    ContentLocks locks = {};       // of signal and source; change without a step of their own
+    std::size_t origin = 0;        // index of the open preset in the document's origins
+    Stack stack = {};              // the looks in order; values and overrides use its names
+    Modulations modulations = {};  // also use the names of the stack
+    ContentLocks locks = {};       // of signal and source; changed without undo steps
 
     bool operator==(const DocumentState&) const = default;
 };
 
-/// What a person has open: the look, its values, the preset they came from, and the way back. A
-/// value.
+/// The user's open document: the look, its values, the preset they came from, and the undo history.
+/// A value.
 class Document {
 public:
     explicit Document(Look look);
 
-    /// As its files say it.
+    /// The look as defined by its files.
     const Look& look() const { return m_look; }
-    /// With the passes as the person overrode them: what is drawn.
+    /// The look with the user's pass overrides, as it is drawn.
     Look drawn_look() const { return with_overrides(m_look, state().overrides); }
     const DocumentState& state() const { return m_undo.current(); }
-    /// Of the look that is drawn; while another stack is being read not yet the state's.
+    /// The values of look(). While another stack is being read they differ from the state's.
     const Values& values() const { return is_restacking() ? m_drawn_values : state().values; }
     const Value& value(const Parameter& parameter) const { return value_of(parameter, values()); }
     bool is_changed(const Parameter& parameter) const;
 
-    /// Sets a parameter within its hard limit. `goes_on`: more of the same gesture will follow, up
-    /// to finish().
+    /// Sets a parameter within its hard limit. With `goes_on` the changes up to finish() are one
+    /// undo step.
     void set_value(const std::string& name, Value value, bool goes_on = false);
-    /// Several parameters in one step.
+    /// Sets several parameters as one undo step.
     void set_values(const Values& values, const std::string& step_name, bool goes_on = false);
-    /// Lets a parameter move by itself, or rest; its value stays. One that cannot move rests.
+    /// Sets or removes the modulation of a parameter; its value is unchanged. A parameter that
+    /// cannot be modulated gets no modulation.
     void set_modulation(const std::string& name, const std::optional<Modulation>& modulation,
                         bool goes_on = false);
-    /// Null where the parameter rests.
+    /// Null: not modulated.
     const Modulation* modulation(const Parameter& parameter) const;
-    /// Turns what the mouse turns, up to finish() as one step.
+    /// Changes the orbit parameters; all calls up to finish() are one undo step.
     void set_orbit(const std::function<Orbit(const Orbit&)>& change);
     void reset(const std::vector<std::string>& names);
-    /// What is locked stays where it is, here and below where many values change at once.
+    /// Locked parameters are unchanged, as in all functions below that change many values.
     void reset_group(const std::vector<std::string>& names);
     void reset_all();
-    /// Everything that is not locked somewhere within its range; see model/tuning/randomised.h.
+    /// Randomises all unlocked parameters within their ranges; see model/tuning/randomised.h.
     void randomise(std::uint64_t seed);
-    /// What the person keeps about the knobs of look(); no part of the state, nor of undo.
+    /// The user's settings for the parameters of look(). They are not part of the state or undo.
     const KnobSettings& knobs() const { return m_knobs; }
     void set_knobs(KnobSettings knobs) { m_knobs = renamed_knobs(m_look, std::move(knobs)); }
     void set_knob(const std::string& name, const KnobSetting& setting);
-    /// The lock of the signal closes where the user chose a file, device, drawing or text. Undo of
-    /// this step brings signal and lock back; undo of no other step does while the lock is closed.
+    /// Locks the signal if the user chose a file, device, drawing or text. Undoing this step
+    /// restores signal and lock. While the lock is set, undoing other steps does not change the
+    /// signal.
     void set_signal(Spec signal, bool goes_on = false, std::string step_name = "Signal");
-    /// The same for the source of looks that process a picture.
+    /// As set_signal(), for the source of looks that process a picture.
     void set_source(std::string source, bool goes_on = false);
-    /// What a preset brings replaces locked content, as one step; the lock opens.
+    /// Replaces locked content by that of a preset, as one undo step, and unlocks it.
     void use_content(const Content& content);
     Content content() const { return {state().signal, state().source, state().locks}; }
-    /// Takes over what is locked, and the locks, without a step: another look was opened.
+    /// Keeps locked content and the locks when another look is opened, without an undo step.
     void keep_content(const Content& content);
     bool is_content_locked() const;
-    /// Locks or unlocks what drives this look.
+    /// Locks or unlocks the signal or source of this look.
     void lock_content(bool is_locked);
-    /// Other looks, or another order; every value goes with its look.
+    /// Sets the looks and their order. Values move with their looks.
     void set_stack(Stack stack, const std::string& step_name);
-    /// Whether the person asked for another stack than look() is: it is to be read and given to
+    /// Whether the state has another stack than look(). It must then be read and given to
     /// replace_look().
     bool is_restacking() const { return state().stack != m_look.stack; }
     void set_override(const std::string& pass, PassOverride override);
     void clear_overrides();
-    /// Values and signal of a preset's text or of another preset, as one step.
+    /// Sets the values and signal of a preset or its text, as one undo step.
     void take(const Preset& preset, const std::string& step_name);
     void finish() { m_undo.finish(); }
 
     void undo();
     void redo();
-    /// So many steps of redo; below 0 of undo. Stops at the first and at the last state.
+    /// Redoes this number of steps; negative numbers undo. Stops at the first and last state.
     void travel(int steps);
     const Undo<DocumentState>& history() const { return m_undo; }
-    /// What is open now is the first that undo knows.
+    /// Clears the undo history; the current state becomes the first.
     void forget_past() { m_undo = Undo<DocumentState>(DocumentState(state())); }
-    /// All of it counts as come from the preset that is open.
+    /// Restores a history. All its states count as based on the open preset.
     void restore_history(Undo<DocumentState> history);
 
-    /// The look was edited: values stay, under their new names where `@was` says so.
+    /// Replaces an edited look: values stay, renamed as `@was` requests.
     void replace_look(Look look);
 
     /// Which signal or source a preset opens with while the user's is locked.
     enum class OpenedWith { locked_content, own_content };
-    /// Opens a preset of this look: the state becomes the preset's and counts as saved. One step:
-    /// undo gives back the values, and the preset, that were open before.
+    /// Opens a preset of this look: the state becomes the preset's and counts as saved. One undo
+    /// step, which restores the previous values and preset.
     void open_preset(const Preset& preset, std::filesystem::path file,
                      OpenedWith content = OpenedWith::locked_content);
-    /// The same with every parameter at its default and no preset.
+    /// The same with all parameters at their defaults and without a preset.
     void open_defaults(OpenedWith content = OpenedWith::locked_content);
-    /// The same as the end of the gesture of that name, with which it is one step. `file` "": the
+    /// The same as the end of the gesture with this name, within its undo step. `file` "": the
     /// defaults.
     void arrive_at(const Preset& preset, std::filesystem::path file, const std::string& gesture);
-    /// The open preset and what differs from it; no file when looks have come or gone, or changed
-    /// places, since it was opened.
+    /// The file of the open preset. "" if looks were added, removed or reordered since it was
+    /// opened.
     const std::filesystem::path& preset_file() const;
     const std::string& preset_name() const { return identity().name; }
     const Preset& identity() const { return origin().identity; }
     void set_identity(Preset identity, std::filesystem::path file);
     void mark_saved() { mark_saved(state()); }
     void mark_saved(DocumentState saved) { origin().saved = std::move(saved); }
-    /// As the preset has it, with its own signal or source.
+    /// The state of the preset, with its own signal or source.
     const DocumentState& saved() const { return origin().saved; }
-    /// Locked content counts as no change.
+    /// Locked content does not count as a change.
     bool is_modified() const;
-    /// The same without values that are locked: those stay with the next preset.
+    /// Like is_modified(), but ignores locked values, because they stay when a preset is opened.
     bool has_unlocked_changes() const;
 
-    /// The present state as a preset: only changed values, or all of them for sharing.
+    /// The current state as a preset: only changed values, or for sharing all values.
     Preset preset() const;
     Preset complete_preset() const;
 
 private:
-    // What states of the history came from: a preset's file and what it holds.
+    // The preset file that states of the history are based on, with its contents.
     struct Origin {
-        Preset identity;  // name, about, author; its values are of no account
+        Preset identity;  // name, about, author; its values are not used
         std::filesystem::path file;
         DocumentState saved;
     };
@@ -157,13 +159,13 @@ private:
     void follow_stack();
 
     Look m_look;
-    KnobSettings m_knobs;   // under the names of m_look
-    Values m_drawn_values;  // the state's, under the names of m_look
+    KnobSettings m_knobs;   // named as in m_look
+    Values m_drawn_values;  // the state's values, named as in m_look
     Undo<DocumentState> m_undo;
     std::vector<Origin> m_origins;  // never empty
 };
 
-/// The state in which a look opens.
+/// The state of a newly opened look.
 DocumentState initial_state(const Look& look);
 
 /// Empty until a look is open.

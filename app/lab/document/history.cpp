@@ -25,7 +25,7 @@ std::size_t history_place(const Document& document) {
     return document.history().past().size();
 }
 
-// What was undone lies the wrong way round: the next redo is its last.
+// The undone states are in reverse order: the next redo is the last.
 const DocumentState& history_state(const Document& document, std::size_t place) {
     const auto& history = document.history();
     const std::size_t present = history.past().size();

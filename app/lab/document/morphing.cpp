@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-// Every parameter has a value of its own, so that setting them says all.
+// Values for all parameters, so that setting them defines the complete state.
 Values complete(const Look& look, const Values& values) {
     Values all;
     for (const Parameter& parameter : look.parameters)
@@ -26,10 +26,10 @@ Morphing::Morphing(const Document& document, Preset to, std::filesystem::path fi
         if (setting.is_locked && m_goal.contains(knob))
             m_goal[knob] = m_from[knob];
     if (m_goal == m_from)
-        m_elapsed = m_seconds;  // there is no way to go
+        m_elapsed = m_seconds;  // nothing to change
 }
 
-// Signal, source and what moves by itself have no way between them: they change at the end.
+// Signal, source and modulations cannot be interpolated; they change at the end.
 bool Morphing::go_on(Document& document, double seconds) {
     const bool is_ours = document.look().id == m_look && !document.is_restacking();
     if (!is_ours || document.values() != m_last)

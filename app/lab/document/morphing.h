@@ -7,20 +7,20 @@
 #include <filesystem>
 #include <string>
 
-/// A way from the present values to a preset's, over some time, as one step of undo; at its end
-/// the preset is open. What is locked stays; what somebody turns meanwhile ends it there.
+/// An animation from the current values to a preset's, as one undo step. At its end the preset is
+/// open. Locked parameters are unchanged. A change by the user ends the morph.
 class Morphing {
 public:
-    /// `to` is a preset of the document's look, with values that fit it; its name is shown. `file`
-    /// "": the look as it is, without a preset.
+    /// `to` is a preset of the document's look with valid values; its name is displayed. `file` "":
+    /// the look without a preset.
     Morphing(const Document& document, Preset to, std::filesystem::path file, double seconds);
 
-    /// Goes on; false when it has ended.
+    /// Advances the morph; false when it has ended.
     bool go_on(Document& document, double seconds);
     double share() const { return m_elapsed / m_seconds; }
     const std::string& name() const { return m_to.name; }
     const std::filesystem::path& file() const { return m_file; }
-    /// Of its step of undo.
+    /// The name of its undo step.
     std::string step_name() const { return fmt::format("Morph to {}", name()); }
     bool has_arrived() const { return m_elapsed >= m_seconds; }
 

@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace {
-// The first word of a line, which is cut off.
+// Removes the first word of a line and returns it.
 std::string_view take_word(std::string_view& line) {
     line = trim(line);
     const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
@@ -46,7 +46,7 @@ Result<Move> parse_move(std::string_view line, const Look& look, double earliest
     return Move{*seconds, (*parameter)->name, std::move(*value)};
 }
 
-// As a person would type it.
+// The value as the user would type it.
 std::string typed_text(const Parameter& parameter, const Value& value) {
     for (const Item& item : parameter.items)
         if (value == Value(item.value))

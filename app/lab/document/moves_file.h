@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <string_view>
 
-/// Reads moves: a line each of `seconds name value`, the value as `--set` takes it; empty lines and
-/// those that begin with # are passed over. Unknown names, values that do not fit, and a time
-/// before that of the line above are errors at their lines.
+/// Parses an automation file: lines of `seconds name value`, with values as for `--set`. Empty
+/// lines and lines starting with # are skipped. Errors with their line: unknown names, invalid
+/// values, and times earlier than the previous line's.
 Result<Moves> parse_moves(std::string_view text, const std::filesystem::path& file,
                           const Look& look);
 Result<Moves> load_moves(const std::filesystem::path& file, const Look& look);
 
-/// What parse_moves reads as the same ones, to the millionth of a second.
+/// The text that parse_moves() reads as the same moves, with a resolution of 1e-6 s.
 std::string moves_text(const Moves& moves, const Look& look);

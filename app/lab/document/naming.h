@@ -5,6 +5,6 @@
 
 #include <string>
 
-/// The parameter that a person's name means: its own, or in a stack the last part of one name
-/// alone. Fails with what was perhaps meant. Points into the look.
+/// The parameter with this name; in a stack also by the last part of its name, if unique. Fails
+/// with suggestions. The pointer is into the look.
 Result<const Parameter*> meant_parameter(const std::string& name, const Look& look);

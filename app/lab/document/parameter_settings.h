@@ -10,10 +10,10 @@ public:
     ParameterSettings(OpenDocument& document, Messages& messages)
         : m_document(document), m_messages(messages) {}
 
-    /// Of all looks, with the changes in the open one.
+    /// The settings of all looks, including changes in the open one.
     LookKnobs all() const;
     void set_all(LookKnobs settings);
-    /// Stores those of the open look, which is about to close.
+    /// Stores the settings of the open look before it closes.
     void store() { m_stored = all(); }
     /// Gives the open look its stored settings.
     void load();

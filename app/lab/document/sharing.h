@@ -7,22 +7,21 @@
 #include <filesystem>
 #include <string>
 
-/// Remembers the looks of other programs that a document is made of, and the files that its values
-/// choose. A preset names such a look by its file's name alone, as it does sounds and pictures, and
-/// it is found again in the same way. What the values choose is not asked for again.
+/// Records the foreign looks of a document and the files of its values as recent media. A preset
+/// names them only by file name, like sounds and pictures. The list finds them again.
 void remember_files(const Document& document, const RecentMedia& recent);
 
-// What leaves the machine names a person's sound or picture by its file name and digest alone.
+// Shared presets name the user's files only by file name and digest, without folders.
 
-/// The document as one line of text that holds every value.
+/// The document as one line of text with all values.
 std::string share_line_of(const Document& document, const RecentMedia& recent);
 
-/// Writes the document as a preset; `name` "" keeps the present one, or takes the file's.
-/// Only .json is a preset's file; a PNG comes from save_picture_with_preset.
+/// Writes the document as a preset. `name` "": keeps its name, or uses the file name. Only .json is
+/// accepted; save_picture_with_preset() writes PNGs.
 Result<void> write_preset(const Document& document, const std::string& name,
                           const std::filesystem::path& file, const RecentMedia& recent);
 
-/// Writes a picture; a PNG also carries the document as a preset, so that it opens as one. Where
-/// alpha is meant as such (ISF) and is below 1 anywhere, the PNG has it, unassociated.
+/// Writes a picture. A PNG also contains the document as a preset, so that it can be opened. If the
+/// look has alpha (ISF) and any pixel is transparent, the PNG has unassociated alpha.
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
                                       const std::filesystem::path& file, const RecentMedia& recent);

@@ -13,7 +13,7 @@ bool is_text(const SettingFacts& setting) {
     return setting.type == SettingType::text;
 }
 
-// The settings that say what is shown and not how: a file, a socket's path, strokes, a text.
+// The settings that identify the content: a file, a socket's path, strokes, a text.
 std::vector<std::string> texts_of(const Spec& complete) {
     std::vector<std::string> texts;
     if (const SignalKind* kind = find_kind(complete.kind))

@@ -11,7 +11,7 @@ double number_of(const Look& look, const Values& values, const std::string& name
     return parameter ? value_of(*parameter, values).numbers[0] : fallback;
 }
 
-// What stands before the names of each look that is drawn, in their order: "crt/".
+// The name prefixes of the drawn looks, in order: "crt/".
 std::vector<std::string> drawn_scopes(const Look& look) {
     std::vector<std::string> scopes;
     for (const Pass& pass : look.passes)
@@ -20,7 +20,7 @@ std::vector<std::string> drawn_scopes(const Look& look) {
     return scopes;
 }
 
-// A look whose shaders have the radial curve bends by it.
+// A look uses the radial curve if its shaders contain it.
 GlassCurve glass_of(const Look& look, const Values& values, const std::string& scope) {
     const bool is_radial =
         std::any_of(look.passes.begin(), look.passes.end(), [&](const Pass& pass) {
@@ -31,20 +31,20 @@ GlassCurve glass_of(const Look& look, const Values& values, const std::string& s
             number_of(look, values, scope + "curvature", 0.0)};
 }
 
-// How far the crossed curve pushes a place out along one axis, from how far it is along the other.
+// The factor of the crossed curve along one axis, from the position along the other.
 double pushed_out(double across, double amount) {
     return 1.0 + across * across * amount * 40.0 / 36.0;
 }
 
 BeamPlace shown_crossed(const BeamPlace& place, double amount) {
     BeamPlace shown = place;
-    constexpr int rounds = 40;  // each brings it nearer; even the strongest curve is there by then
+    constexpr int rounds = 40;  // fixed-point iteration; converges even for the strongest curve
     for (int i = 0; i < rounds; ++i)
         shown = {place[0] / pushed_out(shown[1], amount), place[1] / pushed_out(shown[0], amount)};
     return shown;
 }
 
-// Newton's method from beyond the root, as barrel_radial_inverse() has it.
+// Newton's method from beyond the root, as in barrel_radial_inverse().
 BeamPlace shown_radial(const BeamPlace& place, double amount) {
     const double radius = std::hypot(place[0], place[1]);
     if (radius < 1e-12)

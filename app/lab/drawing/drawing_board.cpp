@@ -9,8 +9,8 @@ namespace {
 constexpr const char* stroke_step = "Stroke";
 constexpr const char* move_point_step = "Move point";
 constexpr const char* move_stroke_step = "Move stroke";
-constexpr double reach_px = 8.0;    // a hand does not point more exactly
-constexpr double tremble_px = 3.0;  // within it two clicks are at one place
+constexpr double reach_px = 8.0;    // accuracy of pointing
+constexpr double tremble_px = 3.0;  // maximum movement of a click
 
 std::string strokes_of(const Spec& signal) {
     const auto found = signal.settings.find("strokes");
@@ -62,14 +62,14 @@ void DrawingBoard::follow(const Document& document) {
     const std::string text = is_driven ? strokes_of(document.state().signal) : std::string();
     if (text != m_text) {
         if (m_drag && !m_drag->has_moved)
-            m_drag.reset();  // what it holds may be gone
+            m_drag.reset();  // its stroke or point may no longer exist
         m_text = text;
         m_drawing.reset();
         if (auto drawing = text.empty() ? Result<Drawing>(Drawing{}) : parse_drawing(text);
             drawing && !drawing->keyframes.empty())
             m_drawing = std::move(*drawing);
     }
-    // It was undone, or something else was done meanwhile.
+    // It was undone, or another edit followed.
     if (!m_drawing || (m_is_line_shown && !is_under_way(document, stroke_step)))
         m_line.reset();
     if (!m_drawing ||
@@ -144,7 +144,7 @@ void DrawingBoard::move(const BeamPlace& place, double pixel, Document& document
         add_point(place, document);
 }
 
-// A click that trembles moves nothing.
+// Ignores small movements during a click.
 void DrawingBoard::drag(const BeamPlace& place, double pixel, Document& document) {
     if (!m_drag->has_moved && distance(place, m_drag->from) < tremble_px * pixel)
         return;
@@ -161,7 +161,7 @@ void DrawingBoard::release(double pixel, Document& document) {
         end_line(document);
     if (m_pen.tool != PenTool::freehand || !m_line)
         return;
-    // A hand's line comes in steps of whole pixels.
+    // Freehand lines consist of steps of whole pixels.
     m_line->points = simplified(m_line->points, 0.75 * pixel);
     if (m_is_line_shown)
         show_line(document);
@@ -211,7 +211,7 @@ void DrawingBoard::erase(const BeamPlace& place, double pixel, Document& documen
     set(drawing, "Delete stroke", document);
 }
 
-// A full drawing takes no more.
+// Ignores points beyond the limit of a drawing.
 void DrawingBoard::add_point(const BeamPlace& place, Document& document) {
     if (point_count(*m_drawing) + 2 > most_drawing_points)
         return;

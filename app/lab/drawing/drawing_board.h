@@ -5,58 +5,58 @@
 
 #include <optional>
 
-/// What the left button does on the picture while the pen is in the hand.
+/// The function of the left button on the picture while the pen is active.
 enum class PenTool { freehand, points, edit, erase };
 
 struct Pen {
     bool is_in_hand = false;
     PenTool tool = PenTool::freehand;
-    bool is_smooth = true;  // what is drawn next
+    bool is_smooth = true;  // of new strokes
 
     bool operator==(const Pen&) const = default;
 };
 
-/// Drawing by hand. The drawing is a setting of the document's signal; here are the pen, the
-/// keyframe that it draws on, and the line that is under way.
+/// The state of drawing by hand: pen, keyframe and open line. The drawing itself is a setting of
+/// the document's signal.
 class DrawingBoard {
 public:
-    /// What the document's signal draws; none when that is not drawn by hand.
+    /// The drawing of the document's signal; nullopt: not a hand drawing.
     const std::optional<Drawing>& drawing() const { return m_drawing; }
     const Pen& pen() const { return m_pen; }
     bool has_pen() const { return m_pen.is_in_hand && m_drawing; }
-    /// From 0; there always is one while there is a drawing.
+    /// From 0; a drawing has at least one keyframe.
     std::size_t keyframe() const;
-    /// The points that were clicked so far; null when no line is under way.
+    /// The points clicked so far; null: no open line.
     const Stroke* open_line() const { return m_line ? &*m_line : nullptr; }
-    /// What a hand at this place would take hold of to move it, or has hold of; `pixel` is how much
-    /// one pixel covers there.
+    /// The point or stroke at this position that would be moved, or is being moved. `pixel`: the
+    /// size of a pixel in beam coordinates.
     std::optional<StrokeGrip> grip_at(const BeamPlace& place, double pixel) const;
-    /// The stroke of the keyframe that a hand points at.
+    /// The stroke of the keyframe at this position.
     std::optional<std::size_t> stroke_at(const BeamPlace& place, double pixel) const;
-    /// The signal as it is to be seen: while the pen is in the hand its keyframe stands still.
+    /// The signal for display. While the pen is active, it shows its keyframe without animation.
     Spec shown(const Spec& signal) const;
 
-    /// Takes in what became of the document.
+    /// Updates the board after changes of the document.
     void follow(const Document& document);
     void set_pen(const Pen& pen, Document& document);
     void choose_keyframe(std::size_t keyframe, Document& document);
 
-    /// What the hand does on the picture; `pixel` is how much one pixel covers there.
+    /// Input on the picture; `pixel`: the size of a pixel in beam coordinates.
     void press(const BeamPlace& place, double pixel, Document& document);
     void move(const BeamPlace& place, double pixel, Document& document);
     void release(double pixel, Document& document);
-    /// The other button: ends the line that is under way, or deletes the point that it is on.
+    /// The right button ends the open line, or deletes the point under it.
     void press_other(const BeamPlace& place, double pixel, Document& document);
-    /// What is under way is done: with Escape or Enter.
+    /// Ends the open line or drag.
     void end_line(Document& document);
 
-    void add_keyframe(Document& document);  // empty, behind the chosen one, and chosen
+    void add_keyframe(Document& document);  // empty, after the current one; becomes current
     void duplicate_keyframe(Document& document);
     void remove_keyframe(Document& document);
     void move_keyframe(int places, Document& document);
     void clear_keyframe(Document& document);
 
-    /// Another drawing takes the place of the document's signal.
+    /// Replaces the document's signal by this drawing.
     void replace(const Drawing& drawing, const std::string& step, Document& document);
 
 private:
@@ -69,7 +69,7 @@ private:
     void show_line(Document& document);
     void drag(const BeamPlace& place, double pixel, Document& document);
 
-    /// What is being moved, as it was when the hand took hold of it.
+    /// A point or stroke being dragged, with the keyframe before the drag.
     struct Drag {
         StrokeGrip grip;
         BeamPlace from;
@@ -79,7 +79,7 @@ private:
 
     Pen m_pen;
     std::size_t m_keyframe = 0;
-    std::string m_text;  // that m_drawing was read from
+    std::string m_text;  // source text of m_drawing
     std::optional<Drawing> m_drawing;
     std::optional<Stroke> m_line;
     bool m_is_line_shown = false;  // it is the last stroke of the document

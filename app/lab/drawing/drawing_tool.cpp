@@ -12,7 +12,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// With fewer points where that does not show: another program's curves come finely cut.
+// Removes points that make no visible difference. Curves from other programs have many.
 Drawing lightened(Drawing drawing) {
     constexpr double unseen = 0.0005;  // half screens
     for (Keyframe& keyframe : drawing.keyframes)

@@ -8,7 +8,7 @@
 
 #include <functional>
 
-/// Draws by hand on the picture. The drawing becomes the signal of the open look.
+/// Draws by hand on the picture. The drawing is the signal of the open look.
 class DrawingTool {
 public:
     DrawingTool(OpenDocument& document, const RenderSize& size, Messages& messages,
@@ -20,21 +20,21 @@ public:
     /// Converts between pixels of the picture and positions of the signal. A look must be open.
     BeamPlacing placing() const;
 
-    /// Takes up the pen or puts it down. A signal that is not drawn by hand becomes the drawing of
-    /// its file, or else an empty drawing.
+    /// Activates or deactivates the pen. A signal other than a hand drawing is replaced by the
+    /// drawing in its file, otherwise by an empty drawing.
     void take_pen(bool is_in_hand);
     void pen_down(const PicturePixel& pixel);
     void pen_move(const PicturePixel& pixel);
     void pen_up();
-    /// The other button ends a line or deletes a point.
+    /// The right button ends a line or deletes a point.
     void other_button(const PicturePixel& pixel);
     void edit(const std::function<void(DrawingBoard&, Document&)>& change);
 
-    /// An SVG becomes the drawing. One with too many points to edit plays from its file.
+    /// Loads an SVG as the drawing. If it has too many points to edit, it plays from its file.
     void load(const std::filesystem::path& file);
     void save(const std::filesystem::path& file);  // as SVG
 
-    /// Reads the drawing of the document's signal again where it changed.
+    /// Reloads the drawing if the document's signal has changed.
     void follow() { m_board.follow(*m_document); }
 
 private:

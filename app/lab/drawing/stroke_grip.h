@@ -4,7 +4,7 @@
 
 #include <optional>
 
-/// What a hand has hold of in a keyframe: a point of a stroke, or the stroke as a whole.
+/// The point or whole stroke of a keyframe that can be dragged.
 struct StrokeGrip {
     std::size_t stroke = 0;
     std::optional<std::size_t> point = {};
@@ -12,16 +12,16 @@ struct StrokeGrip {
     bool operator==(const StrokeGrip&) const = default;
 };
 
-/// The stroke whose line is nearest to a place, and not further from it than `reach`.
+/// The stroke with the nearest line within `reach` of a position.
 std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace& place,
                                        double reach);
 
-/// The nearest point within `reach`; where there is none, the stroke whose line is.
+/// The nearest point within `reach`, otherwise the nearest stroke within `reach`.
 std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& place, double reach);
 
-/// What is held is moved by so much.
+/// Moves the point or stroke by an offset.
 Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPlace& by);
 
-/// The point that is held is gone: its stroke goes on without it, and goes with it where fewer than
-/// two would be left. Two that are left are no longer closed.
+/// Deletes a point. A stroke with fewer than two remaining points is deleted. A closed stroke with
+/// only two remaining points is opened.
 Keyframe without_point(Keyframe strokes, const StrokeGrip& grip);

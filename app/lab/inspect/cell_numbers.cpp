@@ -11,7 +11,7 @@ struct Span {
     int count = 0;
 };
 
-// Texels of one direction: `start` px of the view before the first, each `length` px long.
+// The visible texels in one direction. The first texel starts at `start` px; each is `length` px.
 Span seen_texels(double start, double length, int texels, int view) {
     const int first = std::max(0, static_cast<int>(std::floor(-start / length)));
     const int end = std::min(texels, static_cast<int>(std::ceil((view - start) / length)));
@@ -45,7 +45,7 @@ CellNumbers::Block seen_cells(const CellNumbers::Subject& subject) {
 }
 
 bool CellNumbers::is_light(std::size_t texel) const {
-    // Against either ink a colour of this luminance has a contrast of 4.6 to 1 (WCAG 2.1).
+    // At this luminance, the contrast to black and white text is equal: 4.6 to 1 (WCAG 2.1).
     constexpr double between = 0.179;
     return seen_luminance(m_block.numbers[texel], m_sight.format, m_sight.options) > between;
 }
@@ -64,7 +64,7 @@ void CellNumbers::update(TexelReader& reader, const Subject& subject, double sec
     if (seen.count.is_empty())
         return stop();
     if (subject.name != m_name) {
-        stop();  // those numbers were another's
+        stop();  // discard numbers of another texture
         m_name = subject.name;
     }
     m_sight = sight_of(subject);

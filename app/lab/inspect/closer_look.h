@@ -5,17 +5,17 @@
 #include "lab/inspect/inspected_texture.h"
 #include "lab/inspect/waveform.h"
 
-/// What a person gets to see of single texels: the chosen level of what is inspected, numbers in
-/// the picture's texels and in the inspector's, and along a line over the picture.
+/// Inspection of single texels: the selected level of the inspected texture, texel values in the
+/// picture and the inspector, and values along a line.
 class CloserLook {
 public:
     static Result<CloserLook> make();
 
-    /// The inspected level as a texture of its own, good until the next call; the largest where
-    /// there is no memory for it.
+    /// The inspected level as a separate texture, valid until the next call. If memory is short,
+    /// the largest level.
     const gpu::Texture& level_of(const InspectedTexture& inspected);
 
-    /// Null: nobody looks there.
+    /// `subject` null: not visible.
     void update_picture(const CellNumbers::Subject* subject, double seconds);
     void update_inspected(const CellNumbers::Subject* subject, double seconds);
     void update_waveform(const Waveform::Subject* subject, double seconds);
@@ -24,7 +24,7 @@ public:
     const CellNumbers& picture() const { return m_picture; }
     const CellNumbers& inspected() const { return m_inspected; }
     const Waveform& waveform() const { return m_waveform; }
-    /// Some numbers have not come yet.
+    /// Whether numbers are still pending.
     bool is_owing() const;
 
 private:

@@ -38,7 +38,7 @@ const gpu::Texture& Comfort::shown(std::size_t index, const gpu::Texture& pictur
     }
     if (!view.latest)
         view.limiter.start_again();
-    constexpr double longest = 0.1;  // what was not shown for longer is no swing that was seen
+    constexpr double longest = 0.1;  // s; changes over longer gaps are not flashes
     const double passed = std::min(seconds - view.latest.value_or(seconds), longest);
     view.latest = seconds;
     const gpu::Texture* limited = view.limiter.limit({.picture = picture,

@@ -7,19 +7,20 @@
 #include <array>
 #include <optional>
 
-/// Shows views under a person's clamp: the two that lie side by side and the output window's, each
-/// with its own past.
+/// The flash limiter for displayed views: two side by side and the output window, each with its own
+/// history.
 class Comfort {
 public:
     static Result<Comfort> make();
 
-    /// What may be shown of a view that holds what a display is sent; the view itself where the
-    /// clamp is off. Time goes up.
+    /// The limited picture of a view, display-encoded; the picture itself if the limiter is off.
+    /// Times must increase.
     const gpu::Texture& shown(std::size_t view, const gpu::Texture& picture,
                               const ComfortClamp& clamp, double seconds);
-    /// The picture moves: what is shown follows it until some time after its last move.
+    /// Reports that the picture changes. The limited picture follows for some time after the last
+    /// change.
     void note_moving(const ComfortClamp& clamp, double seconds);
-    /// Whether what is shown may still be on its way to a picture that rests.
+    /// Whether the limited picture may still be changing towards a static picture.
     bool is_settling(double seconds) const { return seconds < m_settled; }
 
 private:

@@ -6,7 +6,7 @@ void FlashMeter::update(const Seen& seen, double seconds) {
         m_flashes = m_counter.add(first.seconds, taken_cells(first.cells));
         m_coming.pop_front();
     }
-    constexpr std::size_t most_coming = 6;  // a GPU that is further behind is not asked for more
+    constexpr std::size_t most_coming = 6;  // limits the backlog of a slow GPU
     const bool has_news = seen.number != m_number || m_flashes != Flashes{};
     if (!has_news || m_coming.size() >= most_coming)
         return;

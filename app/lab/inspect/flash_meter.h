@@ -7,26 +7,26 @@
 #include <optional>
 #include <vector>
 
-/// How often the picture flashes: its cells of every frame, counted when they have come.
+/// Counts flashes of the picture. The cells of each frame are read back later.
 class FlashMeter {
 public:
     explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
 
-    /// A frame; another `number` whenever it may be another picture.
+    /// A displayed frame; `number` changes whenever the picture may have changed.
     struct Seen {
         const gpu::Texture& picture;
         Encoding encoding;
         std::uint64_t number;
     };
-    /// To be called after a frame, with the time at which it is seen. A picture that rests is
-    /// looked at again only until its flashes are forgotten. Never waits for the GPU.
+    /// Call it after a frame with the time of its display. A static picture is only measured until
+    /// its flashes have expired. Never waits for the GPU.
     void update(const Seen& seen, double seconds);
-    /// Nobody looks any more.
+    /// Discards all measurements; call it when nothing is displayed.
     void stop();
 
     /// Within the last second.
     const Flashes& flashes() const { return m_flashes; }
-    /// Whether frames are yet to be looked at, or a flash is yet to be forgotten.
+    /// Whether frames are still pending, or flashes have not expired.
     bool is_counting() const { return !m_coming.empty() || m_flashes != Flashes{}; }
 
 private:
@@ -38,5 +38,5 @@ private:
     std::deque<Coming> m_coming;
     FlashCounter m_counter;
     Flashes m_flashes;
-    std::optional<std::uint64_t> m_number;  // of the picture that was looked at last
+    std::optional<std::uint64_t> m_number;  // of the picture measured last
 };

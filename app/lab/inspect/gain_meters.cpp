@@ -19,7 +19,7 @@ void GainMeters::take_answer() {
 void GainMeters::update(const Executor& executor, const Values& values, double seconds) {
     const Look& look = executor.look();
     if (m_passes != pass_names(look)) {
-        stop();  // those numbers were another look's
+        stop();  // discard gains of another look
         m_passes = pass_names(look);
         m_gains.resize(m_passes.size());
         m_rota.restart(m_passes.size());

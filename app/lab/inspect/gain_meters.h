@@ -10,29 +10,29 @@
 #include <utility>
 #include <vector>
 
-/// How loud every pass of the open look is: one pass in turn is measured.
+/// The levels of all passes of the open look, measured one pass at a time.
 class GainMeters {
 public:
     explicit GainMeters(std::shared_ptr<const MeterPrograms> programs)
         : m_meter(std::move(programs)) {}
 
-    /// To be called every turn while the meters are shown; never waits for the GPU.
+    /// Call it in every update while the meters are visible. Never waits for the GPU.
     void update(const Executor& executor, const Values& values, double seconds);
-    /// Nobody looks any more.
+    /// Discards all gains; call it when the meters are hidden.
     void stop();
 
-    /// Some passes have not been measured as they are now.
+    /// Whether some passes have not been measured since the last change.
     bool is_owing() const { return m_rota.is_owing() || m_meter.is_busy(); }
-    /// Null until it has come.
+    /// Null: not measured yet.
     const Gain* gain(std::size_t pass) const;
 
 private:
     void take_answer();
 
     Meter m_meter;
-    std::vector<std::string> m_passes;         // names: another look has other gains
+    std::vector<std::string> m_passes;         // to detect another look
     std::vector<std::optional<Gain>> m_gains;  // of each pass
-    std::size_t m_asked = 0;                   // that is being measured
-    double m_ceiling = 1.0;                    // of it
+    std::size_t m_asked = 0;                   // the pass being measured
+    double m_ceiling = 1.0;                    // of that pass
     Rota m_rota;
 };

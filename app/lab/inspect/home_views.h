@@ -10,22 +10,24 @@
 #include <memory>
 #include <optional>
 
-/// Those who look at the passes of a look, in the context that it draws in: there the driver has
-/// met what they look at. From elsewhere they are called within a gpu::ContextScope of `home`.
+/// The view programs and meters for the passes of a look, in the context that draws it. There the
+/// driver has already compiled their shaders. In other contexts, call them within a
+/// gpu::ContextScope of `home`.
 struct HomeViews {
     explicit HomeViews(const Programs& programs);
     ~HomeViews() { scope = std::make_unique<gpu::ContextScope>(home.get()); }
     HomeViews(const HomeViews&) = delete;
     HomeViews& operator=(const HomeViews&) = delete;
 
-    /// Whether they look at passes that are drawn with these.
+    /// Whether they belong to the context and view programs of `other`.
     bool serve(const Programs& other) const {
         return programs == other.views && home == other.home;
     }
 
     std::shared_ptr<const ViewPrograms> programs;
     std::shared_ptr<gpu::Context> home;
-    std::unique_ptr<gpu::ContextScope> scope;  // around beginning and end of what follows
+    std::unique_ptr<gpu::ContextScope> scope;  // active during construction and destruction of the
+                                               // members below
     Viewer viewer;
     Inspection inspection;
     GainMeters gains;

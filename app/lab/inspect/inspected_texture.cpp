@@ -5,12 +5,12 @@
 #include <algorithm>
 
 namespace {
-// Of an image that is data the numbers are seen as they are.
+// Images with data are displayed without conversion.
 Encoding encoding_in(const Look& look, const TextureChoice& choice) {
     if (choice.from == Input::From::pass)
         return encoding_of(look, find_pass(look, choice.name).value_or(0));
     if (choice.from == Input::From::sound)
-        return Encoding::display;  // numbers, seen as they are
+        return Encoding::display;  // displayed without conversion
     const auto image = std::ranges::find(look.images, choice.name, &Image::name);
     if (choice.from == Input::From::source || image == look.images.end())
         return look.source_encoding;

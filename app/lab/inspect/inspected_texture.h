@@ -5,21 +5,21 @@
 
 #include <optional>
 
-/// What the inspector looks into, of what an executor holds.
+/// The inspected texture of an executor.
 struct InspectedTexture {
-    int pass = 0;  // that is chosen
+    int pass = 0;  // the selected pass
     TextureChoice choice;
-    const gpu::Texture* texture = nullptr;  // never null; all of its levels
-    Encoding encoding = Encoding::linear;   // of the chosen level
+    const gpu::Texture* texture = nullptr;  // never null; with all levels
+    Encoding encoding = Encoding::linear;   // of the selected level
 
     Extent extent() const { return extent_of(choice.level); }
     Extent extent_of(int level) const;
-    int levels() const;  // that there are, the largest among them
+    int levels() const;  // number of levels, including the largest
 };
 
-/// None where no pass is chosen, or one that the look has not got. What is there no more gives way
-/// to the present picture of the pass.
+/// nullopt: no pass is selected, or the look does not have it. If the chosen texture no longer
+/// exists, the current picture of the pass is inspected.
 std::optional<InspectedTexture> inspected_texture(const Executor& executor, const PassView& view);
 
-/// How many frames of a picture are held, the present one among them.
+/// The number of stored frames of a picture, including the current one.
 int frame_count(const Executor& executor, const TextureChoice& choice);

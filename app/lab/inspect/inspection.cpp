@@ -32,7 +32,7 @@ void Inspection::take_answer(const Levels& levels) {
 
 void Inspection::update(const gpu::Texture& target, const Subject& subject, double seconds) {
     if (subject.pass != m_subject.pass || subject.channels != m_subject.channels) {
-        stop();  // those numbers were another's
+        stop();  // discard results of another subject
         m_subject = subject;
     }
     take_answer(subject.levels);

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-/// What there is to tell of the inspected target's numbers. They are measured at most five times a
-/// second, and where that is slow for less than a tenth of the time.
+/// Statistics and histogram of the inspected target. Measured at most five times a second, and for
+/// at most a tenth of the time.
 class Inspection {
 public:
     explicit Inspection(std::shared_ptr<const MeterPrograms> programs)
@@ -17,18 +17,18 @@ public:
     struct Subject {
         std::string pass;
         ChannelChoice channels = ChannelChoice::rgb;
-        Levels levels;  // that the histogram reaches over
+        Levels levels;  // range of the histogram
 
         bool operator==(const Subject&) const = default;
     };
-    /// To be called every turn while the inspector is open; never waits for the GPU.
+    /// Call it in every update while the inspector is open. Never waits for the GPU.
     void update(const gpu::Texture& target, const Subject& subject, double seconds);
-    /// Nobody looks any more.
+    /// Discards all results; call it when the inspector is closed.
     void stop();
 
-    /// None until they have come.
+    /// nullopt: still pending.
     const std::optional<Statistics>& statistics() const { return m_statistics; }
-    /// From black to white; empty until it has come.
+    /// From black to white; empty: still pending.
     const Histogram& histogram() const { return m_histogram; }
 
 private:
@@ -39,5 +39,5 @@ private:
     std::optional<Statistics> m_statistics;
     Picture m_samples;
     Histogram m_histogram;
-    std::optional<double> m_due;  // s; none: at once
+    std::optional<double> m_due;  // s; nullopt: immediately
 };

@@ -17,7 +17,7 @@ void Pins::update(const Executor& executor, const std::vector<Pin>& pins, double
     constexpr double pause_seconds = 0.2;
     const std::size_t passes = executor.look().passes.size();
     if (pins != m_pins || passes != m_passes)
-        stop();  // those numbers were others'
+        stop();  // discard values of other pins or passes
     if (auto values = m_gatherer.take())
         m_values = std::move(*values);
     if (pins.empty() || m_gatherer.is_busy() || seconds < m_due)

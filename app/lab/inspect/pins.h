@@ -4,25 +4,25 @@
 #include "graph/inspect/gatherer.h"
 #include "lab/window/window_state.h"
 
-/// The numbers that every pass has at the pinned points, looked up at most five times a second.
+/// The values of every pass at the pinned positions, read at most five times a second.
 class Pins {
 public:
     static Result<Pins> make();
 
-    /// To be called every turn while the pins are shown; never waits for the GPU.
+    /// Call it in every update while the pins are visible. Never waits for the GPU.
     void update(const Executor& executor, const std::vector<Pin>& pins, double seconds);
-    /// Nobody looks any more.
+    /// Discards all values; call it when the pins are hidden.
     void stop();
 
-    /// RGBA at a pin in a pass; null until it has come.
+    /// RGBA at a pin in a pass; null: still pending.
     const std::array<float, 4>* value(std::size_t pin, std::size_t pass) const;
 
 private:
     explicit Pins(Gatherer gatherer) : m_gatherer(std::move(gatherer)) {}
 
     Gatherer m_gatherer;
-    std::vector<Pin> m_pins;                     // that were asked for
-    std::size_t m_passes = 0;                    // the same
-    std::vector<std::array<float, 4>> m_values;  // pass by pass of each pin
+    std::vector<Pin> m_pins;                     // of the last request
+    std::size_t m_passes = 0;                    // of the last request
+    std::vector<std::array<float, 4>> m_values;  // for each pin, pass by pass
     double m_due = 0.0;                          // s
 };

@@ -5,7 +5,7 @@
 namespace {
 constexpr double pause_seconds = 0.2;
 constexpr double most_share = 0.1;     // of the time
-constexpr double rest_seconds = 0.15;  // without a change: time stands
+constexpr double rest_seconds = 0.15;  // unchanged for this time: static
 }  // namespace
 
 void Rota::restart(std::size_t count) {

@@ -19,7 +19,7 @@ void Thumbnails::update(Viewer& viewer, const Executor& executor, int height, do
         return stop();
     const std::vector<std::string> passes = pass_names(executor.look());
     if (m_passes != passes || m_height != height) {
-        m_pictures.resize(passes.size());  // the former ones stay until it is their turn
+        m_pictures.resize(passes.size());  // the previous ones stay until their update
         m_passes = passes;
         m_height = height;
         m_rota.restart(passes.size());
@@ -31,7 +31,7 @@ void Thumbnails::update(Viewer& viewer, const Executor& executor, int height, do
     m_rota.done(seconds);
 }
 
-// Where there is no memory it stays empty; the passes themselves are what needs it.
+// Without memory the thumbnail stays empty, because the passes need the memory.
 void Thumbnails::draw(Viewer& viewer, const Executor& executor, std::size_t pass) {
     const int index = static_cast<int>(pass);
     const gpu::Texture& target = executor.target(index);

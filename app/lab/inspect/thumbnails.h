@@ -9,23 +9,23 @@
 #include <string>
 #include <vector>
 
-/// A small picture of every pass of the open look, one of them drawn anew at a time.
+/// Thumbnails of all passes of the open look, updated one at a time.
 class Thumbnails {
 public:
-    /// To be called every turn while they are shown, `height` device pixels each.
+    /// Call it in every update while they are visible. `height` in device pixels.
     void update(Viewer& viewer, const Executor& executor, int height, double seconds);
-    /// Nobody looks any more.
+    /// Discards all thumbnails; call it when they are hidden.
     void stop();
 
-    /// Null until it has been drawn.
+    /// Null: not drawn yet.
     const gpu::Texture* picture(std::size_t pass) const;
-    /// Some do not show what their passes have now.
+    /// Whether some thumbnails are outdated.
     bool is_owing() const { return m_rota.is_owing(); }
 
 private:
     void draw(Viewer& viewer, const Executor& executor, std::size_t pass);
 
-    std::vector<std::string> m_passes;  // names: another look has others
+    std::vector<std::string> m_passes;  // to detect another look
     int m_height = 0;
     std::vector<std::optional<gpu::Texture>> m_pictures;
     Rota m_rota;

@@ -4,18 +4,18 @@
 
 #include <optional>
 
-/// What a person wants done about a number that is not finite.
+/// The user's choice for handling a NaN or infinity.
 enum class TripAnswer {
-    clear,  // history begins anew
-    clamp,  // such numbers become finite ones
-    go_on,  // they are left as they are
+    clear,  // restart history
+    clamp,  // replace with finite values
+    go_on,  // ignore
 };
 
-/// What is known and wanted about numbers that are not finite.
+/// The state of the NaN detector and its handling.
 struct TripState {
-    std::optional<Trip> trip;          // that has stopped the clock
-    std::optional<TripAnswer> answer;  // that holds until the look changes
+    std::optional<Trip> trip;          // the finding that stopped the clock
+    std::optional<TripAnswer> answer;  // valid until the look changes
     bool is_unattended = false;
     bool has_told = false;
-    bool plays_after = false;  // time flowed, and will when another value or text is the cure
+    bool plays_after = false;  // resume playback when an edit fixes the problem
 };

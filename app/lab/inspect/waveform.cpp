@@ -59,7 +59,7 @@ void Waveform::take(double seconds) {
 void Waveform::update(TexelReader& reader, const Subject& subject, double seconds) {
     constexpr double pause_seconds = 0.2;
     if (subject.name != m_name) {
-        stop();  // those numbers were another's
+        stop();  // discard numbers of another texture
         m_name = subject.name;
     }
     take(seconds);

@@ -8,32 +8,32 @@
 #include <string>
 #include <vector>
 
-/// The stored numbers along a line over a picture, looked up at most five times a second while the
-/// line stays.
+/// The stored values along a line over a picture, read at most five times a second while the line
+/// does not move.
 class Waveform {
 public:
     struct Subject {
         const gpu::Texture& texture;
-        std::string name;  // of what the texture holds
+        std::string name;  // of the texture's content
         ScanLine line;
         std::uint64_t picture = 0;  // Executor::picture_number
     };
-    /// To be called every turn while it is shown; never waits for the GPU.
+    /// Call it in every update while it is visible. Never waits for the GPU.
     void update(TexelReader& reader, const Subject& subject, double seconds);
-    /// Nobody looks any more.
+    /// Discards all values; call it when it is hidden.
     void stop();
 
-    /// RGBA from the line's start to its end; empty until they have come.
+    /// RGBA from the start of the line to its end; empty: still pending.
     const std::vector<std::array<float, 4>>& numbers() const { return m_numbers; }
-    /// Over what they are plotted.
+    /// The range of the plot.
     const PlotRange& range() const { return m_range.present(); }
-    /// Of what they are.
+    /// The name of the texture's content.
     const std::string& name() const { return m_name; }
-    /// Of these, from red on, the texture has so many.
+    /// The number of channels of the texture, from red.
     int channels() const { return m_channels; }
-    /// The texel that one of them is of, from the top left.
+    /// The texel of a value, from the top left.
     std::array<int, 2> texel(std::size_t index) const;
-    /// Some have not come yet.
+    /// Whether values are still pending.
     bool is_owing() const { return m_answer.is_busy() || m_is_late; }
 
 private:
@@ -41,11 +41,11 @@ private:
 
     TexelAnswer m_answer;
     std::string m_name;
-    TexelRows m_rows;  // that were asked for
-    TexelRows m_come;  // that the numbers are of
+    TexelRows m_rows;  // of the last request
+    TexelRows m_come;  // of the current values
     std::uint64_t m_picture = 0;
     double m_due = 0.0;      // s
-    bool m_is_late = false;  // they are of a former picture
+    bool m_is_late = false;  // the values are of a previous picture
     int m_channels = 4;
     std::vector<std::array<float, 4>> m_numbers;
     SteadyRange m_range;
@@ -53,6 +53,6 @@ private:
 
 double luminance_of(const std::array<float, 4>& rgba);
 
-/// The texels along a line: as many as it is long in its longer direction, from that of its start
-/// to that of its end.
+/// The texels along a line, from that of its start to that of its end. Their number is the length
+/// of the line in its longer direction.
 TexelRows texels_along(const ScanLine& line, Extent extent);

@@ -43,7 +43,7 @@ std::vector<CatalogEntry> list_presets(const Library& library) {
 }
 
 namespace {
-// "  v1=0.25          V/div. Volts a division..."
+// " v1=0.25 V/div. Volts a division..."
 std::string setting_line(const SettingFacts& setting) {
     std::string shown = "  " + setting.key + '=';
     if (setting.type == SettingType::number)

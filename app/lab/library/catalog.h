@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-/// One line of what there is to choose from.
+/// A listed look, preset, signal or pattern.
 struct CatalogEntry {
-    std::string id;    // what the command line takes
-    std::string name;  // what a person reads
+    std::string id;    // for the command line
+    std::string name;  // for display
     std::string about;
     std::string look;  // of presets
     std::filesystem::path file;
@@ -16,9 +16,9 @@ struct CatalogEntry {
     bool operator==(const CatalogEntry&) const = default;
 };
 
-/// Looks with their names; one that cannot be read is listed with the reason as its `about`.
+/// All looks. An unreadable one is listed with its error as `about`.
 std::vector<CatalogEntry> list_looks(const Library& library);
 std::vector<CatalogEntry> list_presets(const Library& library);
-/// Each with its settings and their defaults in `about`.
+/// All signals, with their settings and defaults in `about`.
 std::vector<CatalogEntry> list_signals();
 std::vector<CatalogEntry> list_patterns();

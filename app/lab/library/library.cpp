@@ -125,7 +125,7 @@ Result<fs::path> Library::move_to_user_folder(const PresetEntry& preset) const {
     const auto text = read_bytes(preset.file);
     if (!text)
         return fail(text.error());
-    // Not renamed: the folders may lie on different volumes.
+    // Copied, because the folders can be on different volumes.
     if (auto written = write_atomically(*place, *text); !written)
         return fail(written.error());
     fs::remove(preset.file, error);
@@ -177,7 +177,7 @@ std::optional<PresetEntry> Library::find_preset(std::string_view look,
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
     if (auto fine = check_preset_name(name); !fine)
         return fail(fine.error());
-    // A preset's file says of which look it is; it does not say where to write.
+    // The look name comes from the preset file. It must not contain a path to write to.
     if (look == ".." || look.find('/') != look.npos)
         return fail({{}, 0, fmt::format("'{}' can't be a look name", look)});
     return m_roots.user / "presets" / look / (std::string(name) + ".json");

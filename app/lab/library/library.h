@@ -11,27 +11,28 @@
 #include <string_view>
 #include <vector>
 
-/// A look that is there to open.
+/// An available look.
 struct LookEntry {
-    std::string id;  // its folder's name
+    std::string id;  // folder name
     std::filesystem::path folder;
     bool is_shipped = false;
 };
 
-/// A preset that is there to open.
+/// An available preset.
 struct PresetEntry {
     std::string look;
-    std::string name;  // the file's name without .json
+    std::string name;  // file name without .json
     std::filesystem::path file;
-    bool is_shipped = false;  // else the user's
-    std::string id = {};  // unique within the look: the name, or "user:NAME" beside a shipped one
+    bool is_shipped = false;  // false: the user's
+    std::string id = {};  // unique within the look: the name, or "user:NAME" if a shipped preset
+                          // has the name
 };
 
-/// The order of lists: the user's presets, then the shipped ones, each by the name that is shown.
+/// The order of lists: the user's presets, then the shipped ones, each by displayed name.
 bool is_listed_before(const PresetEntry& one, std::string_view one_name, const PresetEntry& other,
                       std::string_view other_name);
 
-/// The looks and presets on disk. Reads the folders at every call, as files come and go.
+/// The looks and presets on disk. Each call reads the folders, because files can change.
 class Library {
 public:
     explicit Library(Roots roots, ShippedFiles shipped = files_of_build())
@@ -40,37 +41,36 @@ public:
 
     const Roots& roots() const { return m_roots; }
     std::vector<LookEntry> looks() const;  // by id; the program's first
-    /// The user's first, then the shipped ones, each by file name. Equal names stand in both.
+    /// The user's presets, then the shipped ones, each by file name. A name can occur in both.
     std::vector<PresetEntry> presets(std::string_view look) const;
-    /// Ids of the stacks ("phosphor+crt") that have a folder of presets.
+    /// The ids of stacks ("phosphor+crt") that have a folder of presets.
     std::vector<std::string> stacks() const;
     std::optional<LookEntry> find_look(std::string_view id) const;
-    /// By name: the shipped one, else the user's. "shipped:NAME" and "user:NAME" are exact.
+    /// By name: the shipped preset, otherwise the user's. "shipped:NAME" and "user:NAME" are exact.
     std::optional<PresetEntry> find_preset(std::string_view look, std::string_view name) const;
-    /// Whether a file lies in the program's folder as it was shipped.
+    /// Whether a file in the program's folder is unchanged since it was shipped.
     bool is_shipped(const std::filesystem::path& file) const;
-    /// The user's presets in the program's folder, where older programs wrote them.
+    /// The user's presets in the program's folder, where older versions stored them.
     std::vector<PresetEntry> presets_in_program_folder() const;
-    /// Moves a preset into the user's folder, under a free name. Gives the new file.
+    /// Moves a preset to the user's folder under a free name. Returns the new file.
     Result<std::filesystem::path> move_to_user_folder(const PresetEntry& preset) const;
 
-    /// Where a new preset of that name is written: in the user's folder. The name may hold letters,
-    /// digits, spaces and
-    /// -_.()+ only, so that it is a file's name everywhere.
+    /// The file in the user's folder for a new preset with this name. The name may contain only
+    /// letters, digits, spaces and -_.()+, so that it is valid on every file system.
     Result<std::filesystem::path> preset_path(std::string_view look, std::string_view name) const;
-    /// The same, refused where the user has a preset of that name.
+    /// The same; fails if the user already has a preset with this name.
     Result<std::filesystem::path> new_preset_path(std::string_view look,
                                                   std::string_view name) const;
-    /// Each returns the file that is there afterwards; none overwrites another preset.
+    /// Each returns the resulting file; none overwrites another preset.
     Result<std::filesystem::path> save_preset(Preset preset, const std::string& name) const;
     Result<std::filesystem::path> rename_preset(const std::filesystem::path& file,
                                                 const std::string& name) const;
     Result<std::filesystem::path> duplicate_preset(const std::filesystem::path& file) const;
 
-    /// Copies a look's folder under a new id; gives the new folder.
+    /// Copies the folder of a look under a new id; returns the new folder.
     Result<std::filesystem::path> duplicate_look(const std::filesystem::path& folder,
                                                  const std::string& id) const;
-    /// A new look of one pass that already shows something.
+    /// Creates a look with one pass that already draws a picture.
     Result<std::filesystem::path> new_look(const std::string& id) const;
 
 private:

@@ -25,7 +25,7 @@ std::vector<std::string> known_looks(const Library& library) {
     return ids;
 }
 
-// A .json is told by its "format" key; one that cannot be read by its name.
+// A .json look has a "format" key. If the file cannot be parsed, its name decides.
 bool is_look_manifest(const fs::path& file) {
     if (const auto text = read_text(file))
         if (const auto document = parse_json(*text, file))
@@ -34,7 +34,7 @@ bool is_look_manifest(const fs::path& file) {
     return file.filename() == "look.json";
 }
 
-// A look of another program lies beside the preset, or where it was when the preset was made.
+// A foreign look is searched next to the preset, then among the recent files.
 std::optional<StackPart> foreign_part(const std::string& id, const fs::path& preset_file,
                                       const Library& library) {
     const std::string name = foreign_file_name(id);
@@ -71,7 +71,7 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
     return OpenRequest{first, std::move(preset), std::move(file), std::move(stack)};
 }
 
-// What a browser saves where a site shows a file.
+// Browsers save the HTML page of a site instead of the raw file.
 bool is_web_page(const fs::path& file) {
     constexpr std::size_t enough = 512;
     const auto start = read_start(file, enough);
@@ -93,7 +93,7 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
     return fail({file, 0, "not a look, shader, preset, picture or sound that Afterglow knows"});
 }
 
-// Of a look of ours, or of one of Shadertoy with a file a pass.
+// A native look, or a Shadertoy look with one file per pass.
 OpenRequest request_of_folder(const fs::path& folder) {
     std::error_code error;
     const auto image =
@@ -101,7 +101,7 @@ OpenRequest request_of_folder(const fs::path& folder) {
     return {image.value_or(folder), {}, {}};
 }
 
-// A name goes before a folder, as for a look alone.
+// A look name takes precedence over a folder, as for a single look.
 Result<StackPart> resolve_part(const std::string& argument, const Library& library) {
     const fs::path path(argument);
     std::error_code error;

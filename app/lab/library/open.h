@@ -7,36 +7,35 @@
 #include <optional>
 #include <string>
 
-/// What a person named on the command line or chose in the window, found but not yet read.
+/// A resolved argument of the command line or choice in the window, not yet read.
 struct OpenRequest {
     std::filesystem::path look;    // folder or manifest
-    std::optional<Preset> preset;  // to be applied to it
+    std::optional<Preset> preset;  // to apply
     std::filesystem::path preset_file;
-    Stack stack = {};       // instead of `look`: several looks, or one with its settings
-    Values constants = {};  // what numbers in its texts are turned to, before those of the preset
-    bool brings_content = false;  // the preset's own signal or source, also where one is locked
+    Stack stack = {};             // instead of `look`: several looks, or one with settings
+    Values constants = {};        // values of the constants in its texts; the preset overrides them
+    bool brings_content = false;  // uses the preset's signal or source even if the user's is locked
 
     bool operator==(const OpenRequest&) const = default;
 };
 
-/// The looks that a request names.
+/// The looks of a request.
 Stack stack_of(const OpenRequest& request);
 
-/// What is known of its parameters before it is read.
+/// The known parameter values before the look is read.
 Values values_of(const OpenRequest& request);
 
-/// Finds what `argument` means: a look's folder, manifest or name, or several joined by '+'; a
-/// preset's file, PNG or line.
-/// Errors say what was looked for and what is nearest.
+/// Resolves a look's folder, manifest or name, several looks joined by '+', or a preset's file, PNG
+/// or line. Errors name the missing item and the nearest match.
 Result<OpenRequest> resolve(const std::string& argument, const Library& library);
 
 /// A preset of the look by name, file, PNG or line.
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
                                    const Library& library);
 
-/// As its folders are called: "crt", "phosphor+crt".
+/// The names of its folders: "crt", "phosphor+crt".
 std::string name_of(const OpenRequest& request);
 
-/// Reads the look or stack that a request names. As load_look.
+/// Reads the look or stack of a request. Like load_look().
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
                           const ReadingHelp& help = {});

@@ -7,7 +7,7 @@ int wrapped(int place, int count) {
     return (place % count + count) % count;
 }
 
-// From 1; 0: it is not among them.
+// The index from 1; 0: not in the list.
 int place_among(const std::vector<PresetEntry>& presets, const std::filesystem::path& open) {
     const auto found = std::find_if(presets.begin(), presets.end(), [&](const PresetEntry& preset) {
         std::error_code ignored;
@@ -30,7 +30,7 @@ std::optional<PresetPlace> starred_beside(const std::vector<PresetEntry>& preset
                                           const std::filesystem::path& open, int by) {
     const int present = place_among(presets, open);
     std::vector<std::filesystem::path> starred;
-    int before = 0;  // of those, up to the open one
+    int before = 0;  // number of starred ones up to the open one
     bool is_present_starred = false;
     for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
         const PresetEntry& preset = presets[static_cast<std::size_t>(i)];
@@ -42,7 +42,7 @@ std::optional<PresetPlace> starred_beside(const std::vector<PresetEntry>& preset
     }
     if (starred.empty())
         return std::nullopt;
-    // From between two the first step back leads to the one before.
+    // If the open preset is not starred, one step back is the previous starred one.
     const int shift = !is_present_starred && by < 0 ? 1 : 0;
     const auto next = static_cast<std::size_t>(
         wrapped(before - 1 + by + shift, static_cast<int>(starred.size())));

@@ -3,22 +3,22 @@
 #include "lab/library/library.h"
 #include "model/preset/preset_stars.h"
 
-/// A place in a look's list of presets. The first is the look as it is, without one.
+/// A position in a look's list of presets. The first is the look without a preset.
 struct PresetPlace {
-    std::filesystem::path file;  // "": as the look has it
-    std::size_t number = 0;      // of the preset, from 1; 0: as the look has it
-    std::size_t count = 0;       // of the presets
+    std::filesystem::path file;  // "": no preset
+    std::size_t number = 0;      // of the preset, from 1; 0: no preset
+    std::size_t count = 0;       // number of presets
 
     bool operator==(const PresetPlace&) const = default;
 };
 
-/// The place `by` on (or, below 0, back) from the preset `open`, round and round; a preset that is
-/// not in the list counts as the look as it is.
+/// The preset `by` positions after `open` (negative: before), with wrap-around. A preset that is
+/// not in the list counts as the look without a preset.
 PresetPlace preset_beside(const std::vector<PresetEntry>& presets,
                           const std::filesystem::path& open, int by);
 
-/// The same among those with a star alone, where number and count are of those; the one that is
-/// open need not have one. None where no preset has one.
+/// The same among starred presets only; number and count are of those. `open` need not be starred.
+/// nullopt: no preset is starred.
 std::optional<PresetPlace> starred_beside(const std::vector<PresetEntry>& presets,
                                           const PresetStars& stars,
                                           const std::filesystem::path& open, int by);

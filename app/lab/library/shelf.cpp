@@ -32,7 +32,7 @@ const std::string& file_name(const ShelfPreset& preset) {
     return preset.entry.name;
 }
 
-// A copy may have the name of what it was copied from; its file has another.
+// A copy can have the same name as its original, but has another file name.
 template <class Entry>
 void tell_apart(std::span<Entry> entries) {
     std::map<std::string, int> count;
@@ -80,7 +80,7 @@ void Shelf::add_presets(ShelfLook& look, const Library& library) {
     tell_apart(std::span(shipped, look.presets.end()));
 }
 
-// Those of which every look is there; called after all looks are listed.
+// Adds stacks whose looks are all available. Call it after all looks are listed.
 void Shelf::add_stacks(const Library& library) {
     const std::vector<ShelfLook> looks = m_looks;
     for (const std::string& id : library.stacks()) {

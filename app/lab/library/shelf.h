@@ -8,40 +8,40 @@
 #include <string>
 #include <vector>
 
-/// A preset as a list shows it.
+/// A preset with its displayed texts.
 struct ShelfPreset {
     PresetEntry entry;
     std::string name;
-    std::string about;  // or why it cannot be read
+    std::string about;  // or the error if it cannot be read
 };
 
-/// A look and its presets as a list shows them.
+/// A look and its presets with their displayed texts.
 struct ShelfLook {
     LookEntry entry;
     std::string name;
     std::string about;
     std::vector<ShelfPreset> presets;
 
-    /// Looks one after the other that have presets; it has no folder of its own.
+    /// Whether it is a stack that has presets; a stack has no folder.
     bool is_stack() const { return entry.folder.empty(); }
-    /// What opens it.
+    /// The argument that opens it.
     std::string argument() const { return is_stack() ? entry.id : entry.folder.string(); }
 };
 
-/// What opens the look anew, as it has it: a stack's id, a folder, or the file of another program.
+/// The argument that opens the look again: a stack's id, a folder, or a foreign file.
 std::string argument_of(const Look& look);
 bool is_listed_as(const Look& look, const ShelfLook& entry);
 
-/// The library as the window lists it: read about once a second, and only files that changed.
+/// A snapshot of the library for display. It is updated once a second; only changed files are read.
 class Shelf {
 public:
-    /// `open`: is listed behind all others where the library does not have it; null: none is.
+    /// `open`: appended if it is not in the library; null: no open look.
     void update(const Library& library, const Look* open, double wall_seconds);
-    /// Reads the folders at the next update: something was just saved, renamed or deleted.
+    /// Makes the next update read the folders, after a file was saved, renamed or deleted.
     void refresh() { m_seconds_left = 0.0; }
 
     const std::vector<ShelfLook>& looks() const { return m_looks; }
-    /// What a file says of itself: name and about; an empty name where it cannot be read.
+    /// The name and description in a file; an empty name: not readable.
     struct Words {
         std::filesystem::file_time_type written;
         std::string name;
@@ -55,7 +55,7 @@ private:
     const Words& words_of(const std::filesystem::path& file, bool is_look);
 
     double m_seconds_left = 0.0;
-    std::string m_open;  // what opens it
+    std::string m_open;  // argument of the open look
     std::vector<ShelfLook> m_looks;
     std::map<std::filesystem::path, Words> m_words;
 };

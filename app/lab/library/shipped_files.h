@@ -5,13 +5,13 @@
 #include <map>
 #include <string>
 
-/// The presets and looks that the program is shipped with: the digest of each file, by its path
-/// below the root that holds `shaders/` and `presets/`.
+/// The digests of the shipped presets and looks, by path relative to the root with `shaders/` and
+/// `presets/`.
 using ShippedFiles = std::map<std::string, std::uint64_t>;
 
-/// As listed when the program was built.
+/// The list from the build.
 ShippedFiles files_of_build();
 
-/// Whether `file` lies below `root` as it was shipped. A file that was changed since is the user's.
+/// Whether `file` below `root` is unchanged since it was shipped. A changed file is the user's.
 bool is_shipped(const ShippedFiles& shipped, const std::filesystem::path& root,
                 const std::filesystem::path& file);

@@ -12,39 +12,39 @@ class Document;
 class Lab;
 struct WindowState;
 
-/// Something to be done to the document, by the lab, or to the window.
+/// An effect on the document, the lab or the window.
 using Deed = std::variant<std::function<void(Document&)>, std::function<void(Lab&)>,
                           std::function<void(WindowState&)>>;
 using Deeds = std::vector<Deed>;
 
-/// A number that is typed before something can be done with it.
+/// A number that the user must type for a choice.
 struct AskedNumber {
     double present = 0.0;
     std::string unit = {};
     Limit limit = {};
     bool is_whole = false;
     std::string help = {};
-    std::function<Deeds(double)> answer = {};  // of a number within the limit
+    std::function<Deeds(double)> answer = {};  // for a number within the limit
 };
 
-/// The same with words.
+/// A text that the user must type for a choice.
 struct AskedText {
     std::string present;
     std::function<Deeds(const std::string&)> answer;
 };
 
-/// One thing of a list, chosen by its name: by typing that, from a menu or in a panel.
+/// An entry of a menu, a panel or the command palette.
 struct Choice {
-    std::string name;  // "Lissajous"; "Frequency…" where something is asked first
+    std::string name;  // "Lissajous"; "Frequency…" if a value must be typed first
     Deeds deeds = {};
-    bool is_present = false;  // as it is now
+    bool is_present = false;  // it is the current state
     std::optional<AskedNumber> number = {};
     std::optional<AskedText> text = {};
 };
 
-/// What there is to choose from, under the word that tells what kind of thing it is.
+/// A list of choices of one kind, named by `word`.
 struct ChoiceList {
-    enum class Place { palette, edit, view, compare, pass, file };  // the menu that has it, too
+    enum class Place { palette, edit, view, compare, pass, file };  // the menu that also shows it
 
     std::string word;  // "Signal"
     Place place = Place::palette;

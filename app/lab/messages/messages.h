@@ -20,7 +20,7 @@ public:
     /// Shows a notice with buttons until the user chooses or dismisses it.
     void ask(std::string text, std::vector<Choice> choices, std::string subject = {},
              bool is_problem = true);
-    /// Adds to the current notice; shows a notice where none is shown or it is a problem.
+    /// Adds to the current notice. If it is a problem or missing, shows a new notice.
     void append(std::string text, Choice choice);
     /// Shows the first problem of a failed result. Returns whether it succeeded.
     template <class T>

@@ -6,18 +6,18 @@
 #include <string>
 #include <vector>
 
-/// A diagnostic with the line of text that it speaks of.
+/// A diagnostic with its source line.
 struct Problem {
     Diagnostic diagnostic;
     std::string source_line;
 };
 
-/// Something that just happened and goes by (Saved "amber").
+/// A temporary message about an event (Saved "amber").
 struct Notice {
     std::string text;
     bool is_problem = false;
     double seconds_left = 6.0;
-    std::string subject;  // of a problem: the file or device, so that it goes when that is mended
-    std::vector<Choice> choices = {};  // what may be done about it
-    bool goes_by = true;               // after its seconds; else it stays until it is put away
+    std::string subject;  // the file or device of a problem, to withdraw it when solved
+    std::vector<Choice> choices = {};  // shown as buttons
+    bool goes_by = true;               // false: stays until dismissed
 };

@@ -13,9 +13,9 @@ public:
     /// Applies the stored settings to the player.
     AudioControl(Player& player, const Roots& roots, Messages& messages);
 
-    /// Opens the devices that the settings name, and stores the settings.
+    /// Opens the devices of the settings, and stores the settings.
     void set_settings(const SoundSettings& settings);
-    /// The devices as find_devices() found them.
+    /// The devices that find_devices() found.
     const std::vector<SoundDevice>& devices() const { return m_devices; }
     void find_devices() { m_devices = m_player.sound_devices(); }
     /// Shows a notice once when a device fails or a live input is muted.
@@ -26,5 +26,5 @@ private:
     const Roots& m_roots;
     Messages& m_messages;
     std::vector<SoundDevice> m_devices;
-    std::string m_reported;  // the last error that was shown
+    std::string m_reported;  // the last reported error
 };

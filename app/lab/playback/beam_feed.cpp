@@ -12,7 +12,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The user's own folder; other users may not even look into it.
+// Creates the user's private folder for sockets, without access for other users.
 Result<void> make_runtime_folder(const fs::path& socket) {
     const fs::path folder = runtime_folder();
     if (socket.parent_path() != folder)
@@ -47,7 +47,7 @@ Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam:
     std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
     if (auto made = make_runtime_folder(feed->m_name); !made)
         return fail(made.error());
-    // In the window the next sender may come; a picture that is rendered is the work of one.
+    // A rendered picture has exactly one sender. In the window, another one can follow.
     const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
                                                          : ByteReader::Senders::one_after_the_other;
     auto bytes = complete.kind == "stdin" ? ByteReader::read_stdin(*feed)
@@ -59,7 +59,7 @@ Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam:
 }
 
 BeamFeed::~BeamFeed() {
-    m_beam->close();  // else its thread may wait for what is drawn
+    m_beam->close();  // otherwise its thread may wait for the drawing
     m_bytes.reset();
 }
 

@@ -7,22 +7,21 @@
 #include <memory>
 #include <mutex>
 
-/// The beam that another program sends through standard input or a socket, for as long as this
-/// lives.
+/// The beam from another program through standard input or a socket, during its lifetime.
 class BeamFeed : private ByteSink {
 public:
-    /// Of a completed spec; its first point comes after `start` seconds.
+    /// From a completed spec; the first point is after `start` seconds.
     static Result<std::unique_ptr<BeamFeed>> open(const Spec& complete, SentBeam::Pace pace,
                                                   double start);
     ~BeamFeed() override;
 
     const Spec& spec() const { return m_spec; }
     std::shared_ptr<SentBeam> beam() const { return m_beam; }
-    /// What could not be read so far: the first of it, and how much in all.
+    /// The first problem so far, and the number of invalid lines or points.
     Diagnostics problems() const;
-    /// The first problem in a line, or that the sender is gone; "" when all is well.
+    /// The first problem as one line, or that the sender has stopped; "": no problem.
     std::string complaint() const;
-    /// Whether it draws or waits, in words; "" where complaint() says more.
+    /// A text for receiving or waiting; "": complaint() has the state.
     std::string state() const;
 
 private:
@@ -38,15 +37,15 @@ private:
     enum class State { waiting, sending, ended };
 
     Spec m_spec;
-    std::string m_name;  // as a person knows it
+    std::string m_name;  // for display
     SentBeam::Pace m_pace;
-    std::shared_ptr<SentBeam> m_beam;  // shared with the signal that draws it
+    std::shared_ptr<SentBeam> m_beam;  // shared with the signal
     std::optional<SentReader> m_reader;
     std::vector<SentPoint> m_points;
-    bool m_has_drawn = false;    // the present sender
-    mutable std::mutex m_mutex;  // for what follows
+    bool m_has_drawn = false;    // the current sender
+    mutable std::mutex m_mutex;  // for the members below
     std::optional<Diagnostic> m_problem;
     std::int64_t m_bad_count = 0;
     State m_state = State::waiting;
-    std::unique_ptr<ByteReader> m_bytes;  // last: its thread uses the rest
+    std::unique_ptr<ByteReader> m_bytes;  // last, because its thread uses the others
 };

@@ -31,7 +31,7 @@ void BeamPlayout::follow(double time, double speed) {
     const TimeSpan span{m_played, end};
     m_beam.clear();
     m_signal->trace(span, m_beam);
-    // The device's clock and the picture's drift apart: it gets a little more or less.
+    // The clocks of device and picture drift, so the sampling rate is adjusted by up to 1 %.
     const double surplus =
         static_cast<double>(queue.waiting()) / rate + span.seconds() / speed - cushion();
     const double pace = 1.0 + std::clamp(0.2 * surplus, -0.01, 0.01);

@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// The sound of a signal's text, such as "scene:ship.json"; its file is read from the working
-/// folder. What another program sends is taken as far as it can be read, `problems` says what
-/// cannot.
+/// Renders the sound of a signal such as "scene:ship.json"; its file is relative to the working
+/// directory. A beam from another program is read as far as it is valid; `problems` gets its
+/// errors.
 Result<Sound> play_beam(const std::string& signal, const BeamSoundFormat& format,
                         Diagnostics& problems);

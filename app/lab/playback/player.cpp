@@ -36,7 +36,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
         const bool is_heard =
             m_silence.empty() && m_settings.plays_beam == static_cast<bool>(m_playout);
         if (is_the_same && is_heard && !kind.is_live && !kind.is_sent)
-            return {};  // as after every edit of the look
+            return {};  // such as after an edit of the look
         auto made = make(complete, sound);
         if (!made)
             return fail(made.error());
@@ -47,7 +47,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
         }
     }
     if (spec.kind.empty() || !find_kind(spec.kind)->is_live)
-        m_capture.reset();  // nobody listens in for longer than is drawn
+        m_capture.reset();  // records only while the signal is drawn
     if (spec.kind.empty() || !find_kind(spec.kind)->is_sent)
         m_feed.reset();
     const bool is_new_sound = sound.sound != m_sound.sound || start != m_start;
@@ -89,7 +89,7 @@ void Player::listen() {
         sound ? sound : std::make_shared<const BeamStream>(m_signal));
 }
 
-// A real scope takes the place of the loudspeaker. Where there is no device the lab goes on.
+// The beam replaces the sound output. Without a device, playback continues silently.
 void Player::play_beam() {
     if (!m_settings.plays_beam || !m_signal) {
         m_playout.reset();
@@ -137,13 +137,12 @@ std::string place_of(const Spec& complete) {
 }
 }  // namespace
 
-// Where nobody watches, drawing waits for the sender, so that the same input gives the same
-// picture.
+// Offline drawing waits for the sender, so that the same input always gives the same picture.
 Result<void> Player::open_feed(const Spec& complete) {
     if (m_feed && m_feed->spec() == complete)
         return {};
     if (m_feed && place_of(m_feed->spec()) == place_of(complete))
-        m_feed.reset();  // two cannot share a place
+        m_feed.reset();  // two cannot share a path
     const auto pace = m_devices ? SentBeam::Pace::live : SentBeam::Pace::waiting;
     auto feed = BeamFeed::open(complete, pace, m_time);
     if (!feed)
@@ -190,7 +189,7 @@ Result<void> Player::open_capture(const Spec& complete) {
     return {};
 }
 
-// The present moment of what comes in becomes the present time.
+// Maps the current position of the live sound to the current time.
 void Player::begin_live() {
     const double ahead = m_capture->position_seconds() - m_time;
     m_live_first = std::llround(ahead * m_capture->sound()->rate());
@@ -209,7 +208,7 @@ Result<void> Player::set_sound_settings(const SoundSettings& settings) {
     m_output.reset();
     m_capture.reset();
     m_playout.reset();
-    PlayedSound sound = std::exchange(m_sound, {});  // it is new to the new device
+    PlayedSound sound = std::exchange(m_sound, {});  // so that it counts as new for the new device
     return set_signal(m_spec, std::move(sound));
 }
 
@@ -221,7 +220,7 @@ double Player::sound_seconds() const {
     return m_sound.sound ? std::max(0.0, m_sound.sound->seconds() - m_start) : 0.0;
 }
 
-// The loudspeaker follows the signal. Without a device the wall clock runs instead.
+// Updates the sound output for the signal. Without a device, the wall clock is used.
 void Player::play_sound(bool loops, bool is_new_sound) {
     if (m_sound.sound && !m_output && !m_playout) {
         auto output = m_devices->open_output(m_settings);
@@ -284,7 +283,7 @@ void Player::seek(double seconds) {
         m_signal = std::move(*made);
     listen();
     if (m_playout)
-        play_beam();  // its signal has another beginning, too
+        play_beam();  // its signal starts at another position
 }
 
 void Player::seek_with_past(double seconds, std::size_t frames) {
@@ -322,16 +321,16 @@ void Player::set_level(double level) {
         m_output->set_level(m_level);
 }
 
-// Seconds of the signal that have gone by. A heard sound is the clock: its position says so.
+// The elapsed time of the signal. While a sound plays, its position is the clock.
 double Player::played_seconds(double wall_seconds) {
     if (!is_sound_the_clock())
         return wall_seconds * m_speed;
     const double position = m_output->position_seconds() - 0.001 * m_settings.picture_delay_ms;
-    const double later = std::max(position, m_heard);  // it waits where the picture is to be later
+    const double later = std::max(position, m_heard);  // waits if the picture is delayed
     return later - std::exchange(m_heard, later);
 }
 
-// A device that went away is told once; the picture goes on by the machine's own clock.
+// Reports a stalled device once. The picture continues with the wall clock.
 void Player::notice_lost_devices() {
     if (!m_silence.empty())
         return;
@@ -345,7 +344,7 @@ void Player::notice_lost_devices() {
             fmt::format("Audio device \"{}\" stopped. Playing silently.", m_output->device_name());
 }
 
-// What came in while the player was paused or held up is passed over.
+// Skips input that was received during a pause or a stall.
 std::optional<PlayedFrame> Player::advance_live(double wall_seconds) {
     if (m_capture->has_stalled())
         return moved_to(m_time + std::min(wall_seconds, m_longest_frame));
@@ -398,7 +397,7 @@ void Player::set_longest_frame(double seconds) {
     m_longest_frame = std::clamp(seconds, 1.0 / 240.0, longest_frame);
 }
 
-// Time that a frame cannot cover is lost, not light. A sound that is heard goes on meanwhile.
+// Limits the frame to its longest duration. A playing sound continues; other time is lost.
 double Player::shown_seconds(double played, double wall_seconds) {
     if (played <= 0.0)
         return 0.0;

@@ -18,61 +18,60 @@
 #include <memory>
 #include <optional>
 
-/// One frame on the player's clock.
+/// A frame on the player's clock.
 struct PlayedFrame {
     std::int64_t number = 0;  // from 1 after a restart
     TimeSpan span;
 };
 
-/// A sound, or a scene or drawing, that was read from a file.
+/// The sound, scene or drawing of a signal's file.
 struct PlayedSound {
     std::filesystem::path file;
-    std::shared_ptr<const Sound> sound;           // shared with the sound device's thread
-    std::shared_ptr<const BeamScene> scene = {};  // shared with the reading thread
-    std::shared_ptr<const Drawing> drawing = {};  // likewise
+    std::shared_ptr<const Sound> sound;           // shared with the audio thread
+    std::shared_ptr<const BeamScene> scene = {};  // shared with the loader thread
+    std::shared_ptr<const Drawing> drawing = {};  // also shared with it
 };
 
-/// The clock, and the signal that it runs over.
+/// The clock and the current signal.
 class Player {
 public:
-    /// Only where a person listens are there sound devices; null: none are used.
+    /// `devices` are for the window; null: no audio devices are used.
     explicit Player(std::unique_ptr<SoundDevices> devices = nullptr)
         : m_devices(std::move(devices)) {}
 
-    /// Makes the signal of the spec the current one, over `sound` if its kind plays one; a spec
-    /// without a kind is no signal. On an error the old signal goes on.
+    /// Sets the signal of a spec, with `sound` if its kind plays one. A spec without a kind means
+    /// no signal. On an error the previous signal stays.
     Result<void> set_signal(const Spec& spec, PlayedSound sound = {});
     const Signal* signal() const { return m_signal.get(); }
     const PlayedSound& sound() const { return m_sound; }
-    /// How much of the sound is played, in seconds; 0 without a sound.
+    /// The duration of the played part of the sound, in seconds; 0: no sound.
     double sound_seconds() const;
-    /// Why a sound that should be heard or come in does not, or what is wrong with a beam that
-    /// another program sends; "" when all is well.
+    /// The error of sound output, live input or the beam of another program; "": no error.
     std::string silence() const;
-    /// The device that a live sound comes in from; "" when none does.
+    /// The device of the live input; "": not open.
     std::string live_device() const { return m_capture ? m_capture->device_name() : ""; }
 
-    /// While muted no live sound comes in, and its device stays closed.
+    /// While muted, live input is silent and its device is closed.
     bool is_input_muted() const { return m_is_input_muted; }
-    /// Opens the device of a live sound that is drawn, or closes it.
+    /// Closes or opens the device of the live input.
     Result<void> mute_input(bool is_muted);
-    /// Whether a live sound is drawn, and muted.
+    /// Whether the signal is a live input that is muted.
     bool draws_muted_input() const;
 
-    /// Whether the beam of another program is drawn or waited for; "" where there is none.
+    /// The state of the beam of another program, as BeamFeed::state(); "": not used.
     std::string sent_state() const { return m_feed ? m_feed->state() : std::string(); }
-    /// What could not be read of a beam that another program sends.
+    /// The errors in the beam of another program.
     Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
-    /// As BeamFeed::state(); "" without one.
+    /// As BeamFeed::state(); "": not used.
     std::string sender_state() const { return m_feed ? m_feed->state() : std::string(); }
-    /// As SentBeam::set_patience(), for senders from now on.
+    /// As SentBeam::set_patience(), for later senders.
     void set_sender_patience(double seconds) { m_sender_patience = seconds; }
 
-    /// The device that the beam is played on; "" when it is none.
+    /// The device that plays the beam; "": not played.
     std::string beam_device() const { return m_playout ? m_playout->device_name() : ""; }
 
     const SoundSettings& sound_settings() const { return m_settings; }
-    /// Opens the devices anew that are in use.
+    /// Reopens the devices in use.
     Result<void> set_sound_settings(const SoundSettings& settings);
     std::vector<SoundDevice> sound_devices() const;
 
@@ -86,43 +85,41 @@ public:
     void pause();
     void restart();
     void seek(double seconds);
-    /// As seek(), and as if up to so many frames had been shown before: there is a past to show.
+    /// As seek(), with a past of up to this number of frames, so that they can be replayed.
     void seek_with_past(double seconds, std::size_t frames);
-    void set_speed(double speed);  // 0.01 .. 4
-    void set_level(double level);  // 0 .. 2, of the loudspeaker
-    /// The next advance() goes one frame of 1/60 s further, also while paused.
+    void set_speed(double speed);  // 0.01 to 4
+    void set_level(double level);  // 0 to 2, volume of the sound
+    /// The next advance() covers one frame of 1/60 s, even while paused.
     void step() { m_is_stepping = true; }
-    /// Back to the end of a frame of the past, if it is still known.
+    /// Seeks to the end of a past frame, if it is still stored.
     void go_back_to(std::int64_t frame);
 
-    /// The frame that `wall_seconds` since the last call bring; none while paused or at the
-    /// signal's end. While a sound is heard or comes in, its device is the clock.
+    /// The frame for `wall_seconds` since the last call; nullopt: paused, or the signal has ended.
+    /// While a sound plays or live input is drawn, its device is the clock.
     std::optional<PlayedFrame> advance(double wall_seconds);
-    /// The frame of a fixed clock; time need not flow.
+    /// The next frame of a fixed frame rate, for offline drawing.
     PlayedFrame advance_fixed(double fps);
 
-    /// The longest time that one frame may cover, 1/240 .. 1/4 s: a machine that takes longer shows
-    /// time more slowly, or only a part of a sound that is heard; no frame holds light of two.
+    /// The longest time that one frame can cover, 1/240 to 1/4 s. On a slower machine, playback is
+    /// slower, or part of a playing sound is not drawn.
     void set_longest_frame(double seconds);
-    /// How much of the time that goes by is shown, over about the last half second, or the last
-    /// frame where that took longer: 1 where the machine keeps up. One frame alone that is held up
-    /// counts as the one before.
+    /// The share of elapsed time that is drawn, over about the last 0.5 s or the last frame if it
+    /// was longer. 1: in real time. A single delayed frame does not count.
     double shown_share() const { return m_shown_share; }
-    /// Whether what is not shown is left out, because a sound that is heard, or a real scope, waits
-    /// for nobody.
+    /// Whether undrawn time is skipped, because a playing sound or a real oscilloscope cannot wait.
     bool leaves_out() const { return is_sound_the_clock() || m_playout; }
 
     Beam trace(const TimeSpan& span) const;
-    /// The sound that a file's signal draws, as it is heard with it; null where there is none.
+    /// The sound of a file's signal, as it plays; null: no such sound.
     std::shared_ptr<const SampleStream> heard() const { return m_heard_stream; }
-    /// Of the sound that is drawn, else of the signal; null where there is none, or where it comes
-    /// from another program, point by point. Shared with who draws.
+    /// The loudness of the sound, otherwise of the signal. Null: no signal, or a beam from another
+    /// program. Shared with the renderer.
     std::shared_ptr<const Loudness> loudness() const { return m_loudness; }
-    /// The same for textures that follow the sound; of a signal that is no sound x is heard on the
-    /// left and y on the right.
+    /// The sound textures, from the same source. For a signal without sound, x is the left channel
+    /// and y the right one.
     std::shared_ptr<const SoundTexels> sound_texels() const { return m_sound_texels; }
 
-    /// The latest frames, oldest first, for showing again what led to the present picture.
+    /// The latest frames, oldest first, for replays.
     const std::deque<PlayedFrame>& past() const { return m_past; }
 
 private:
@@ -144,7 +141,7 @@ private:
     static constexpr std::size_t frames_remembered = 1024;
     static constexpr double longest_frame = 0.25;  // s
 
-    std::shared_ptr<const Signal> m_signal;  // with its loudness
+    std::shared_ptr<const Signal> m_signal;  // shared with its loudness
     std::shared_ptr<const SampleStream> m_heard_stream;
     std::shared_ptr<const Loudness> m_loudness;
     std::shared_ptr<const SoundTexels> m_sound_texels;
@@ -152,23 +149,23 @@ private:
     std::unique_ptr<SoundDevices> m_devices;
     SoundSettings m_settings;
     std::unique_ptr<SoundOutput> m_output;
-    std::unique_ptr<SoundCapture> m_capture;  // while a live sound is drawn and not muted
+    std::unique_ptr<SoundCapture> m_capture;  // while live input is drawn and not muted
     bool m_is_input_muted = false;
-    int m_channels = 0;             // that were asked of it
+    int m_channels = 0;             // requested from the capture
     std::int64_t m_live_first = 0;  // its frame at time 0
     double m_sender_patience = std::numeric_limits<double>::infinity();
     std::unique_ptr<BeamFeed> m_feed;        // while another program sends the beam
-    std::unique_ptr<BeamPlayout> m_playout;  // while the beam goes out to a real scope
-    Spec m_spec;                             // of the signal, complete
+    std::unique_ptr<BeamPlayout> m_playout;  // while the beam is played on a device
+    Spec m_spec;                             // of the signal, completed
     std::string m_silence;
     double m_speed = 1.0;
     double m_level = 1.0;
     double m_time = 0.0;
-    double m_heard = 0.0;  // s of the output when last asked
-    double m_start = 0.0;  // s into the sound where time 0 is
+    double m_heard = 0.0;  // s of the output at the last query
+    double m_start = 0.0;  // s in the sound at time 0
     double m_longest_frame = longest_frame;
     double m_shown_share = 1.0;
-    double m_last_share = 1.0;  // of the last frame alone
+    double m_last_share = 1.0;  // of the last frame only
     std::int64_t m_frame = 0;
     bool m_is_playing = true;
     bool m_is_stepping = false;

@@ -26,7 +26,7 @@ Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* w
     auto sound = load_sound(file, work, notes);
     if (!sound && is_sound_file(file))
         return fail(sound.error());
-    if (!sound) {  // which is only one of the things that it might have been
+    if (!sound) {  // a sound is only one of the possible types
         Diagnostics reasons = sound.error();
         for (Diagnostic& reason : reasons)
             reason.message = with_sentence(

@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-/// What a signal's file holds: a scene or drawing by its name, else a sound. `notes`: what is amiss
-/// with a file that can be used all the same.
+/// Loads the file of a signal: a scene or drawing by its name, otherwise a sound. `notes`: warnings
+/// about a usable file.
 Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* work = nullptr,
                                       Diagnostics* notes = nullptr);

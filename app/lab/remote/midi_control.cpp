@@ -23,7 +23,7 @@ void MidiControl::learn(std::optional<MidiGoal> goal) {
     m_learnt.reset();
 }
 
-// A device with 14 bits sends the lower half right behind the upper one: then both are bound.
+// A 14-bit device sends the lower half immediately after the upper one. Then both are bound.
 std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double now_seconds) {
     constexpr double right_behind = 0.05;  // s
     if (m_goal) {
@@ -41,7 +41,7 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double n
 std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
                                                RemoteHand& hand, double now_seconds) {
     std::optional<MidiBinding> learnt;
-    constexpr int most = 1000;  // a turn: who sends without end shall not stop the picture
+    constexpr int most = 1000;  // per update, so that endless input cannot block the picture
     for (int i = 0; i < most; ++i) {
         const auto message = m_inputs->take();
         if (!message)
@@ -63,7 +63,7 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
     return learnt;
 }
 
-// What the open look has not got is another look's.
+// A parameter that the open look does not have belongs to another look and is ignored.
 void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSettings& settings,
                        Document& document, RemoteHand& hand, double now_seconds) {
     const auto meant = meant_parameter(binding.goal.parameter, document.look());

@@ -12,29 +12,29 @@
 #include <utility>
 #include <vector>
 
-/// Lets the knobs of MIDI devices turn parameters, and learns which of them turns what.
+/// Controls parameters by MIDI devices, and learns their mapping.
 class MidiControl {
 public:
     explicit MidiControl(std::unique_ptr<MidiInputs> inputs) : m_inputs(std::move(inputs)) {}
 
-    /// Listens to the devices that there are now, or to none. On failure it does not listen.
+    /// Opens all current devices, or closes them. If it fails, none is open.
     Result<void> listen(bool listens);
     bool is_listening() const { return m_is_listening; }
     std::vector<std::string> devices() const { return m_inputs->names(); }
-    /// Becomes readable when a message has come; always the same.
+    /// Becomes readable when messages are available; never changes.
     int descriptor() const { return m_inputs->descriptor(); }
 
-    /// The next controller that is turned is to be bound to it; none: nothing more is learnt.
+    /// Binds the next moved controller to `goal`; nullopt: stops learning.
     void learn(std::optional<MidiGoal> goal);
     const std::optional<MidiGoal>& learning() const { return m_goal; }
 
-    /// Takes in what has come; null: nothing is open to be turned. Gives what was learnt by it.
+    /// Applies the received messages; `document` null: no look is open. Returns a learnt binding.
     std::optional<MidiBinding> update(const RemoteSettings& settings, Document* document,
                                       RemoteHand& hand, double now_seconds);
 
-    /// The one that was turned last, bound or not.
+    /// The last received controller value, bound or not.
     const std::optional<MidiTurn>& last() const { return m_last; }
-    /// How many turned something, or were refused, and why the last one was; "" for none.
+    /// The number of applied and refused changes, and the last reason for refusal; "": not refused.
     std::size_t turned() const { return m_turned; }
     std::size_t refused() const { return m_refused; }
     const std::string& problem() const { return m_problem; }
@@ -47,7 +47,7 @@ private:
     std::unique_ptr<MidiInputs> m_inputs;
     bool m_is_listening = false;
     std::optional<MidiGoal> m_goal;
-    std::optional<MidiBinding> m_learnt;  // which may turn out to be fine
+    std::optional<MidiBinding> m_learnt;  // can become a 14-bit binding
     double m_learnt_seconds = 0.0;
     MidiPairs m_pairs;
     std::map<std::pair<std::string, std::size_t>, PickUp> m_pick_ups;  // by goal
@@ -57,6 +57,6 @@ private:
     std::string m_problem;
 };
 
-/// Those that turn a parameter of a look.
+/// The bindings that control a parameter of a look.
 std::vector<MidiBinding> bindings_of(const Parameter& parameter, const Look& look,
                                      const RemoteSettings& settings);

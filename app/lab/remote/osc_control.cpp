@@ -61,7 +61,8 @@ void OscControl::refuse(const Diagnostics& reasons) {
 void OscControl::update(Document* document, RemoteHand& hand, double now_seconds) {
     if (!m_port)
         return;
-    // A turn: a sender without end must not stop the picture. A bundle has thousands of messages.
+    // Per update, so that an endless sender cannot block the picture. A bundle can contain
+    // thousands of messages.
     constexpr std::size_t most_packets = 100;
     constexpr std::size_t most_messages = 1000;
     std::size_t packets = 0;

@@ -8,22 +8,22 @@
 #include <string>
 #include <vector>
 
-/// What a message asks of a look: `/afterglow/NAME` and a number, as many as a vector has, or a
-/// text as a person would type it.
+/// Parses a message `/afterglow/NAME` with one number per component, or with a text as the user
+/// would type it.
 Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look);
 
-/// Lets other programs on this machine turn parameters by Open Sound Control.
+/// Lets other programs on this machine set parameters by Open Sound Control.
 class OscControl {
 public:
-    /// 0: listens no more. On failure it does not listen.
+    /// Opens the port; 0 closes it. If it fails, no port is open.
     Result<void> listen(int port);
     bool is_listening() const { return m_port.has_value(); }
-    /// -1 when it does not listen.
+    /// -1: not open.
     int descriptor() const { return m_port ? m_port->descriptor() : -1; }
     int port() const { return m_port ? m_port->number() : 0; }
 
-    /// Takes in what has come, at most 1000 messages a call; the others wait for the next one.
-    /// Null: nothing is open to be turned.
+    /// Applies up to 1000 received messages; the remaining ones wait for the next call. Null: no
+    /// look is open.
     void update(Document* document, RemoteHand& hand, double now_seconds);
 
     /// Whether messages wait for the next call.
@@ -31,7 +31,7 @@ public:
 
     std::size_t turned() const { return m_turned; }
     std::size_t refused() const { return m_refused; }
-    /// Why the last one was refused; "" for none.
+    /// The last reason for refusal; "": not refused.
     const std::string& problem() const { return m_problem; }
 
 private:
@@ -44,5 +44,5 @@ private:
     std::size_t m_refused = 0;  // packets and messages
     std::string m_problem;
     std::vector<OscMessage> m_messages;  // of the latest packet
-    std::size_t m_next = 0;              // of them that is to be taken
+    std::size_t m_next = 0;              // index of the next message
 };

@@ -12,7 +12,7 @@
 /// Parameter changes by OSC and MIDI. They are edits of the document, with undo.
 class RemoteControl {
 public:
-    /// Opens what the stored settings name.
+    /// Opens the devices of the stored settings.
     RemoteControl(OpenDocument& document, const Roots& roots, Messages& messages,
                   std::unique_ptr<MidiInputs> midi);
 
@@ -21,13 +21,13 @@ public:
     const RemoteSettings& settings() const { return m_settings; }
     /// Opens and closes devices, and stores the settings.
     void set_settings(const RemoteSettings& settings);
-    /// Lists the MIDI devices and opens them; shows a notice where there are none.
+    /// Finds and opens the MIDI devices; shows a notice with their names.
     void find_midi_devices();
     /// Binds the next controller that moves. Opens the MIDI devices.
     void learn_midi(const MidiGoal& goal);
     void end_midi_learning() { m_midi.learn({}); }
 
-    /// Applies the messages that arrived since the last update.
+    /// Applies the messages received since the last update.
     void update(double wall_seconds);
     /// Whether the next update has work without any event.
     bool is_busy() const { return m_hand.is_turning() || m_osc.has_more(); }

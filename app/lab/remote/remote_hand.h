@@ -5,35 +5,34 @@
 #include <map>
 #include <string>
 
-/// What another program or a device asks of a look.
+/// A parameter change from another program or device.
 struct RemoteTurn {
     std::string parameter;
     Value value;
 };
 
-/// Says which changes that come one by one are one step of undo: those of a parameter with less
-/// than half a second between them.
+/// Groups changes into undo steps. Changes of a parameter less than 0.5 s apart are one step.
 class RemoteGesture {
 public:
-    /// Whether a change of the parameter now goes on with the step that is open.
+    /// Whether a change of the parameter belongs to the current step.
     bool goes_on(const std::string& parameter, double now_seconds);
-    /// Whether the step that is open has come to its end; told once.
+    /// Whether the current step has ended; true only once.
     bool has_ended(double now_seconds);
     bool is_open() const { return !m_touched.empty(); }
 
 private:
-    std::map<std::string, double> m_touched;  // when, of the step that is open
+    std::map<std::string, double> m_touched;  // time of the last change in this step
 };
 
-/// The one hand of all programs and devices that turn parameters: from here on it is the same
-/// whether a number came by OSC or MIDI. Times are of a clock that never rests.
+/// Applies remote changes from OSC and MIDI to the document. Times are from a clock that never
+/// stops.
 class RemoteHand {
 public:
-    /// Refused for what is locked.
+    /// Fails for locked parameters.
     Result<void> turn(Document& document, const RemoteTurn& turn, double now_seconds);
-    /// To be called every turn, after what has come: ends a step of undo.
+    /// Call it in every update after the messages. It ends undo steps.
     void update(Document* document, double now_seconds);
-    /// A step of undo waits for its end.
+    /// Whether an undo step is still open.
     bool is_turning() const { return m_gesture.is_open(); }
 
 private:

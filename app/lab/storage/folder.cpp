@@ -10,8 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 // Files with a wanted ending that Afterglow cannot open: CMakeLists.txt, and .json files that are
-// neither looks, presets nor Shadertoy shaders. In a look's folder, look.json counts as one of
-// these.
+// neither looks, presets nor Shadertoy shaders.
 bool is_of_others(const fs::path& file, const std::string& ending) {
     if (ending != ".json")
         return file.filename() == "CMakeLists.txt";

@@ -23,7 +23,7 @@ bool has_extension(const fs::path& file, std::span<const std::string_view> exten
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// The file that a preset names, as it is written there; "" for none.
+// The file that a preset names, as written in the preset; "": no file.
 std::string named_file(const Preset& preset) {
     if (!preset.source.empty()) {
         const auto source = parse_source(preset.source);
@@ -41,7 +41,7 @@ Preset with_file(Preset preset, const std::string& file) {
     }
     if (const auto complete = completed(*preset.signal)) {
         const std::string& key = find_kind(complete->kind)->file_setting;
-        preset.signal->settings.erase("");  // a bare first word, which was the file
+        preset.signal->settings.erase("");  // the unnamed first word, which was the file
         preset.signal->settings[key] = file;
     }
     return preset;
@@ -52,7 +52,7 @@ bool is_there(const fs::path& file) {
     return fs::is_regular_file(file, error) || (is_sequence_name(file) && open_sequence(file));
 }
 
-// What moves is told by its name alone: it may be too large to be read whole.
+// Videos and sequences have no digest, because they may be too large to read completely.
 std::string digest_of_media(const fs::path& file) {
     if (is_video_file(file) || is_sequence_name(file))
         return {};
@@ -167,7 +167,7 @@ Diagnostics compare_with_media(const Preset& preset) {
 }
 
 namespace {
-// The way to a file below a folder; "" where it is none.
+// The relative path of a file inside a folder; "": not inside.
 fs::path path_inside(const fs::path& file, const fs::path& folder) {
     const fs::path inside = folder.empty() ? fs::path() : file.lexically_relative(folder);
     return inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
@@ -185,7 +185,7 @@ Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMe
     }
     const fs::path file = fs::absolute(named_file(preset)).lexically_normal();
     if (!is_there(file))
-        return preset;  // was not found where it was opened: goes on as it was written
+        return preset;  // was not found when opened: keep it as written
     preset.media_digest = recent.digest_of(file);
     if (preset.media_digest.empty())
         preset.media_digest = digest_of_media(file);

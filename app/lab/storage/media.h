@@ -9,25 +9,25 @@
 #include <string>
 #include <vector>
 
-/// Whether a file's name says that it is a sound.
+/// Whether the file name has the extension of a sound.
 bool is_sound_file(const std::filesystem::path& file);
-/// Whether a file's name says that it is a picture.
+/// Whether the file name has the extension of a picture.
 bool is_picture_file(const std::filesystem::path& file);
 
-/// The person's own sounds and pictures that were opened lately, kept between uses. A preset names
-/// such a file by its name alone, so that it can be shared; here it is found again.
+/// The user's recently opened sounds and pictures, stored between sessions. A preset names its file
+/// without a folder, so that it can be shared. This list finds the file again.
 class RecentMedia {
 public:
     explicit RecentMedia(const Roots& roots) : m_list(roots.state / "media.json") {}
 
-    /// Puts a file in front and writes the list. The list is a help only: where it cannot be
-    /// written nothing else stops.
+    /// Moves a file to the front and writes the list. The list is optional, so write errors are
+    /// ignored.
     void remember(const std::filesystem::path& file, const std::string& digest) const;
-    /// The latest existing file of that name; one with that digest goes first.
+    /// The latest existing file with this name, preferably with this digest.
     std::optional<std::filesystem::path> find(const std::string& name,
                                               const std::string& digest) const;
     bool has(const std::filesystem::path& file) const;
-    /// As remembered; "" when it is not, or when the file has changed since.
+    /// The stored digest; "": the file is unknown or has changed since.
     std::string digest_of(const std::filesystem::path& file) const;
 
 private:
@@ -36,29 +36,29 @@ private:
     std::filesystem::path m_list;
 };
 
-/// Where a preset's own files are looked for first: beside it; where it is no file, in the folder
-/// that the program was started in.
+/// The folder in which a preset's files are searched first: that of the preset file, or without a
+/// file the working directory.
 std::filesystem::path media_folder(const std::filesystem::path& preset_file);
 
-/// The preset with the full path of the file that its signal or source names: looked for beside the
-/// preset (in `folder`), then among the recent ones. A file that is nowhere stays as it is written.
+/// The preset with the full path of its signal's or source's file. The file is searched in
+/// `folder`, then among the recent files. If it is not found, the path is unchanged.
 Preset with_found_media(Preset preset, const std::filesystem::path& folder,
                         const RecentMedia& recent);
 
-/// Whether a value of the look is the path of a file, rather than numbers or a made picture.
+/// Whether a value is the path of a file, not numbers or a generated picture.
 bool names_file(const Look& look, const std::string& parameter, const Value& value);
 
-/// The preset with full paths for those files of its values that are in `folder`.
+/// The preset with full paths for the files of its values that are in `folder`.
 Preset with_found_files(Preset preset, const Look& look, const std::filesystem::path& folder);
 
-/// A file that is not the one that a preset was made with.
+/// The diagnostic for a file that differs from the one the preset was saved with.
 Diagnostic other_media(const std::filesystem::path& file);
 
-/// A warning when the file that it names is there, but is not the one that it was made with.
+/// A warning if the preset's file exists but differs from the one it was saved with.
 Diagnostics compare_with_media(const Preset& preset);
 
-/// The preset as it is saved into `folder` ("": a line of text): its file by a path within the
-/// folder, or by its name alone, with the digest. Files that its values choose keep their full path
-/// where they lie outside.
+/// The preset for saving in `folder` ("": as a line of text). Its file gets a path relative to the
+/// folder, or only its name, and the digest. Files of its values outside the folder keep their full
+/// path.
 Preset with_portable_media(Preset preset, const std::filesystem::path& folder,
                            const RecentMedia& recent);

@@ -3,6 +3,6 @@
 #include "lab/storage/roots.h"
 #include "model/devices/remote_settings.h"
 
-/// What the user said about remote control at the last use; the defaults at the first.
+/// The stored settings of remote control; the defaults if the file does not exist.
 Result<RemoteSettings> load_remote_settings(const Roots& roots);
 Result<void> save_remote_settings(const Roots& roots, const RemoteSettings& settings);

@@ -9,20 +9,20 @@
 #include <string>
 #include <vector>
 
-/// The folders that hold `shaders/` and `presets/`: the program's root, then the person's own.
+/// The folders that contain `shaders/` and `presets/`: the program's, then the user's.
 struct Roots {
     std::filesystem::path program;
-    std::filesystem::path user;                        // $XDG_DATA_HOME/afterglow; need not exist
-    std::filesystem::path state;                       // $XDG_STATE_HOME/afterglow; need not exist
-    std::filesystem::path cache = {};                  // $XDG_CACHE_HOME/afterglow; need not exist
-    std::vector<std::filesystem::path> includes = {};  // named for includes, besides the program's
-    ShaderLimits shader_limits = {};                   // of the looks that are opened
+    std::filesystem::path user;                        // $XDG_DATA_HOME/afterglow; may not exist
+    std::filesystem::path state;                       // $XDG_STATE_HOME/afterglow; may not exist
+    std::filesystem::path cache = {};                  // $XDG_CACHE_HOME/afterglow; may not exist
+    std::vector<std::filesystem::path> includes = {};  // further include folders of the user
+    ShaderLimits shader_limits = {};                   // of all looks
 
     std::vector<std::filesystem::path> all() const { return {program, user}; }
     IncludeFolders include_folders() const { return {program / "shaders" / "include", includes}; }
 };
 
-/// What the command line says about folders, and about the looks in them.
+/// The options of the command line for folders and shader limits.
 struct DataFolders {
     std::string data = {};                      // of --data; "": not given
     std::vector<std::string> includes = {};     // of --include, in order
@@ -30,8 +30,8 @@ struct DataFolders {
     std::vector<std::string> limit_texts = {};  // of --limit, as given
 };
 
-/// `data` (from --data), $AFTERGLOW_DATA, a folder above the program that holds shaders/ (or its
-/// share/afterglow), the source tree: the first that holds `shaders/`. An error where it does not,
-/// or where one of `includes` is no folder.
+/// Uses `data` (from --data) or $AFTERGLOW_DATA. Otherwise the first folder that contains
+/// `shaders/`: above the program, its share/afterglow, the source tree. Fails if `shaders/` is
+/// missing, or if one of `includes` is not a folder.
 Result<Roots> find_roots(const std::optional<std::filesystem::path>& data,
                          const std::vector<std::string>& includes = {});

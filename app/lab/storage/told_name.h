@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <string>
 
-/// A file as it is told in a few words: its name, with the folder where many files have that name
+/// A short name for a file: its file name, with the folder if many files have that name
 /// ("crt/look.json").
 std::string told_name(const std::filesystem::path& file);
 
 /// Saved "amber.json".
 std::string saved_words(const std::string& name);
 
-/// A folder with "~" for the user's home.
+/// A folder with "~" for the user's home folder.
 std::string told_folder(const std::filesystem::path& folder);

@@ -20,7 +20,7 @@ Waker::~Waker() {
 }
 
 void Waker::run(int descriptor, const std::function<void()>& wake) const {
-    // The main thread reads what has come; until it has, asking again would only burn time.
+    // The main thread reads the data. Until then, polling again would only use CPU time.
     constexpr int patience_ms = 50;
     pollfd stop{m_stop_reader.get(), POLLIN, 0};
     while (true) {

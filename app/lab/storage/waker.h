@@ -5,7 +5,7 @@
 #include <functional>
 #include <thread>
 
-/// Wakes a sleeping window when a descriptor becomes readable, from a thread of its own.
+/// A thread that wakes a waiting window when a descriptor becomes readable.
 class Waker {
 public:
     /// `wake` is called on the waker's thread. Does nothing for a descriptor of -1.

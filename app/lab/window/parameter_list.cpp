@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace {
-/// Answers for one parameter after the other, with what all of them need made ready.
+/// Filters parameters by a query that is prepared once.
 class Listing {
 public:
     Listing(const Document& document, const ParameterQuery& query)
@@ -67,7 +67,7 @@ std::vector<ParameterGroup> listed_parameters(const Document& document,
         if (!listing.wants(parameter))
             continue;
         std::string name = heading_of(document.look(), parameter);
-        // A heading's parameters mostly stand together.
+        // Parameters of a group are mostly adjacent, so the search starts at the end.
         const auto found = std::find_if(groups.rbegin(), groups.rend(),
                                         [&](const auto& group) { return group.name == name; });
         ParameterGroup& group = found == groups.rend()

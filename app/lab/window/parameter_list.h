@@ -3,31 +3,31 @@
 #include "lab/document/document.h"
 #include "lab/window/window_state.h"
 
-/// Parameters under their heading.
+/// Parameters under a common heading.
 struct ParameterGroup {
     std::string name;
     std::vector<const Parameter*> parameters;
 };
 
-/// Which parameters a person wants to see.
+/// The filter of the parameter list.
 struct ParameterQuery {
-    std::string words = {};  // each of them somewhere in its name, label, group, unit or help
+    std::string words = {};  // each must occur in name, label, group, unit or help
     ParameterFilter filter = ParameterFilter::all;
-    std::string pass = {};  // whose parameters ParameterFilter::of_pass lists
+    std::string pass = {};  // for ParameterFilter::of_pass
 };
 
-/// What is to be listed of the open look, in its order; a pass that is not there uses nothing.
+/// The listed parameters of the open look, in its order. An unknown pass uses no parameters.
 std::vector<ParameterGroup> listed_parameters(const Document& document,
                                               const ParameterQuery& query);
 
-/// What the panel lists.
+/// The filter of the parameters panel.
 ParameterQuery query_of(const WindowState& window);
 
-/// The number that stands `by` lines below (above, where negative) another one in that list, held
-/// within it: each part of a vector has a line of its own. From one that is not listed, the first
-/// or the last; none where nothing is listed.
+/// The number `by` lines below `present` in the list (negative: above), limited to the list. Each
+/// component of a vector has its own line. If `present` is not listed, the first or last number.
+/// nullopt: the list is empty.
 std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
                                      const Pointed& present, int by);
 
-/// What a person is told when that is nothing.
+/// The message for an empty list.
 std::string why_nothing_is_listed(const ParameterQuery& query);

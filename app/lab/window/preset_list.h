@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
-/// A preset of the open look, or the look as it is without one.
+/// A preset of the open look, or the look without a preset.
 struct ListedPreset {
-    ShelfPreset preset;  // with an empty file: the look as it is
+    ShelfPreset preset;  // an empty file: the look without a preset
     bool is_open = false;
-    bool is_modified = false;  // it is open, and something was turned since
+    bool is_modified = false;  // it is open, with unsaved changes
     bool has_star = false;
 
     bool is_plain() const { return preset.entry.file.empty(); }
@@ -22,11 +22,11 @@ struct ListedPreset {
 ListedPreset as_listed(const ShelfPreset& preset, const Document& document,
                        const PresetStars& stars);
 
-/// Those that the person wants to see, by name; the look as it is goes first. Words are sought in
-/// name, file and about, each of them somewhere.
+/// The presets that match the filter, after the look without a preset. Each search word must occur
+/// in the name, file name or description.
 std::vector<ListedPreset> listed_presets(const Document& document,
                                          const std::vector<ShelfLook>& looks,
                                          const PresetStars& stars, const PresetBrowsing& wanted);
 
-/// Whether the document came from that file.
+/// Whether the document was opened from this file.
 bool is_open_preset(const Document& document, const std::filesystem::path& file);

@@ -20,7 +20,7 @@ constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> size
     {"bottom_size", &PaneSizes::bottom},
     {"inspector_size", &PaneSizes::inspector}};
 
-// Before an entry of the palette, and before a file; the number says how many were used after it.
+// Prefixes of palette entries and recent files. The number is the position, 0 = last used.
 constexpr std::string_view used_prefix = "used:";
 constexpr std::string_view recent_prefix = "recent:";
 
@@ -43,7 +43,7 @@ void remember_use(const std::vector<std::string>& used, std::string_view prefix,
         numbers[std::string(prefix) + used[i]] = static_cast<double>(i);
 }
 
-// A number within its bounds, or nothing.
+// A number within its bounds; nullopt: missing or out of bounds.
 std::optional<double> number(const std::map<std::string, double>& numbers, const char* name,
                              double low, double high) {
     const auto found = numbers.find(name);
@@ -66,7 +66,7 @@ std::string pin_name(std::size_t index, const char* side) {
     return "pin" + std::to_string(index + 1) + side;
 }
 
-// What a person looks at, and how its numbers are seen; not which pass.
+// The inspector settings, without the inspected pass.
 void remember_looking(const WindowState& window, std::map<std::string, double>& numbers) {
     const PassView& view = window.inspected;
     numbers["black"] = view.levels.black;

@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-/// The arrangement of a window as the session keeps it: numbers by name.
+/// The window layout for the session, as named numbers.
 std::map<std::string, double> remembered(const WindowState& window);
 
-/// The arrangement that was remembered; what is missing or makes no sense is as in a new window.
+/// The stored window layout. Missing or invalid numbers keep their defaults.
 WindowState restored_window(const std::map<std::string, double>& numbers);

@@ -56,7 +56,7 @@ void PassView::reset_levels() {
 
 PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
     const double zoom = view.zoom_for(picture, size);
-    // All of it is shown in the middle; only what is cut can be moved.
+    // A picture smaller than the view is centred. Only a cropped picture can be panned.
     const auto start = [zoom](double middle, int pixels, int room) {
         const double shown = pixels * zoom;
         return std::round(shown <= room ? (room - shown) / 2 : room / 2.0 - middle * shown);
