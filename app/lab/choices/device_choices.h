@@ -5,7 +5,7 @@
 #include "model/devices/remote_settings.h"
 #include "model/devices/sound_settings.h"
 
-/// The sound that is played or taken in. `sound_seconds`: of a file that is heard; 0: none.
+/// The state of audio. `sound_seconds`: duration of the playing file; 0: no file.
 struct SoundFacts {
     SoundSettings settings;
     std::vector<SoundDevice> devices;
@@ -15,7 +15,7 @@ struct SoundFacts {
 };
 ChoiceList sound_choices(const SoundFacts& facts);
 
-/// What may turn parameters from outside.
+/// Settings of remote control: OSC and MIDI.
 ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool hears_midi);
 
 inline constexpr std::array sound_rates{0, 44100, 48000, 96000, 192000};

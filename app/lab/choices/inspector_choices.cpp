@@ -13,7 +13,7 @@ Deed look_into(const TextureChoice& choice) {
     };
 }
 
-// The passes' own pictures are entries of their own.
+// Current pictures of passes are separate palette entries.
 ChoiceList texture_choices(const InspectedParts& parts) {
     ChoiceList list{"Inspect", ChoiceList::Place::pass};
     const auto offer = [&](const TextureChoice& choice) {
@@ -113,7 +113,7 @@ Filter filter_of_pass(const Look& look, const std::string& pass) {
 }
 }  // namespace
 
-// The look itself is not copied for it: it may have a megabyte of texts.
+// Does not copy the look, because it can have a megabyte of texts.
 std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass) {
     const Look& look = document.look();
     const auto place = find_pass(look, pass);

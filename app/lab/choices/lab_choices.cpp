@@ -118,7 +118,7 @@ ChoiceList drawing_choices(const DrawingBoard& board) {
     return list;
 }
 
-// The menu shows them with pictures.
+// The menu displays them with pictures.
 ChoiceList unsaved_choices(const KeptSessions& kept) {
     ChoiceList list{"Unsaved changes"};
     for (const KeptSession& session : kept.list())
@@ -142,7 +142,7 @@ ChoiceList include_choices(const Lab& lab) {
     return list;
 }
 
-// What stopped the clock, and what is wrong with files.
+// Actions for NaN or infinity, and for problems in files.
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
     if (lab.trip())

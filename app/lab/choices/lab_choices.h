@@ -6,10 +6,10 @@
 class Lab;
 struct WindowState;
 
-/// Everything that there is to choose from now.
+/// All currently available choices.
 std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
                                     const std::vector<ShelfLook>& looks);
 
-/// Those of them that a menu has.
+/// The choices of a menu.
 std::vector<ChoiceList> menu_choices(const Lab& lab, const WindowState& window,
                                      const std::vector<ShelfLook>& looks, ChoiceList::Place place);

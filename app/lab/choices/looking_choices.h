@@ -4,23 +4,22 @@
 #include "lab/lab.h"
 #include "lab/messages/choice.h"
 
-/// What the inspector can look into beside the passes themselves: the source, images, former frames
-/// and mip levels.
+/// What can be inspected besides the passes: source, images, earlier frames and mip levels.
 struct InspectedParts {
     std::vector<TextureChoice> textures;
     TextureChoice present;
-    int frames = 1;  // of `present` that are held
+    int frames = 1;  // stored frames of `present`
     int levels = 1;
 };
 InspectedParts inspected_parts(const Executor& executor, const PassView& view);
 
-/// What is looked into, its channels and its numbers.
+/// Choices of inspected texture, channels and levels.
 std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const PassView& view);
 
-/// Size, format and filter of a pass; nothing where the look has none of that name.
+/// Size, format and filter of a pass; empty if the look has no such pass.
 ChoiceList pass_setting_choices(const Document& document, const std::string& pass);
 
-/// How large the picture is to be, and is.
+/// The chosen and the resulting render size.
 struct SizeInForce {
     PictureSize chosen;
     ViewShape shape = ViewShape::view;
@@ -30,20 +29,20 @@ struct SizeInForce {
 };
 SizeInForce size_in_force(const Lab& lab);
 
-/// Offers the display's size for a picture of a fixed size that the output window begins to show.
+/// Offers the display's size if the output window shows a picture of fixed size.
 void offer_display_size(Lab& lab, Extent display);
 
-/// Size of the picture, zoom, panes, pins, the waveform's line and what else the window holds.
+/// Render size, zoom, panes, pins, waveform line and other settings of the window.
 std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size);
 
-/// How a picture that follows the view may be shaped, as a person reads it.
+/// The labels of the shapes of a picture that follows the view.
 inline constexpr std::array picture_shapes{
     std::pair{ViewShape::view, "Fit pane"}, std::pair{ViewShape::source, "Fit, keep source aspect"},
     std::pair{ViewShape::whole_pixels, "Fit, integer scale"}};
-/// The size with that shape.
+/// The size with this shape.
 PictureSize with_shape(PictureSize size, ViewShape shape);
 
-/// Keeps four, the first one gives way; and shows them.
+/// Adds a pin and shows the pins. At most four are kept; the oldest is removed.
 void add_pin(WindowState& window, const Pin& pin);
 
 inline constexpr std::array<Extent, 9> picture_sizes{Extent{320, 240}, {640, 480},   {800, 600},
@@ -56,12 +55,12 @@ inline constexpr std::array pass_scales{0.125, 0.25, 0.5, 1.0, 2.0};
 /// "1/4×", "1.5×".
 std::string times_text(double factor);
 
-/// How a pass is drawn now: as its look has it, or as the person tries it.
+/// The current settings of a pass, including the user's overrides.
 struct PassSetting {
-    std::optional<double> scale;  // of the picture; none: its size is given otherwise
+    std::optional<double> scale;  // relative to the picture; nullopt: another kind of size
     Format format = Format::rgba16f;
-    Filter filter = Filter::linear;  // as the first pass reads it that does
+    Filter filter = Filter::linear;  // of the first input that reads it
     PassOverride tried;
 };
-/// None where the look has no pass of that name.
+/// nullopt: the look has no such pass.
 std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass);

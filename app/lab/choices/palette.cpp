@@ -45,19 +45,19 @@ void add_parts(const Look& look, std::vector<PaletteEntry>& entries) {
                                {}});
 }
 
-// Where its name begins: the word before the colon only says what kind of thing that is.
+// The start of the name, after the kind and the colon.
 std::size_t name_start(const PaletteEntry& entry) {
     return entry.kind == Kind::action ? 0 : entry.label.find(':') + 2;
 }
 
 struct Ranked {
-    std::tuple<int, std::size_t, bool, std::size_t, std::size_t> order;  // the least comes first
+    std::tuple<int, std::size_t, bool, std::size_t, std::size_t> order;  // smallest first
     PaletteMatch match;
 };
 
-// What fits only with the help of the detail is worth less.
+// A match that needs the detail has a lower score.
 std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query) {
-    constexpr int for_kind = 5;  // nothing of the name itself is meant
+    constexpr int for_kind = 5;  // matches only the kind, not the name
     constexpr int for_detail = 12;
     if (auto match = fuzzy_match(query, entry.label)) {
         if (!match->places.empty() && match->places.back() < name_start(entry))

@@ -8,43 +8,43 @@
 #include <string_view>
 #include <vector>
 
-/// One thing that a person may ask for by its name.
+/// An entry of the command palette.
 struct PaletteEntry {
     enum class Kind { action, look, preset, pass, parameter, choice, file, difference };
 
     Kind kind = Kind::action;
-    std::string id;       // it is remembered by: "Undo", "parameter:decay"
+    std::string id;       // for the recent list: "Undo", "parameter:decay"
     std::string label;    // "Undo: Decay", "Parameter: Decay"
-    std::string detail;   // where it belongs: a menu, a group, the look of a preset
-    std::string subject;  // what opens it, or the name of the pass or parameter; "" for an action
+    std::string detail;   // menu, group, or look of a preset
+    std::string subject;  // argument to open, or name of pass or parameter; "": an action
     std::string keys;     // "Ctrl+Z"
-    std::string why_not;  // it cannot be had now; "": it can
-    Choice choice = {};   // of that kind
+    std::string why_not;  // why it is disabled; "": enabled
+    Choice choice = {};   // for the kind `choice`
 };
 
-/// Everything but the actions: the presets of the open look, its passes and parameters, then the
-/// looks and their presets. `open` may be null.
+/// All entries except actions: the presets, passes and parameters of the open look, then all looks
+/// and their presets. `open` may be null.
 std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ShelfLook>& looks);
 
-/// All that can be chosen from lists; its id is its label. What a list has twice comes once.
+/// All choices of lists; the id is the label. Duplicates are removed.
 std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists);
 
-/// Files that were opened lately, and which presets can be compared with what is open.
+/// The recent files, and the presets that can be compared with the open document.
 std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent);
 std::vector<PaletteEntry> difference_entries(const Look& open, const std::vector<ShelfLook>& looks);
 
-/// An entry that fits what was typed.
+/// An entry that matches the query.
 struct PaletteMatch {
     std::size_t entry = 0;
-    std::vector<std::size_t> places;  // the bytes of its label that fit
+    std::vector<std::size_t> places;  // matching bytes of its label
 };
 
-/// What fits `query`, the best first; of two that fit as well the one used later (`used`: ids, the
-/// last used first), then what is no choice from a list, then the one with the shorter name. All of
-/// them for an empty query: those used, then the others in their order.
+/// The matches of `query`, the best first. Ties are sorted by last use (`used`: ids, last used
+/// first), then entries other than choices, then shorter names. An empty query returns all entries,
+/// the used ones first.
 std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
                                        std::string_view query,
                                        const std::vector<std::string>& used);
 
-/// Puts an entry's id first among those used; keeps some twenty.
+/// Moves an id to the front of the used ones; keeps 20.
 void note_use(std::vector<std::string>& used, const std::string& id);

@@ -4,11 +4,10 @@
 
 class Lab;
 
-/// What the open document has otherwise than a preset of its look: `before` is the preset's, what
-/// it does not say counts as its default.
+/// The differences between a preset of the look (`before`) and the open document. Values missing in
+/// the preset are defaults.
 std::vector<Change> difference_from(const Preset& preset, const Document& open);
 
-/// The same for a preset's file, with a sound or picture that it names found as it would be when
-/// opened.
+/// The same for a preset file, with its sound or picture found as on opening.
 Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_file,
                                             const Lab& lab);

@@ -15,7 +15,7 @@ bool is_over_time(const Spec& signal) {
     return settings.is("mode", "yt") || settings.is("mode", "waveform");
 }
 
-// Its circles may stay round in a square of the picture, but a graticule is wider than that.
+// "Keep circles round" would limit the graticule to a square, but 10 x 8 divisions are wider.
 const Parameter* fit_to_fill(const Look& look, const Values& values, const std::string& scope) {
     const Parameter* fit = find_parameter(look, scope + "fit");
     const bool is_filled = !fit || value_of(*fit, values).numbers[0] == 0.0;

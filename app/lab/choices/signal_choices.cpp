@@ -22,7 +22,7 @@ Deed set_signal_setting(const std::string& key, Spec::Setting value) {
     };
 }
 
-// Labels alone come more than once: each channel has a frequency.
+// Labels alone are not unique: each channel has a frequency.
 std::string full_label(const SettingFacts& setting) {
     return setting.group.empty() ? setting.label
                                  : fmt::format("{} · {}", setting.group, setting.label);
@@ -58,7 +58,7 @@ Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const S
                               }}};
 }
 
-// A drawing begins at once, whatever file it may also be taken from.
+// A drawing starts immediately, although it can also have a file.
 std::string name_of_kind(const SignalKind& kind) {
     const bool asks = !kind.file_setting.empty() && kind.kind != "drawing";
     return asks ? fmt::format("{}…", kind.label) : kind.label;
@@ -118,7 +118,7 @@ Deed deed_for(const SignalKind& kind) {
         return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
     if (kind.is_live)
         return [name = kind.kind](Lab& lab) {
-            (void)lab.transport().mute_input(false);  // it is asked for
+            (void)lab.transport().mute_input(false);  // the user asked for live input
             lab.edit([&](Document& document) {
                 document.set_signal(with_round_circles(Spec{name, {}}));
             });

@@ -5,15 +5,15 @@
 
 struct SignalKind;
 
-/// What choosing a kind of signal does. A kind that plays a file is chosen by choosing the file; a
-/// drawing begins empty, with the pen in the hand.
+/// The effect of choosing a kind of signal. A kind with a file opens the file dialog; a drawing
+/// starts empty with the pen active.
 Deed deed_for(const SignalKind& kind);
 
 /// "constant" as "Constant", "xy" as "XY".
 std::string label_of_word(std::string word);
 
-/// Locks or unlocks what drives the look.
+/// Locks or unlocks the signal or source.
 Choice content_lock_choice(const Document& document);
 
-/// The kinds of signal and the settings of the present one; nothing in a look that has no signal.
+/// The kinds of signal and the settings of the current one; empty if the look uses no signal.
 std::vector<ChoiceList> signal_choices(const Document& document);

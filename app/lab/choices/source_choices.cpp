@@ -89,7 +89,7 @@ std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent) 
         chosen.aspect = aspect;
         return chosen;
     };
-    constexpr double television_pixel = 8.0 / 7.0;  // of 256 pixels a line
+    constexpr double television_pixel = 8.0 / 7.0;  // for 256 pixels per line
     const double present = pixel_aspect(source, extent);
     std::vector<NamedSource> shapes{
         {"Square pixels", shaped({}, 1.0)},

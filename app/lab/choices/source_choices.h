@@ -6,30 +6,29 @@
 
 class Drive;
 
-/// The source with a pattern as its picture: fit and shape stay, and it is not pre-scaled.
+/// The source with a pattern as its picture; fit and shape stay, prescale is reset.
 SourceSpec with_pattern(SourceSpec source, const std::string& name);
 
-/// The source with one of its settings chosen.
+/// The source with one changed setting.
 struct NamedSource {
     std::string name;
     SourceSpec source;
 };
-/// A pattern at the sizes that there are: "256 × 224". None for a file.
+/// The sizes of a pattern: "256 × 224". Empty for a file.
 std::vector<NamedSource> source_sizes(const SourceSpec& source);
-/// Square pixels, 4:3, 16:9, Custom, and the source's own ratio if it is none of these. `extent`:
-/// its size in pixels.
+/// Square pixels, 4:3, 16:9, Custom, and the source's own ratio if it differs. `extent`: the size
+/// of the source in pixels.
 std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent);
-/// Auto, 1× to 8×; none for a pattern. `found`: the enlargement that was found in the picture.
+/// Auto, 1× to 8×; empty for a pattern. `found`: the detected prescale.
 std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optional<int> found);
 
-/// What is known of a source that is open.
+/// The properties of the open source.
 struct OpenSource {
-    Extent extent = {};                    // empty: not yet
-    std::optional<int> prescale = {};      // as set or as found
-    std::optional<double> film_rate = {};  // pictures a second, where there is more than one
+    Extent extent = {};                    // empty: not loaded yet
+    std::optional<int> prescale = {};      // as set or detected
+    std::optional<double> film_rate = {};  // pictures/s of a film
 };
 OpenSource open_source(const Drive& drive);
 
-/// The patterns, a file, and how it lies in the picture; nothing in a look that works on no
-/// picture.
+/// The choices of pattern, file and fit; empty if the look does not use a picture.
 std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open);

@@ -27,13 +27,12 @@ Deed bypass_part(const StackPart& part, const std::string& name) {
 }
 
 Deed move_part(const StackPart& part, const std::string& name, int by) {
-    return change_of_stack(part.tag, fmt::format("Move {}", name),
-                           [by](Stack& stack, std::size_t place) {
-                               const std::size_t other =
-                                   place + static_cast<std::size_t>(by);  // before the first: huge
-                               if (other < stack.size())
-                                   std::swap(stack[place], stack[other]);
-                           });
+    return change_of_stack(
+        part.tag, fmt::format("Move {}", name), [by](Stack& stack, std::size_t place) {
+            const std::size_t other = place + static_cast<std::size_t>(by);  // wraps if negative
+            if (other < stack.size())
+                std::swap(stack[place], stack[other]);
+        });
 }
 
 Deed remove_part(const StackPart& part, const std::string& name) {

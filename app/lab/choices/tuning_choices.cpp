@@ -62,7 +62,7 @@ void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector
                                            }}});
 }
 
-// Each number of a vector, a colour or a matrix.
+// The components of a vector, a colour or a matrix.
 void add_parts(const Parameter& parameter, const Value& value, std::vector<Choice>& choices) {
     for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
         AskedNumber asked = asked_of(parameter, value.numbers[i]);

@@ -5,20 +5,21 @@
 #include "lab/trials/variant_sheet.h"
 #include "lab/window/window_state.h"
 
-/// What can be done about the parameter that a person has in hand, beside turning it.
+/// The commands for the revealed parameter, except changing its value.
 std::vector<ChoiceList> knob_choices(const Document& document, const Parameter& parameter);
 
-/// Which parameters are listed, and groups of them to reset.
+/// The filters of the parameter list, and groups to reset.
 std::vector<ChoiceList> listing_choices(const Document& document, const WindowState& window);
 
-/// Shows what is laid out along a slider, or two. `in_hand`: may become one of them; null: none.
+/// The sheet settings and the values of its cells. `in_hand` can be used as an axis; null: no
+/// parameter.
 ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCell>& cells,
                          const Parameter* in_hand);
 
-/// Draws that, and shows its pane.
+/// Draws the sheet and shows its panel.
 Deeds sheet_deeds(const SheetRequest& request);
 
-/// Whether small pictures can be laid out along it.
+/// Whether a filmstrip of it can be drawn.
 bool can_be_varied(const Parameter& parameter);
 
 inline constexpr std::array sheet_counts{3, 5, 7, 9, 11, 15};

@@ -149,7 +149,7 @@ ChoiceList number_choices(const WindowState& window) {
 }  // namespace
 
 void add_pin(WindowState& window, const Pin& pin) {
-    constexpr std::size_t most = 4;  // that the table has room for
+    constexpr std::size_t most = 4;  // fit into the table
     if (window.pins.size() == most)
         window.pins.erase(window.pins.begin());
     window.pins.push_back(pin);

@@ -26,8 +26,7 @@ struct HomeViews {
 
     std::shared_ptr<const ViewPrograms> programs;
     std::shared_ptr<gpu::Context> home;
-    std::unique_ptr<gpu::ContextScope> scope;  // active during construction and destruction of the
-                                               // members below
+    std::unique_ptr<gpu::ContextScope> scope;  // only to construct and destroy the members below
     Viewer viewer;
     Inspection inspection;
     GainMeters gains;

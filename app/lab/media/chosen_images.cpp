@@ -25,7 +25,8 @@ PictureShape shape_of(const Look& look, const Parameter& parameter) {
     return image == look.images.end() ? PictureShape::flat : image->shape;
 }
 
-// As its readers take it: what a panorama takes to become a cube is not for who uploads it.
+// Reads a picture and converts it to the shape that its samplers need, such as panorama to cube.
+// This happens on the reading thread.
 Result<Picture> read_chosen(const fs::path& file, PictureShape shape) {
     auto picture = made_name(file.string()) ? made_picture(file.string()) : load_picture(file);
     if (!picture || picture->shape == shape)
@@ -50,7 +51,7 @@ Result<void> show_read(const Result<Picture>& picture, const fs::path& file,
         return cleared;
     Diagnostics problems = done.error();
     for (Diagnostic& problem : problems)
-        if (problem.file.empty())  // of what it was to be
+        if (problem.file.empty())  // of an image, such as its GPU size
             problem.file = file;
     return fail(std::move(problems));
 }
@@ -66,7 +67,7 @@ Diagnostics warnings(Diagnostics problems, const Parameter& parameter) {
         problem = warning_of_black(std::move(problem), parameter.label);
     return problems;
 }
-// What is told of a picture that was to be shown.
+// The problems to report for a displayed picture.
 Diagnostics amiss_with(const Result<Picture>& picture, const Result<void>& shown,
                        const fs::path& file, const Parameter& parameter) {
     if (!shown)
@@ -127,7 +128,7 @@ void ChosenImages::read_beside(const Look& look, const Parameter& parameter, con
          std::async(std::launch::async, read_chosen, file, shape_of(look, parameter))});
 }
 
-// It comes to its end unseen: to wait for it here would be what it was begun to avoid.
+// The reading thread finishes in the background, because waiting for it would block the caller.
 void ChosenImages::drop_reading(const std::string& parameter) {
     for (Read& read : m_reading)
         if (read.parameter == parameter)

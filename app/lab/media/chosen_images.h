@@ -9,41 +9,41 @@
 #include <string>
 #include <vector>
 
-/// The pictures that a person chose for samplers of the look, as the renderer has them. A file is
-/// read when it was chosen or has changed, and not with every edit of the look.
+/// The user's pictures for samplers of the look, as uploaded to the renderer. A file is only read
+/// when it is chosen or changes, not with every edit of the look.
 class ChosenImages {
 public:
-    /// How files are read: before show() returns, or on threads beside who calls it, where the
-    /// renderer has been shown something already. Then take_read() shows them.
+    /// How show() reads files: before it returns, or on background threads for take_read(). The
+    /// first call for a renderer always reads immediately.
     enum class Reading { at_once, beside };
 
-    /// Brings the renderer to what the values choose. A sampler without a choice reads its
-    /// stand-in; one without that whose choice is taken back, or one whose choice cannot be read,
-    /// black. Errors: of the files that were tried now.
+    /// Updates the renderer to the chosen files. A sampler that was never given a file keeps its
+    /// default image. If its file is removed or not readable, it is black. Errors are those of the
+    /// files read now.
     Result<void> show(const Look& look, const Values& values, Renderer& renderer,
                       Renderer::Whose whose = Renderer::Whose::picture,
                       Reading reading = Reading::at_once);
-    /// Shows what has been read beside and is still chosen, black where that failed; gives the
-    /// samplers' parameters.
+    /// Uploads pictures read in the background that are still chosen; black if reading failed.
+    /// Returns the parameters of their samplers.
     std::vector<std::string> take_read(const Look& look, Renderer& renderer, Diagnostics& problems);
     /// A picture that the user picked for a sampler's parameter.
     struct Choice {
         std::string parameter;
         std::filesystem::path file;
     };
-    /// Reads what was picked on another thread. Until it has been read nothing changes.
+    /// Reads a picked file on a background thread. Nothing changes until it has been read.
     void choose(const Look& look, const Choice& choice);
-    /// What was picked, once it can be shown. An error names the file. None: nothing is new.
+    /// The picked file when it is ready. An error names the file. nullopt: not ready.
     std::optional<Result<Choice>> take_chosen();
-    /// Something that is chosen is being read.
+    /// Whether a chosen file is being read.
     bool is_reading() const;
-    /// The renderer is another, or reads pictures in another way.
+    /// Discards all state, for another renderer or another way of reading.
     void forget();
-    /// The file has changed, whatever its time says; true when a sampler reads it.
+    /// Marks a file as changed, regardless of its time; true if a sampler uses it.
     bool forget(const std::filesystem::path& file);
-    /// All that are chosen, there or not.
+    /// All chosen files, including missing ones.
     std::vector<std::filesystem::path> files() const;
-    /// What is wrong with them, for as long as they are chosen. Warnings: the look itself runs.
+    /// The problems of the chosen files. Warnings, because the look itself runs.
     Diagnostics problems() const;
 
 private:
@@ -53,7 +53,7 @@ private:
         Diagnostics problems;
     };
     struct Read {
-        std::string parameter;  // "": another has been chosen since
+        std::string parameter;  // "": replaced by another choice
         std::filesystem::path file;
         std::future<Result<Picture>> picture;
     };
@@ -64,6 +64,6 @@ private:
 
     std::map<std::string, Shown> m_shown;  // by the sampler's parameter
     std::vector<Read> m_reading;
-    std::optional<Read> m_chosen;  // picked, and not the document's yet
-    bool m_has_shown = false;      // since the renderer is this one
+    std::optional<Read> m_chosen;  // picked, not in the document yet
+    bool m_has_shown = false;      // for the current renderer
 };

@@ -7,7 +7,7 @@
 #include <utility>
 
 namespace {
-// As a diagnostic says it to a person who opened a preset and not the file.
+// Adds a hint for users who opened a preset and do not know its file.
 Diagnostics told(Diagnostics reasons) {
     std::error_code error;
     for (Diagnostic& reason : reasons)
@@ -17,7 +17,7 @@ Diagnostics told(Diagnostics reasons) {
     return reasons;
 }
 
-// Of a source, which may have settings behind it.
+// The file of a source, without its settings.
 std::string file_of_source(const std::string& source) {
     const auto spec = parse_source(source);
     return spec ? spec->picture : source;
@@ -90,7 +90,7 @@ std::optional<Result<ChosenContent>> Drive::take_chosen(const Look& look, Player
     if (!loaded->problems.empty())
         return fail(std::move(loaded->problems));
     const bool is_shown =
-        look.driven_by == chosen.driver;  // else another look was opened meanwhile
+        look.driven_by == chosen.driver;  // otherwise another look has been opened
     if (is_shown && loaded->source)
         m_source = std::move(loaded->source);
     else if (is_shown)
@@ -130,11 +130,11 @@ void Drive::read_again(const Document& document) {
         m_loader.load(MediaLoader::Kind::signal, file_of(document.state().signal));
 }
 
-// With no reasons the fall-back is for the time of waiting.
+// Without reasons, the fallback is temporary, while a file is being loaded.
 Result<void> Drive::fall_back(const Document& document, Player& player, Diagnostics reasons) const {
     const auto& own = document.look().default_signal;
-    // A preset whose file is gone opens on the look's own signal; what a person tried and could not
-    // be read, or was broken on disk, leaves the last one.
+    // A preset with a missing file opens with the look's own signal. If the user chose an
+    // unreadable file, or the file broke on disk, the last signal stays.
     const bool is_as_opened = document.state().signal == document.saved().signal;
     const bool was_read = player.sound().file == file_of(document.state().signal);
     const bool is_needed = !player.signal() || (is_as_opened && !was_read && !reasons.empty());
@@ -214,7 +214,7 @@ Result<void> Drive::show_past_beside(double seconds, const Beside& beside) {
 }
 
 Diagnostics Drive::take_problems() {
-    constexpr std::size_t most_kept = 4;  // as many as a panel has room for
+    constexpr std::size_t most_kept = 4;  // fits into a panel
     Diagnostics problems = m_source ? m_source->take_problems() : Diagnostics();
     for (Diagnostic& problem : problems) {
         problem.severity = Severity::warning;
@@ -237,7 +237,7 @@ std::optional<Result<void>> Drive::update(const Document& document, Player& play
         notes.insert(notes.end(), taken.error().begin(), taken.error().end());
     note(file, std::move(notes));
     if (taken && !m_problems.empty())
-        return fail(m_problems);  // to be said once; the sound is drawn as far as it goes
+        return fail(m_problems);  // reported once; the sound plays as far as it is valid
     return taken;
 }
 
@@ -252,7 +252,7 @@ Result<void> Drive::take(LoadedMedia loaded, const Document& document, Player& p
         m_source = std::move(loaded.source);
         if (player.frame_number() > 0)
             return show_anew(player, renderer);
-        m_shown.reset();  // the first frame brings its own picture
+        m_shown.reset();  // the first frame shows its own picture
         return {};
     }
     if (auto set = player.set_signal(document.state().signal,

@@ -61,7 +61,7 @@ Diagnostics FrameStream::take_problems() {
     return std::exchange(m_problems, {});
 }
 
-// The wanted one, then those that will be wanted next.
+// The requested picture first, then the following ones.
 std::optional<std::int64_t> FrameStream::next_to_read() const {
     if (m_count == 0)
         return std::nullopt;
@@ -80,7 +80,7 @@ void FrameStream::tell(Diagnostic problem) {
     m_problems.push_back(std::move(problem));
 }
 
-// What lies outside of the next few pictures makes room.
+// Removes pictures outside the next few.
 void FrameStream::keep(std::int64_t number, Result<std::optional<Picture>> read) {
     constexpr std::size_t most_bytes = std::size_t{256} << 20;
     if (!read) {
@@ -100,7 +100,7 @@ void FrameStream::keep(std::int64_t number, Result<std::optional<Picture>> read)
     });
     const bool is_past_the_end = m_count && number >= *m_count;
     if (!is_past_the_end)
-        m_pictures[number] = m_latest;  // after a mistake the one before stays
+        m_pictures[number] = m_latest;  // after an error, the previous picture
 }
 
 void FrameStream::run() {

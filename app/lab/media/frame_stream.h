@@ -12,27 +12,27 @@
 #include <optional>
 #include <thread>
 
-/// Drawn by one thread while another reads on; immutable, so that both may hold it.
+/// Immutable, so that the drawing and the reading thread can share it.
 using SharedPicture = std::shared_ptr<const Picture>;
 
-/// Reads the pictures of a sequence or video ahead of time, on a thread of its own, a few at once.
+/// Reads pictures of a sequence or video ahead on a background thread, a few at a time.
 class FrameStream {
 public:
-    /// `name` is for what is told.
+    /// `name` is for messages.
     FrameStream(std::unique_ptr<PictureReader> reader, std::filesystem::path name, bool loops);
     ~FrameStream();
     FrameStream(const FrameStream&) = delete;
     FrameStream& operator=(const FrameStream&) = delete;
 
-    /// The picture with that number from 0, after the last one as `loops` says. Waits until it has
-    /// been read. Where it cannot be read the one before it stays; null when there never was one.
+    /// Waits for the picture with this number, from 0; after the end it loops or holds the last
+    /// one. If it is not readable, the previous one. Null: none was readable.
     SharedPicture wait(std::int64_t number);
-    /// The same without waiting: null while it is not there yet.
+    /// The same without waiting; null: not read yet.
     SharedPicture peek(std::int64_t number);
     void set_loop(bool loops);
-    /// Of the colours of what is read from now on: who draws it needs not take them there.
+    /// Converts all pictures read from now on, so that the drawing thread does not have to.
     void set_encoding(Encoding encoding) { m_encoding = encoding; }
-    /// What could not be read since last asked, each once.
+    /// The new errors since the last call, each only once.
     Diagnostics take_problems();
 
 private:
@@ -43,20 +43,20 @@ private:
     void keep(std::int64_t number, Result<std::optional<Picture>> read);
     void run();
 
-    std::unique_ptr<PictureReader> m_reader;  // the thread's
+    std::unique_ptr<PictureReader> m_reader;  // used by the thread
     std::filesystem::path m_name;
     mutable std::mutex m_mutex;
-    std::condition_variable m_wake;   // of the thread
-    std::condition_variable m_ready;  // of who waits for it
+    std::condition_variable m_wake;   // wakes the thread
+    std::condition_variable m_ready;  // wakes the waiting reader
     std::map<std::int64_t, SharedPicture> m_pictures;
     SharedPicture m_latest;
     Diagnostics m_problems;
     Diagnostics m_told;
     std::optional<std::int64_t> m_count;
     std::int64_t m_wanted = 0;
-    std::size_t m_most = 4;  // kept at once
+    std::size_t m_most = 4;  // maximum number kept
     bool m_loops;
-    std::atomic<std::optional<Encoding>> m_encoding{std::nullopt};  // none: as it is read
+    std::atomic<std::optional<Encoding>> m_encoding{std::nullopt};  // nullopt: unchanged
     bool m_is_ending = false;
     std::thread m_thread;
 };

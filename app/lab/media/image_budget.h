@@ -6,10 +6,10 @@
 
 #include <cstdint>
 
-/// What the images of one look take on the GPU together: at most 1 GiB.
+/// The GPU memory of all images of a look: at most 1 GiB.
 class ImageBudget {
 public:
-    /// Refuses the image that is too much, before it is uploaded.
+    /// Fails before the upload if the image exceeds the limit.
     Result<void> take(const Image& image, const Picture& picture);
 
 private:

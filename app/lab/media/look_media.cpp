@@ -35,7 +35,7 @@ void check_signal(const Spec& signal, Diagnostics& problems) {
     }
     const SignalKind* kind = find_kind(signal.kind);
     if (kind && (kind->is_sent || kind->is_live))
-        return;  // another program or a device drives it
+        return;  // depends on another program or a device
     if (const auto made = make_signal(signal, media); !made)
         append(made.error(), problems);
     append(notes_about(signal), problems);
@@ -64,7 +64,7 @@ Diagnostics check_media(const Document& document) {
     if (look.driven_by == Driver::picture)
         check_source(document.state().source, problems);
     for (Diagnostic& problem : problems)
-        if (problem.file.empty())  // a test pattern's
+        if (problem.file.empty())  // from a test pattern
             problem.file = look.manifest;
     if (look.driven_by == Driver::signal)
         check_signal(document.state().signal, problems);
@@ -91,7 +91,7 @@ void append_rgba(const Picture& picture, std::vector<float>& rgba) {
     }
 }
 
-// Faces of one size, put below each other.
+// Faces of equal size, stacked vertically.
 Result<Picture> load_faces(const Image& image) {
     Picture cube{.extent = {},
                  .channels = 4,

@@ -31,8 +31,7 @@ LoadedMedia read_source(const std::string& name) {
     return loaded;
 }
 
-// The file that tells a preset's sound or picture from another of its name. What moves is too large
-// to be read whole.
+// The file to compute a digest of, for presets. Films are too large to read completely.
 std::string file_to_digest(const LoadedMedia& loaded) {
     if (!loaded.problems.empty())
         return {};

@@ -15,23 +15,23 @@
 #include <string>
 #include <thread>
 
-/// A sound or source that was asked for, read; or why it could not be.
+/// A loaded sound or source, or the errors.
 struct LoadedMedia {
-    std::string name;                    // as it was asked for
-    std::shared_ptr<const Sound> sound;  // one of these
+    std::string name;                    // as requested
+    std::shared_ptr<const Sound> sound;  // only one of these is set
     std::shared_ptr<const BeamScene> scene;
     std::shared_ptr<const Drawing> drawing;
     std::optional<Source> source;
-    std::string digest;    // of a file
-    Diagnostics problems;  // why nothing was read
-    Diagnostics notes;     // what is not as it should be in what was read
+    std::string digest;    // of the file
+    Diagnostics problems;  // errors; nothing was loaded
+    Diagnostics notes;     // warnings about the loaded file
 };
 
-/// Reads sounds and pictures on a thread of its own, one at a time; a new one replaces what is
-/// under way.
+/// Loads sounds and pictures on a background thread, one at a time. A new request replaces the
+/// current one.
 class MediaLoader {
 public:
-    /// A signal's file is a sound, or a scene or drawing by its name.
+    /// For `signal`, a file is a scene or drawing by its name, otherwise a sound.
     enum class Kind { signal, source };
 
     MediaLoader();
@@ -39,13 +39,13 @@ public:
     MediaLoader(const MediaLoader&) = delete;
     MediaLoader& operator=(const MediaLoader&) = delete;
 
-    /// `name` is a file, or a source as Source::open takes it.
+    /// `name`: a file, or a source as for Source::open().
     void load(Kind kind, const std::string& name);
     void cancel();
-    /// What is under way; "" when nothing is.
+    /// The current request; "": idle.
     std::string name() const;
-    double share() const;  // of it, 0..1
-    /// What has been read, once; what was cancelled or replaced never comes.
+    double share() const;  // progress, 0..1
+    /// The loaded file, once. Cancelled and replaced requests are discarded.
     std::optional<LoadedMedia> take_finished();
 
 private:
@@ -60,7 +60,7 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::optional<Job> m_job;      // waits for the thread
-    std::optional<Job> m_current;  // waiting or at work
+    std::optional<Job> m_current;  // waiting or running
     std::optional<LoadedMedia> m_finished;
     bool m_is_ending = false;
     std::thread m_thread;

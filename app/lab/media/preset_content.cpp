@@ -12,7 +12,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// By its name alone: a link counts where it stands.
+// Compares paths only. Symbolic links are not resolved.
 bool is_inside(const fs::path& file, const fs::path& folder) {
     const fs::path inside = fs::absolute(file).lexically_normal().lexically_relative(
         fs::absolute(folder).lexically_normal());
@@ -23,14 +23,14 @@ bool is_asked_for(const fs::path& file, const fs::path& folder, const RecentMedi
     return !is_inside(file, folder) && !recent.has(file);
 }
 
-// The socket that a signal makes; "" for none.
+// The socket path of a signal; "": not a socket.
 std::string socket_of(const Spec& signal) {
     const auto complete = completed(signal);
     return complete && complete->kind == "socket" ? std::string(Settings(*complete).word("path"))
                                                   : std::string();
 }
 
-// The file of the source or signal, as it would be opened; "" for none.
+// The file of the source or signal, as it would be opened; "": no file.
 std::string file_named_by(const Preset& preset) {
     if (preset.source.empty())
         return preset.signal ? file_of(*preset.signal) : std::string();
@@ -38,7 +38,7 @@ std::string file_named_by(const Preset& preset) {
     return !source || source->is_pattern() ? std::string() : source->picture;
 }
 
-// Moves what drives the look to `outside` where it is to be asked for.
+// Moves the signal or source to `outside` if it needs the user's consent.
 void separate_drive(Preset& preset, const fs::path& folder, const RecentMedia& recent,
                     OutsideContent& outside) {
     const std::string socket =

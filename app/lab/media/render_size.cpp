@@ -33,7 +33,7 @@ void RenderSize::fix_to_view() {
 
 void RenderSize::update(double wall_seconds) {
     constexpr double steady_seconds = 0.5;
-    constexpr double longest_update = 0.1;  // an idle time before it says nothing of the panes
+    constexpr double longest_update = 0.1;  // idle time does not count
     if (!m_chosen.is_to_be_chosen() || !m_document || !m_view_seconds)
         return;
     *m_view_seconds += std::min(wall_seconds, longest_update);

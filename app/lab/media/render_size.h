@@ -6,8 +6,8 @@
 
 #include <optional>
 
-/// The size that the open look is drawn in, px: what the user chose, in the view and with the shape
-/// of the source.
+/// The render size of the open look, px. It depends on the user's choice, the view and the aspect
+/// ratio of the source.
 class RenderSize {
 public:
     RenderSize(const OpenDocument& document, const Drive& drive)
@@ -16,16 +16,16 @@ public:
     const PictureSize& chosen() const { return m_chosen; }
     void choose(const PictureSize& size) { m_chosen = within_bounds(size); }
     Extent extent() const;
-    /// The shape of a picture whose size has_shape(). Looks of other programs keep the shape of
-    /// their source unless the user chose otherwise; our own fill the view.
+    /// The shape of a picture with has_shape(). Foreign looks keep the aspect ratio of their source
+    /// by default; native looks fill the view.
     ViewShape shape() const;
 
     /// The size of the pane that shows the picture, px.
     void set_view(Extent view_pixels);
-    /// Fixes the size at what fits into the view now.
+    /// Fixes the size to the current view.
     void fix_to_view();
-    /// Fixes a size that is still to be chosen once the view has kept its size for half a second:
-    /// the panes of a new window reach theirs after some frames only.
+    /// Fixes a size that is still undecided when the view has been unchanged for 0.5 s. The panes
+    /// of a new window need some frames to reach their size.
     void update(double wall_seconds);
 
 private:

@@ -17,7 +17,7 @@
 namespace {
 constexpr double usual_rate = 60.0;
 
-// Of a source that is one, with its size.
+// The pattern with its size, from the text of a pattern source.
 std::string_view pattern_of(const SourceSpec& spec) {
     constexpr std::string_view prefix = "pattern:";
     return std::string_view(spec.picture).substr(prefix.size());
@@ -74,7 +74,7 @@ Extent Source::extent() const {
     return extent_without_prescale(m_picture->extent, prescale());
 }
 
-// The one of the first picture counts for all of a film.
+// The factor of the first picture is used for the whole film.
 void Source::find_prescale() {
     if (m_spec.prescaled != 0 || m_spec.is_pattern() || m_has_looked_for_prescale)
         return;
@@ -120,8 +120,8 @@ std::int64_t Source::number_at(double seconds) const {
         static_cast<std::int64_t>(std::ceil(seconds * rate() - rounding)) - 1, 0);
 }
 
-// Drawn before with the same text, so that nothing can fail. The same picture stays the same one:
-// then nothing has to be uploaded.
+// Cannot fail, because the same text was drawn before. An unchanged picture keeps its pointer, so
+// it is not uploaded again.
 void Source::draw_pattern(double seconds) {
     if (std::exchange(m_pattern_seconds, seconds) == seconds)
         return;

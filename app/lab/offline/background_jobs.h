@@ -18,7 +18,7 @@ public:
     void compare_rates();
     void cancel_rates() { m_rates.cancel(); }
     const BackgroundWork<RateComparison>& rates() const { return m_rates; }
-    /// Fires a flash and measures how it falls in every pass.
+    /// Draws an impulse and measures its decay in every pass.
     void fire_impulse(const Pin& place);
     void cancel_impulse() { m_impulse.cancel(); }
     const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }

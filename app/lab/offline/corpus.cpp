@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 class Stopwatch {
 public:
-    /// Since it was made or last asked.
+    /// Since construction or the last call.
     double milliseconds() {
         const auto now = std::chrono::steady_clock::now();
         const std::chrono::duration<double, std::milli> gone = now - m_start;
@@ -29,7 +29,7 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-// By name alone: a sample need not read all.
+// By file name only, so that a sample does not have to read all files.
 bool may_be_of_corpus(const fs::path& file) {
     constexpr std::array<std::string_view, 8> endings{".slangp", ".slang", ".json", ".frag",
                                                       ".fsh",    ".fs",    ".glsl", ".txt"};
@@ -37,7 +37,7 @@ bool may_be_of_corpus(const fs::path& file) {
            file.filename() != "look.json";
 }
 
-// Of several files of one shader the one that shows it.
+// Of a shader with several files, only its main file counts.
 bool is_of_corpus(const fs::path& file) {
     return is_foreign_look(file) && !is_shown_by_another(file);
 }
@@ -46,7 +46,7 @@ bool is_of_libretro(const fs::path& file, std::string_view ending) {
     return to_lower(file.extension().string()) == ending;
 }
 
-// Where there are presets, shaders of libretro are their pieces.
+// If the folder contains presets, .slang files are only parts of them.
 void drop_pieces(std::vector<fs::path>& files) {
     const bool has_presets = std::ranges::any_of(
         files, [](const fs::path& file) { return is_of_libretro(file, ".slangp"); });
@@ -54,8 +54,8 @@ void drop_pieces(std::vector<fs::path>& files) {
         std::erase_if(files, [](const fs::path& file) { return is_of_libretro(file, ".slang"); });
 }
 
-// Each file has a number from its path in the folder and the seed; those with the lowest are the
-// sample, wherever the folder is.
+// Sorts by a hash of the seed and the relative path. The sample is therefore independent of the
+// location of the folder.
 void order_by_chance(std::vector<fs::path>& files, const fs::path& folder, int seed) {
     std::ranges::sort(files, {}, [&](const fs::path& file) {
         const std::string path = file.lexically_relative(folder).generic_string();

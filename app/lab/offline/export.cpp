@@ -24,7 +24,7 @@ std::span<const std::uint8_t> as_numbers(const std::string& bytes) {
     return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
-// What a film is made of cannot change its size in it.
+// All frames of a film must have the same size.
 Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent extent) {
     const Extent now = frame.picture.extent;
     if (now != extent)
@@ -70,7 +70,7 @@ FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t firs
         const auto bytes = encoded(frame.picture, to_lower(file.extension().string()), keeps_alpha);
         if (!bytes)
             return fail({file, 0, bytes.error().front().message});
-        // Looking for leftovers before every file would take ever longer as files come to be.
+        // Checking for leftovers before every file would take longer with each new file.
         const auto leftovers = frame.number == first ? Leftovers::removed : Leftovers::left;
         if (auto done = write_atomically(file, *bytes, leftovers); !done)
             return fail(done.error());
@@ -110,7 +110,7 @@ FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate&
 }
 
 namespace {
-// With the numbers that tell flashes, on the way.
+// The stages with flash detection, if requested.
 FramePipeline::Stages watched(const ExportJob& job) {
     if (!job.flashes)
         return job.stages;

@@ -27,7 +27,7 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
                                  Work& work) {
     if (auto good = check_export(document, wishes.file); !good)
         return fail(good.error());
-    Document turned = document;  // the window may still be at its constants
+    Document turned = document;  // the window may not have applied its constants yet
     if (auto done = turn_texts(turned); !done)
         return fail(done.error());
     auto offline = Offline::create({std::move(turned), {}}, size, wishes.fps);

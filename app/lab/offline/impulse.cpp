@@ -15,13 +15,13 @@
 #include <numbers>
 
 namespace {
-constexpr int dark_frames = 4;  // before the flash, so that what is there without it is known
+constexpr int dark_frames = 4;  // before the impulse, to measure the background
 
-// So much charge that the light is well above the steps of an 8-bit picture and below the ceiling.
-// In a circle smaller than a pixel, as a beam that moves is what draws segments.
+// A charge well above the steps of an 8-bit picture and below the ceiling. The beam moves in a
+// circle smaller than a pixel, because only a moving beam draws segments.
 Beam flash_at(const BeamPlacing& placing, const PicturePixel& pixel, double frame_seconds) {
     constexpr int points = 16;
-    constexpr double charge = 16.0;  // of the 4096 of a sixtieth of a second
+    constexpr double charge = 16.0;  // a frame of 1/60 s has 4096
     const BeamPlace middle = placing.place_of(pixel);
     const double radius = placing.pixel_size() / 4.0;
     Beam beam;

@@ -10,36 +10,35 @@
 
 class Offline;
 
-/// Where a flash is fired, and how its fall is watched.
+/// The position of an impulse and its measurement.
 struct ImpulseQuestion {
     Pin place;
     double fps = 60.0;
     double seconds = 2.0;
 };
 
-/// What came of a flash in a pass, at the texel there.
+/// The response of a pass at the texel of the impulse.
 struct PassImpulse {
     std::string pass;
     int channel = 0;            // 0 red, 1 green, 2 blue: the brightest
-    std::vector<double> light;  // above what was there before; of each frame, linear
-    Fall fall;                  // with times from the end of the flash's frame
+    std::vector<double> light;  // above the background; per frame, linear
+    Fall fall;                  // times from the end of the impulse's frame
 };
 
-/// A flash of one frame, as it falls in every pass.
+/// The response of all passes to an impulse of one frame.
 struct ImpulseResponse {
     Extent size;
     ImpulseQuestion question;
-    std::vector<double> seconds;  // ends of the frames; 0: of the flash's
+    std::vector<double> seconds;  // end times of the frames; 0: end of the impulse's frame
     std::vector<PassImpulse> passes;
 };
 
-/// Fires a flash in the dark: the beam stands there for one frame with a 256th of the charge that
-/// it has in a sixtieth of a second; a source is white for one frame. `offline` has drawn nothing
-/// yet. Fails where nothing drives the look, and when it is cancelled.
+/// Draws an impulse in the dark. For a signal, the beam is at this position for one frame, with
+/// 1/256 of its charge in 1/60 s. A source is white for one frame. `offline` must be in its initial
+/// state. Fails if the look uses neither a signal nor a picture, and when cancelled.
 Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseQuestion& question,
                                      Work& work);
 
-/// The same with a GL context of its own, at the size that is drawn for a picture (at most 360
-/// lines).
+/// The same in its own GL context, at size_to_compare() of the picture (at most 360 lines).
 Result<ImpulseResponse> fire_impulse(Document document, Extent picture,
                                      const ImpulseQuestion& question, Work& work);

@@ -7,20 +7,19 @@
 
 struct PassTime {
     std::string name;
-    double milliseconds = 0.0;  // on the GPU's clock
+    double milliseconds = 0.0;  // GPU time
 };
 
-/// What a frame of a look costs; medians.
+/// The cost of a frame of a look; medians.
 struct Measurement {
-    double cpu_milliseconds =
-        0.0;  // of the whole process, all threads, the frame ending in glFinish
+    double cpu_milliseconds = 0.0;  // of all threads, including glFinish
     double wall_milliseconds = 0.0;
     std::vector<PassTime> passes;
     int draw_calls = 0;
     double bytes_per_pixel = 0.0;
-    std::size_t target_bytes = 0;  // that the targets take
+    std::size_t target_bytes = 0;  // memory of all targets
     std::string renderer;
 };
 
-/// Settles the values, draws some frames to warm up, then `frames` that count.
+/// Specialises the programs, draws some frames for warm-up, then measures `frames` frames.
 Result<Measurement> measure(Offline& offline, int frames);

@@ -102,8 +102,7 @@ Result<void> open_preset(OpenRequest request, const Library& library, Prepared& 
 }
 
 namespace {
-// The request with the preset that is to be applied to its look; a preset says what of a stack is
-// bypassed.
+// The request, including the preset to apply. The preset also sets the bypassed looks of a stack.
 Result<OpenRequest> requested(const RenderRequest& request, const Library& library) {
     auto found = resolve(request.look, library);
     if (!found || request.preset.empty())
@@ -123,7 +122,7 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
 }  // namespace
 
 namespace {
-// What a preset brings from outside and the user named with no option.
+// Refuses outside content of a preset, unless options of the user replace it.
 std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
                                                const RenderRequest& request,
                                                const fs::path& preset_file) {
@@ -231,7 +230,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
         return fail(programs.error());
     const auto seen = prepared.seen;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
-    offline.take_values();  // first: sizes may depend on them
+    offline.take_values();  // first, because sizes can depend on them
     if (seen)
         if (auto done = offline.show_to(offline.seen_with_picture(*seen)); !done)
             return fail(done.error());
@@ -339,7 +338,7 @@ Result<void> Offline::load_pictures() {
     return m_chosen_images.show(look, m_document.values(), *m_renderer);
 }
 
-// Programs of what constants are turned to; those that stay the same are kept.
+// Rebuilds the programs after changes of constants. Unchanged programs are kept.
 Result<void> Offline::follow_constants() {
     if (auto done = turn_texts(m_document); !done)
         return done;
@@ -368,7 +367,7 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     const auto programs = build_programs(settled_look(
         look, m_document.values(), executor().plan(),
         [&](const Parameter& parameter) { return moves(parameter); }, texts));
-    if (!programs)  // the driver knows better: what the author wrote goes on
+    if (!programs)  // the driver refused: keep the generic programs
         return m_renderer->set_seen({});
     m_unsettled = executor().programs();
     if (auto done = m_renderer->replace(look, *programs); !done)
@@ -393,7 +392,7 @@ Result<void> Offline::show_to(const std::vector<bool>& seen) {
     return m_renderer->set_seen(seen, Executor::Frames::drawn_once);
 }
 
-// Programs that are settled know of one plan.
+// Specialised programs support only one plan.
 bool Offline::turns_sharing() const {
     const Look& look = executor().look();
     return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
@@ -437,7 +436,7 @@ Result<void> Offline::start_again(Document document) {
     return m_chosen_images.show(executor().look(), now.values, *m_renderer);
 }
 
-// What is drawn then is also what the document says: a picture carries it as its preset.
+// The values also go into the document, because pictures are saved with it as a preset.
 void Offline::make_moves(double seconds) {
     const Values turned = m_moves.take(seconds);
     if (turned.empty())

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr Extent drawn_size{480, 270};
 constexpr int kept_lines = 135;
-constexpr double painted_fps = 30.0;  // of half the frames of the window's the same is seen
+constexpr double painted_fps = 30.0;  // half the window's rate looks the same
 
 std::string text_of_all(const Look& look) {
     std::string all;
@@ -37,8 +37,8 @@ bool is_lost(const std::string& file) {
     return !file.empty() && !fs::exists(file, error);
 }
 
-// What comes in live comes but once, and what is lost is not there to be drawn: as in the window
-// the look's own stands in for it.
+// Live input cannot be reproduced, and missing files cannot be drawn. As in the window, the look's
+// own signal or source replaces them.
 void stand_in(Document& document) {
     const Look& look = document.look();
     if (look.driven_by == Driver::signal) {
@@ -53,12 +53,13 @@ void stand_in(Document& document) {
     }
 }
 
-// As long as it takes to settle, up to 0.8 s: what glows longer is hardly seen in small.
+// The settling time of the look, at most 0.8 s. Longer afterglow is hardly visible in small
+// pictures.
 int frames_of(const Look& look) {
     return std::clamp(look.settle_frames / 2, 12, 24);
 }
 
-// What drives it, and what its parameters choose.
+// The files of its signal or source, and those of its parameters.
 std::vector<fs::path> files_named_in(const Document& document) {
     std::vector<fs::path> files;
     const auto source = parse_source(document.state().source);
@@ -77,9 +78,9 @@ bool has_samples(const Executor& executor) {
     return !samples || samples->held >= samples->enough.value_or(0);
 }
 
-// Of the hundreds the ones that were made last stay.
+// Keeps the most recent pictures.
 void forget_old(const fs::path& folder) {
-    constexpr std::size_t most = 300;  // some 5 MB
+    constexpr std::size_t most = 300;  // about 5 MB
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
@@ -107,7 +108,7 @@ fs::path PresetPainter::kept_file(const fs::path& preset) const {
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
-// A preset that draws with other looks of a stack is read with them.
+// A preset for other bypassed looks of the stack needs another look.
 Result<Prepared> PresetPainter::prepared(const fs::path& file) const {
     Prepared made{.document = m_plain, .kept_shaders = kept_shaders(m_library.roots())};
     if (file.empty())
@@ -128,7 +129,7 @@ Result<void> PresetPainter::start(Prepared prepared) {
     if (m_offline && m_viewer &&
         m_offline->document().look().stack == prepared.document.look().stack)
         return m_offline->start_again(std::move(prepared.document));
-    m_viewer.reset();  // belongs to the former context
+    m_viewer.reset();  // belongs to the previous context
     m_offline.reset();
     auto offline = Offline::create(std::move(prepared), drawn_size, painted_fps);
     if (!offline)
@@ -144,10 +145,10 @@ Result<void> PresetPainter::start(Prepared prepared) {
 Result<Picture> PresetPainter::draw(Prepared prepared, const Work& work) {
     stand_in(prepared.document);
     if (auto started = start(std::move(prepared)); !started) {
-        m_offline.reset();  // half of it may be the former preset's
+        m_offline.reset();  // it may be only partly initialised
         return fail(started.error());
     }
-    constexpr int patience = 120;  // frames, for what accumulates
+    constexpr int patience = 120;  // frames, for accumulating passes
     const int enough = frames_of(m_offline->document().look());
     for (int frame = 1;
          frame <= enough || (frame <= patience && !has_samples(m_offline->executor())); ++frame) {
@@ -186,7 +187,7 @@ Result<Picture> PresetPainter::paint(const fs::path& preset, const Work& work) {
     auto picture = draw(std::move(*made), work);
     if (!picture)
         return picture;
-    // To be kept is a help only: where it cannot be written it is drawn again the next time.
+    // Caching is optional: without it, the picture is drawn again the next time.
     if (save_picture(*picture, file))
         forget_old(file.parent_path());
     return picture;

@@ -10,24 +10,24 @@
 #include <string>
 #include <vector>
 
-/// Draws small pictures of the presets of one look, each from a fresh start as `render` does, with
-/// what drives it. What has been drawn is kept in a folder of the person's, by what it was drawn
-/// from. Has a GL context of its own, for the thread that paints.
+/// Draws thumbnails of the presets of a look, each from a fresh start like `render`, with its
+/// input. They are cached in the user's state folder, under a digest of their inputs. Uses its own
+/// GL context on the calling thread.
 class PresetPainter {
 public:
-    /// `content`: the signal or source that every preset is drawn with; none: its own.
+    /// `content`: the signal or source for all presets; nullopt: each preset's own.
     PresetPainter(Look look, Library library, std::optional<Content> content = {});
 
-    /// The picture of a preset's file; "": of the look as it is. Rests as long as it works, so that
-    /// the window has most of the machine. Fails where the preset cannot be opened or drawn, and
-    /// when it is cancelled.
+    /// The picture of a preset; "": the look without a preset. It sleeps as long as it draws, so
+    /// that the window stays fast. Fails if the preset cannot be opened or drawn, and when
+    /// cancelled.
     Result<Picture> paint(const std::filesystem::path& preset, const Work& work);
-    /// The sounds and pictures that the last preset names, there or not.
+    /// The sounds and pictures of the last preset, including missing ones.
     const std::vector<std::filesystem::path>& named_files() const { return m_named; }
-    /// Of these, before it was drawn.
+    /// Their stamp before drawing.
     const std::string& stamp() const { return m_stamp; }
 
-    /// How many were drawn, and not found as they were kept.
+    /// The number of pictures drawn, without cached ones.
     int drawn() const { return m_drawn; }
 
 private:
@@ -39,8 +39,8 @@ private:
     Document m_plain;
     Library m_library;
     std::optional<Content> m_content;
-    std::string m_look_text;           // all that the look was read from
-    std::optional<Offline> m_offline;  // owns the context, so it goes last
+    std::string m_look_text;           // text of all its files
+    std::optional<Offline> m_offline;  // after m_viewer's destruction
     std::optional<Viewer> m_viewer;
     std::vector<std::filesystem::path> m_named;
     std::string m_stamp;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 double moment_to_compare(const Look& look) {
-    constexpr double common = 6.0;  // the greatest whole number that divides every rate
+    constexpr double common = 6.0;  // greatest common divisor of all rates
     constexpr double shortest = 0.5;
     constexpr double longest = 10.0;
     const double settled = std::clamp(look.settle_frames / 60.0, shortest, longest);
@@ -51,7 +51,7 @@ int frames_in(double seconds, double fps) {
     return static_cast<int>(std::lround(seconds * fps));
 }
 
-// What a display gets of it.
+// The picture as a display shows it.
 Picture shown(Picture picture) {
     const bool is_linear = picture.encoding == Encoding::linear;
     for (float& number : picture.pixels) {

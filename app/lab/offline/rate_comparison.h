@@ -7,37 +7,37 @@
 #include <array>
 #include <vector>
 
-/// Frames a second that a look ought to look the same at.
+/// The frame rates at which a look should look the same.
 inline constexpr std::array compared_rates{24.0, 30.0, 60.0, 144.0};
 
-/// How far the pictures of two frame rates are apart, in display values.
+/// The difference between two frame rates, in display values.
 struct RatePair {
-    double first = 0.0;  // frames a second
+    double first = 0.0;  // frames/s
     double second = 0.0;
     Difference difference;
 };
 
-/// The pictures that all rates draw of the same moment, against each other.
+/// The pictures of all frame rates at the same time, and their differences.
 struct RateComparison {
-    double seconds = 0.0;  // the moment, from a fresh start
+    double seconds = 0.0;  // time since the fresh start
     Extent size;
-    std::vector<RatePair> pairs;    // every two of compared_rates
-    std::vector<Picture> pictures;  // of each of compared_rates, as a display shows it
+    std::vector<RatePair> pairs;    // all pairs of compared_rates
+    std::vector<Picture> pictures;  // for each of compared_rates, display-encoded
 
-    /// The pair that is farthest apart: its place in `pairs`.
+    /// The index in `pairs` of the pair with the largest difference.
     std::size_t worst_place() const;
     const RatePair& worst() const { return pairs[worst_place()]; }
-    /// Of one of compared_rates.
+    /// For one of compared_rates.
     const Picture& picture(double fps) const;
 };
 
-/// When a look has settled and every one of compared_rates ends a frame: a multiple of 1/6 s.
+/// The earliest time, a multiple of 1/6 s, at which every rate ends a frame and transients are
+/// over.
 double moment_to_compare(const Look& look);
 
-/// The size that is drawn for a picture: at most 360 lines, as every frame is drawn.
+/// The size to draw: at most 360 lines, because every frame is drawn.
 Extent size_to_compare(Extent picture);
 
-/// Draws a document at every rate from a fresh start up to moment_to_compare, with a GL context of
-/// its own. Fails where it cannot be drawn, where what drives it comes but once (a microphone), and
-/// when it is cancelled.
+/// Draws a document at every rate from a fresh start up to moment_to_compare(), in its own GL
+/// context. Fails if it cannot be drawn, if its input is live, and when cancelled.
 Result<RateComparison> compare_rates(const Document& document, Extent picture, Work& work);

@@ -11,12 +11,12 @@
 namespace {
 constexpr int largest_side = 16384;  // px
 
-/// Where things stand on a sheet, in pixels.
+/// The layout of a sheet, in pixels.
 struct Layout {
     Extent cell;
     int columns = 1;
     int rows = 1;
-    int letters = 16;  // height of the captions'
+    int letters = 16;  // height of the captions
     int gap = 16;      // between cells and around them
     int foot = 30;     // below a picture, for its caption
 
@@ -41,7 +41,7 @@ float display_value(const Picture& picture, int x, int y, int channel) {
     const std::size_t at = picture.index(x, y);
     const int there = picture.channels < 3 ? 0 : channel;
     const float value = picture.pixels[at + static_cast<std::size_t>(there)];
-    if (!(value > 0.0f))  // NaN too
+    if (!(value > 0.0f))  // also NaN
         return 0.0f;
     const double clamped = std::min(static_cast<double>(value), 1.0);
     return static_cast<float>(picture.encoding == Encoding::linear ? srgb_encode(clamped)

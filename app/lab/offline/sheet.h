@@ -6,17 +6,17 @@
 #include <string>
 #include <vector>
 
-/// One picture of a contact sheet and what it is called.
+/// A picture of a contact sheet and its caption.
 struct SheetCell {
     std::string caption;
     Picture picture;
 };
 
-/// Whether a sheet of so many pictures of one size is no larger than a picture may be; `columns`
-/// stand side by side. To be asked before they are drawn.
+/// Fails if a sheet of `count` pictures of this size in `columns` columns would exceed the size
+/// limit. Call it before drawing them.
 Result<void> check_sheet(Extent picture, int count, int columns);
 
-/// The pictures in rows of `columns`, each with its caption below; RGB, display-encoded. Linear
-/// pictures are clamped and sRGB-encoded. All pictures are of one size. Fails where the sheet would
-/// be larger than a picture may be, or there is no font.
+/// The pictures in rows of `columns`, with captions below; RGB, display-encoded. Linear pictures
+/// are clamped and sRGB-encoded. All pictures have the same size. Fails if the sheet exceeds the
+/// size limit, or without a font.
 Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns);

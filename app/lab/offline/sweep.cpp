@@ -21,14 +21,14 @@ bool is_single_number(const Parameter& parameter) {
     return !is_file && parameter.control != Control::event && parameter.type.size() == 1;
 }
 
-// The value that lies at a share 0..1 of the way along the slider from `low` to `high`.
+// The value at a relative slider position, 0..1, between `low` and `high`.
 double value_between(const Parameter& parameter, double low, double high, double share) {
     const bool is_ratio = parameter.scale == Scale::logarithmic && low > 0.0 && high > 0.0;
     const double value = is_ratio ? low * std::pow(high / low, share) : low + (high - low) * share;
     return parameter.type.scalar == Scalar::floating ? value : std::round(value);
 }
 
-// "0.5:0.99:5" as texts of values; nothing where it is not of that form.
+// Converts "0.5:0.99:5" to texts of values; fails for other forms.
 Result<std::vector<std::string>> texts_of_span(const Parameter& parameter, std::string_view text) {
     const auto parts = split(text, ':');
     const auto low = parse_number(trim(parts[0]));
@@ -44,7 +44,7 @@ Result<std::vector<std::string>> texts_of_span(const Parameter& parameter, std::
     for (int i = 0; i < count; ++i) {
         const double share = static_cast<double>(i) / (count - 1);
         const std::string next = fmt::format("{}", value_between(parameter, *low, *high, share));
-        if (texts.empty() || texts.back() != next)  // whole numbers may meet
+        if (texts.empty() || texts.back() != next)  // rounded numbers can coincide
             texts.push_back(next);
     }
     return texts;

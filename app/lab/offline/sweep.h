@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// One parameter and the values that it takes in turn.
+/// A parameter and its sequence of values.
 struct SweepAxis {
     struct Stop {
         Value value;
@@ -19,17 +19,17 @@ struct SweepAxis {
     std::vector<Stop> stops;
 };
 
-/// From "decay=0.5:0.99:5", five values spread evenly along the slider (in equal ratios where that
-/// is logarithmic and both ends are above 0; to the nearest whole one of a whole number), or from
-/// "tone_map=Clamp,ACES", a list. Fails for parameters that are not a single number, and beyond
+/// Parses "decay=0.5:0.99:5", five values spread evenly along the slider, or a list
+/// "tone_map=Clamp,ACES". A logarithmic slider with both ends above 0 has equal ratios. Values of
+/// integer parameters are rounded. Fails for parameters that are not a single number, and outside
 /// their limits.
 Result<SweepAxis> parse_sweep_axis(std::string_view text, const Look& look);
 
-/// One picture of a sweep: what to set, and what it is called.
+/// One picture of a sweep: its values and its caption.
 struct SweepCell {
     std::vector<std::pair<std::string, Value>> values;
     std::string caption;
 };
 
-/// Every combination; the first axis runs fastest.
+/// All combinations; the first axis varies fastest.
 std::vector<SweepCell> sweep_cells(const std::vector<SweepAxis>& axes);

@@ -4,19 +4,19 @@
 
 #include <filesystem>
 
-/// A sound or picture that a person started the program with, in the place of a look: it is opened
-/// as soon as a look is open that can show it.
+/// A sound or picture that the program was started with instead of a look. It is opened as soon as
+/// a suitable look is open.
 class FirstFile {
 public:
     FirstFile() = default;
     explicit FirstFile(std::filesystem::path file) : m_file(std::move(file)) {}
 
-    /// Whether what the program was started with is a file that a look can show.
+    /// Whether the argument of the program is a sound or picture file.
     static bool is_one(const std::string& argument, const Lab& lab);
-    /// To be called once a frame; opens another look where the open one is driven otherwise.
+    /// Call it once per frame. Opens another look if the open one cannot use the file.
     void update(Lab& lab);
 
 private:
-    std::filesystem::path m_file;  // "": none, or opened
-    bool m_has_asked = false;      // for another look
+    std::filesystem::path m_file;  // "": no file, or already opened
+    bool m_has_asked = false;      // has opened another look
 };

@@ -19,8 +19,8 @@ void SessionKeeper::update(Lab& lab, const WindowState& window) {
 void SessionKeeper::save(Lab& lab, const WindowState& window) {
     Session session = session_of(lab, remembered(window));
     if (session.look.empty())
-        return;  // nothing was opened: what was saved before stays
-    // Time that flows is no change of its own; it goes along with one.
+        return;  // no look was opened: keep the saved session
+    // Elapsed time alone is not a change; it is saved with other changes.
     m_saved.time = session.time;
     if (session == m_saved)
         return;

@@ -5,13 +5,13 @@
 
 #include <chrono>
 
-/// Writes what is open as soon as a change is done (a drag when the hand lets go), and all else
-/// about once a second, so that a crash loses next to nothing.
+/// Saves the session when a change is finished (a drag on release), otherwise about once a second.
+/// A crash therefore loses almost no work.
 class SessionKeeper {
 public:
     explicit SessionKeeper(Roots roots) : m_roots(std::move(roots)) {}
 
-    /// To be called every turn.
+    /// Call it in every update.
     void update(Lab& lab, const WindowState& window);
     void save(Lab& lab, const WindowState& window);
 
@@ -20,5 +20,5 @@ private:
     Session m_saved;
     std::optional<DocumentState> m_seen;
     std::chrono::steady_clock::time_point m_looked = std::chrono::steady_clock::now();
-    bool m_has_failed = false;  // said once
+    bool m_has_failed = false;  // reported once
 };

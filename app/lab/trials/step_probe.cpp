@@ -48,7 +48,7 @@ bool StepProbe::make_tools() {
     return true;
 }
 
-// A step goes from what the person set, also where the parameter moves by itself.
+// The step is from the stored value, even if the parameter is modulated.
 void StepProbe::begin(const TrialSubject& subject) {
     const Document& document = subject.document;
     const Look& look = document.look();
@@ -95,7 +95,7 @@ Pair StepProbe::pair_of(std::size_t pass) const {
 }
 
 namespace {
-// What cannot be told apart number by number on the GPU: of whole numbers, or of another size.
+// For targets that the GPU cannot compare: integer formats, or different sizes.
 PassChange compared_alone(const Pair& pair) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     const auto apart =
@@ -105,7 +105,7 @@ PassChange compared_alone(const Pair& pair) {
 }
 }  // namespace
 
-// One pass after the other, and nobody waits for the answer.
+// One pass after the other, without waiting for the GPU.
 void StepProbe::measure() {
     if (const auto measured = m_tools->meter.take(); measured && measured->change)
         m_changes[m_next++] = *measured->change;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Which slider is to be stepped, and how.
+/// A step of a parameter to preview.
 struct StepQuestion {
     std::string parameter;
     std::size_t component = 0;  // of a vector
@@ -18,30 +18,29 @@ struct StepQuestion {
     bool operator==(const StepQuestion&) const = default;
 };
 
-/// What one step of a parameter changes, in the picture and in each pass, found by drawing the
-/// latest frames as they are and with the step, side by side.
+/// The effect of one step of a parameter on the picture and each pass. It draws the latest frames
+/// both with and without the step.
 class StepProbe {
 public:
-    /// Asks from here on; the answer comes over the next turns, and anew when values change.
+    /// Starts a preview; results follow over the next updates, and again when values change.
     void ask(const StepQuestion& question);
     void stop();
-    /// To be called every turn.
+    /// Call it in every update.
     void update(const TrialSubject& subject, double slice_seconds);
 
     const std::optional<StepQuestion>& question() const { return m_question; }
     bool is_busy() const { return m_question && !m_is_answered; }
-    /// What the step adds to the picture and takes from it, about a middle grey; null until it is
-    /// there.
+    /// The signed difference of the picture, around a middle grey; null: still pending.
     const gpu::Texture* picture() const {
         return m_picture && m_has_picture ? &m_picture->texture() : nullptr;
     }
-    /// Of that picture.
+    /// The amplification of that picture.
     double gain() const { return m_gain; }
-    /// Of each pass; none until it is measured.
+    /// For each pass; nullopt: not measured yet.
     const std::vector<std::optional<PassChange>>& changes() const { return m_changes; }
-    /// None until all of it is known.
+    /// nullopt: still pending.
     const std::optional<StepEffect>& effect() const { return m_effect; }
-    /// What a person reads, always in one line.
+    /// The message for the user, in one line.
     const std::string& words() const { return m_words; }
     bool has_failed() const { return m_has_failed; }
 
@@ -62,10 +61,10 @@ private:
     std::optional<StepQuestion> m_question;
     std::optional<Tools> m_tools;
     std::optional<Trial> m_trial;
-    Values m_values;  // that the present answer is about
+    Values m_values;  // of the current result
     Extent m_extent;
     std::string m_change;    // "Decay 0.92 → 0.925"
-    std::size_t m_next = 0;  // pass to be measured
+    std::size_t m_next = 0;  // next pass to measure
     std::vector<std::optional<PassChange>> m_changes;
     std::optional<StepEffect> m_effect;
     std::optional<gpu::Canvas> m_picture;

@@ -10,7 +10,7 @@
 #include <chrono>
 
 namespace {
-constexpr double patience_seconds = 0.01;  // of accumulating passes
+constexpr double patience_seconds = 0.01;  // for accumulating passes
 
 std::vector<PlayedFrame> latest(const Player& player, std::size_t frames) {
     const auto& past = player.past();
@@ -39,7 +39,7 @@ Result<Trial> Trial::make(const TrialSubject& subject, const Values& values, con
     if (others) {
         if (auto started = renderer->start_variant(*others); !started)
             return fail(started.error());
-        renderer->cancel_replay();  // from here on what is brought is for both
+        renderer->cancel_replay();  // from now on, both get the same input
     }
     Trial trial(std::move(renderer), latest(subject.player, frames));
     if (auto done = trial.show_pictures(subject, values, others); !done)
@@ -52,7 +52,7 @@ Result<void> Trial::show_pictures(const TrialSubject& subject, const Values& val
     for (const auto& [name, texture] : subject.images)
         m_renderer->set_image(name, texture);
     const Look& look = executor().look();
-    // A file that cannot be read reads black, as in the window, which has said so.
+    // Unreadable files are black, as in the window, which has already reported them.
     static_cast<void>(m_chosen_images.show(look, values, *m_renderer, Renderer::Whose::picture));
     if (others)
         static_cast<void>(
@@ -77,12 +77,12 @@ bool Trial::has_samples() const {
     return !samples || m_frames.empty() || samples->held >= samples->enough.value_or(0);
 }
 
-// The last frame is drawn again until accumulating passes have enough.
+// Repeats the last frame until accumulating passes have enough samples.
 void Trial::draw_next(const TrialSubject& subject) {
     const bool is_last = m_done + 1 >= m_frames.size();
     const PlayedFrame& frame = m_frames[std::min(m_done, m_frames.size() - 1)];
     m_done = std::min(m_done + 1, m_frames.size());
-    // What is missing of a film is missing in all that are compared.
+    // Errors are ignored, because a missing film picture affects all compared pictures.
     static_cast<void>(
         subject.drive.show_past_beside(frame.span.end, {*m_renderer, subject.picture, m_source}));
     m_renderer->claim_programs();

@@ -9,38 +9,38 @@
 #include <string>
 #include <vector>
 
-/// What is open, for those who draw it with other values.
+/// The open document and its renderer, as input of a preview.
 struct TrialSubject {
     const Document& document;
     const Player& player;
     Drive& drive;
-    Renderer& shown;  // what the window shows; its programs are used, and to be claimed back
+    Renderer& shown;  // the window's renderer; its programs are used and must be reclaimed
     const ImageTextures& images;
-    Extent picture;  // that is to be drawn
+    Extent picture;  // size to draw
 };
 
-/// Why a parameter that is a constant is not tried out.
+/// Why a constant cannot be previewed.
 std::string why_untried(const Parameter& constant);
 
-/// The frames that were shown last, drawn anew with other values and in slices of a turn, beside
-/// the picture: its history and its clock go on undisturbed.
+/// Redraws the latest frames with other values, one slice per update. It does not affect the
+/// history or the clock of the picture.
 class Trial {
 public:
-    /// Prepares a drawing of the latest `frames` frames. With `others` a second one goes along, of
-    /// the same frames with those values. Fails where there is no memory.
+    /// Prepares the latest `frames` frames. With `others` they are also drawn with those values.
+    /// Fails without memory.
     static Result<Trial> make(const TrialSubject& subject, const Values& values,
                               const Values* others, std::size_t frames);
 
-    /// Begins anew with other values; the frames are the same.
+    /// Restarts with other values and the same frames.
     Result<void> start_again(const Values& values);
-    /// Goes on for about `seconds`; true when it has just ended.
+    /// Draws for about `seconds`; true when it has just finished.
     bool go_on(const TrialSubject& subject, double seconds);
 
     bool is_running() const { return m_done < m_frames.size() || !has_samples(); }
     std::size_t done() const { return m_done; }
     std::size_t total() const { return m_frames.size(); }
     const Executor& executor() const { return m_renderer->executor(); }
-    /// Of the values that go along; null without.
+    /// The executor for `others`; null: not used.
     const Executor* others() const { return m_renderer->variant(); }
 
 private:
@@ -59,6 +59,6 @@ private:
     std::size_t m_done = 0;
 };
 
-/// How many frames of a look can be drawn anew in about that time, at most as many as it takes to
-/// settle, when each is drawn `times` times.
+/// The number of frames that can be redrawn in about this time if each is drawn `times` times. At
+/// most the settling time of the look.
 std::size_t bearable_frames(const Look& look, const Renderer& shown, double seconds, double times);

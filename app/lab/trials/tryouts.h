@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-/// What is drawn with other values beside the picture, one thing after the other and a slice a
-/// turn: a step of a slider, then a sheet.
+/// The previews with other values, one at a time: step preview, then contact sheet. Each update
+/// draws one slice.
 class Tryouts {
 public:
     StepProbe& probe() { return m_probe; }
@@ -14,18 +14,18 @@ public:
     VariantSheet& sheet() { return m_sheet; }
     const VariantSheet& sheet() const { return m_sheet; }
 
-    /// To be called every turn in which a look is open.
+    /// Call it in every update while a look is open.
     void update(const TrialSubject& subject) {
-        // Enough to get on, and where the picture itself takes long not felt beside it.
+        // Long enough for progress, but short compared to the picture's own frame.
         const double slice_seconds = std::clamp(0.5 * subject.shown.frame_seconds(), 0.01, 0.05);
         m_probe.update(subject, slice_seconds);
         if (!m_probe.is_busy())
             m_sheet.update(subject, slice_seconds);
         if (m_probe.question() || !m_sheet.request().across.empty())
-            subject.shown.claim_programs();  // they hold what was tried out last
+            subject.shown.claim_programs();  // their uniforms have the values of the preview
     }
     bool is_busy() const { return m_probe.is_busy() || m_sheet.is_running(); }
-    /// Another look is open.
+    /// Stops all previews, for another look.
     void stop() {
         m_probe.stop();
         m_sheet.stop();

@@ -35,7 +35,7 @@ std::string stops_text(const Parameter& parameter, int count) {
     return text;
 }
 
-// What the cells have in common: another value of it needs another sheet.
+// The state that all cells share. When it changes, a new sheet is needed.
 DocumentState without_axes(const Document& document, const SheetRequest& request) {
     DocumentState state = document.state();
     state.values = document.values();
@@ -122,7 +122,7 @@ Result<void> VariantSheet::start_cell(const TrialSubject& subject) {
     const Values values = values_with(subject.document, m_cells[m_next].values);
     if (m_trial)
         return m_trial->start_again(values);
-    constexpr double patience_seconds = 0.3;  // a cell
+    constexpr double patience_seconds = 0.3;  // per cell
     const double share = texels_of(subject.picture) / texels_of(m_shown_as);
     const std::size_t frames =
         bearable_frames(subject.document.look(), subject.shown, patience_seconds, share);

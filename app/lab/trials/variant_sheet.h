@@ -8,23 +8,23 @@
 #include <string>
 #include <vector>
 
-/// What is to be laid out: one slider along a row, and perhaps another one down.
+/// The axes of a sheet: a parameter for the columns, and optionally one for the rows.
 struct SheetRequest {
-    std::string across;  // "": nothing
+    std::string across;  // "": no sheet
     int columns = 7;
-    std::string down = {};  // "": one row, a filmstrip
+    std::string down = {};  // "": a filmstrip of one row
     int rows = 5;
 
     bool operator==(const SheetRequest&) const = default;
 };
 
-/// Small pictures of the look along the range of one slider, or over the grid of two, drawn beside
-/// the picture a slice a turn; anew when something else is turned.
+/// Small pictures of the look along the range of one parameter, or over the grid of two. Each
+/// update draws a slice. Other changes restart it.
 class VariantSheet {
 public:
     struct Cell {
         SweepCell values;
-        std::optional<gpu::Canvas> picture;  // none: yet to be drawn
+        std::optional<gpu::Canvas> picture;  // nullopt: not drawn yet
     };
 
     void begin(const SheetRequest& request) {
@@ -32,20 +32,20 @@ public:
         m_request = request;
     }
     void stop();
-    /// What is drawn stays.
+    /// Stops drawing and keeps the finished cells.
     void cancel();
-    /// To be called every turn.
+    /// Call it in every update.
     void update(const TrialSubject& subject, double slice_seconds);
 
     const SheetRequest& request() const { return m_request; }
-    /// The first axis runs fastest.
+    /// The first axis varies fastest.
     const std::vector<Cell>& cells() const { return m_cells; }
     int columns() const { return m_columns; }
-    /// Why there is no sheet; "" when there is.
+    /// The error; "": no error.
     const std::string& problem() const { return m_problem; }
     bool is_running() const { return !m_request.across.empty() && m_problem.empty() && !is_done(); }
     std::size_t drawn() const { return m_next; }
-    /// The cell that has the document's values; none when none has.
+    /// The cell with the document's values; nullopt: no such cell.
     std::optional<std::size_t> present(const Document& document) const;
 
 private:
@@ -57,15 +57,15 @@ private:
     SheetRequest m_request;
     std::vector<Cell> m_cells;
     int m_columns = 1;
-    std::size_t m_next = 0;  // cell that is being drawn
+    std::size_t m_next = 0;  // the cell being drawn
     std::optional<Trial> m_trial;
     std::optional<Viewer> m_viewer;
-    std::optional<DocumentState> m_drawn_for;  // without what the axes turn
+    std::optional<DocumentState> m_drawn_for;  // without the parameters of the axes
     KnobSettings m_knobs;
-    Extent m_shown_as;  // the window's picture
+    Extent m_shown_as;  // size of the window's picture
     std::string m_problem;
 };
 
-/// The values along a slider, spread evenly over its length, at its steps where it has some; of a
-/// list or switch all there are. Fails for what is not a single number.
+/// Values spread evenly along a slider, at its steps if it has any. For a list or switch, all
+/// values. Fails for a parameter that is not a single number.
 Result<SweepAxis> axis_along(const Look& look, const Parameter& parameter, int count);

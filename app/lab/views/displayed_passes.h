@@ -5,6 +5,7 @@
 class Lab;
 struct WindowState;
 
-/// What a window shows in every frame of the look that is open: the picture and what is looked
-/// into. What the strip and the pins show of others, a few times a second, is drawn once more then.
+/// The passes that a window displays in every frame: the picture, the inspected and the probed
+/// pass. The strip and the pins display others only a few times a second; those are drawn again
+/// then.
 SeenPasses displayed_passes(const Lab& lab, const WindowState& window);

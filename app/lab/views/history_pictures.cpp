@@ -36,7 +36,7 @@ void HistoryPictures::update(const Lab& lab, Views& views) {
         copy(lab, views, history_place(*document));
 }
 
-// Where there is no memory a step has no picture.
+// Without memory a step has no picture.
 void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
     constexpr int height = 72;
     const Executor& executor = lab.renderer()->executor();
@@ -53,7 +53,7 @@ void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
 }
 
 void HistoryPictures::forget_far(std::size_t place) {
-    constexpr std::size_t most = 64;  // some 2 MB
+    constexpr std::size_t most = 64;  // about 2 MB
     if (m_copies.size() <= most)
         return;
     std::vector<std::size_t> places;

@@ -10,19 +10,19 @@
 
 class Lab;
 
-/// Whether a state's picture is copied in the n-th frame (from 1) that shows it: in the first, and
-/// more and more seldom while its light settles; after some two seconds no more.
+/// Whether to copy the picture in the n-th frame (from 1) of a state. Due at powers of two up to
+/// 128, about two seconds, because the picture changes less and less.
 bool is_copy_due(int frame);
 
-/// Of the places that have a copy the one farthest from the present; `places` is not empty.
+/// The index farthest from the current one, of those with a copy; `places` is not empty.
 std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present);
 
-/// Small copies of the picture, one for each of the states in the history that were shown last.
+/// Thumbnails of the recently displayed states of the history.
 class HistoryPictures {
 public:
-    /// Looks whether a copy is due. To be called after Views::update.
+    /// Copies the picture if due. Call it after Views::update().
     void update(const Lab& lab, Views& views);
-    /// Row 0 at the bottom, as Views gives them; without a handle where there is none.
+    /// Row 0 at the bottom, as from Views; a handle of 0: no picture.
     Views::Image picture(const Document& document, std::size_t place) const;
 
 private:
@@ -30,11 +30,11 @@ private:
     void forget_far(std::size_t place);
 
     struct Copy {
-        DocumentState state;  // what is drawn: the history may have another one there by now
+        DocumentState state;  // the history may have another state here now
         gpu::Texture picture;
     };
 
-    std::map<std::size_t, Copy> m_copies;  // by the place in the history
+    std::map<std::size_t, Copy> m_copies;  // by index in the history
     std::optional<DocumentState> m_present;
-    int m_frames = 0;  // that showed it
+    int m_frames = 0;  // number of frames that displayed it
 };

@@ -7,10 +7,10 @@
 #include <map>
 #include <optional>
 
-/// The small pictures of kept sessions as textures, each read from its file when it is first shown.
+/// The thumbnails of stored sessions as textures. Each file is read when first displayed.
 class KeptPictures {
 public:
-    /// Row 0 at the bottom; without a handle where there is none.
+    /// Row 0 at the bottom; a handle of 0: no picture.
     Views::Image of(const std::filesystem::path& file) const;
 
 private:

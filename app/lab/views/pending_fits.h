@@ -5,11 +5,11 @@
 
 #include <optional>
 
-/// The gain in stops at which the largest difference shows as white, -4 to 16. None: it is not
-/// measured yet, or cannot be shown that way.
+/// The gain in stops that maps the largest difference to white, -4 to 16. nullopt: still pending,
+/// or relative, zero or infinite differences.
 std::optional<double> fitting_gain(const Comparison& comparison,
                                    const std::optional<Distances>& distances);
 
-/// Fits what waits for a measurement that has come, and drops what nothing measures any more. To be
-/// called after Views::update.
+/// Applies the requested fits when their measurement is available. Drops those that are no longer
+/// measured. Call it after Views::update().
 void answer_pending_fits(const Views& views, Lab& lab, WindowState& window);

@@ -21,11 +21,11 @@ std::string words_of(const Diagnostic& problem) {
 }
 }  // namespace
 
-/// What is painted and not taken yet.
+/// The finished pictures that have not been displayed yet.
 struct PresetPictures::Basket {
     struct Painted {
         fs::path preset;
-        fs::file_time_type written;  // when it was asked for
+        fs::file_time_type written;  // at the time of the request
         Result<Picture> picture;
         std::vector<fs::path> named;
         std::string stamp;
@@ -62,12 +62,12 @@ void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds,
         list(lab, content);
     }
     const bool owes = std::ranges::any_of(m_entries, [](const auto& e) { return e.second.is_due; });
-    if (owes && m_work.is_free() && m_basket->is_empty())  // else what is due may lie there
+    if (owes && m_work.is_free() && m_basket->is_empty())  // otherwise the picture may be there
         start(lab);
 }
 
 namespace {
-// What a person turns in the texts is nothing to presets, which say it for themselves.
+// Changed constants do not affect presets, which define their own values.
 bool is_only_turned(const Look& before, const Look& now) {
     return before.constants != now.constants &&
            std::ranges::equal(before.constants, now.constants, {}, &Values::value_type::first,
@@ -75,7 +75,7 @@ bool is_only_turned(const Look& before, const Look& now) {
 }
 }  // namespace
 
-// What was edited is drawn anew, and its former picture stays until then.
+// Edited presets are drawn again. The previous pictures stay until then.
 void PresetPictures::list(const Lab& lab, const std::optional<Content>& content) {
     const Look& look = lab.document()->look();
     const bool is_other = !m_look || m_look->id != look.id;
@@ -88,7 +88,7 @@ void PresetPictures::list(const Lab& lab, const std::optional<Content>& content)
         m_entries.clear();
     if (is_other || is_edited) {
         m_work.cancel();
-        m_basket = std::make_shared<Basket>();  // what is painted of the former one is for nobody
+        m_basket = std::make_shared<Basket>();  // discards pictures of the previous look
         m_look = look;
     }
     std::map<fs::path, Entry> listed;
@@ -139,7 +139,7 @@ void PresetPictures::take_one() {
     entry.picture.emplace(std::move(*texture));
 }
 
-// A picture that is cut short is no answer, so it stays due.
+// A cancelled picture stays due.
 void PresetPictures::start(const Lab& lab) {
     std::vector<std::pair<fs::path, fs::file_time_type>> wanted;
     for (const auto& [file, entry] : m_entries)

@@ -30,7 +30,7 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
 }
 
 namespace {
-// As the inspector draws it, in 8 bits.
+// As the inspector displays it, in 8 bits.
 Result<Picture> seen_picture(const gpu::Texture& target, const ViewOptions& options) {
     auto viewer = Viewer::make();
     if (!viewer)

@@ -5,11 +5,10 @@
 
 #include <filesystem>
 
-/// Writes the present picture as a PNG (which also carries the preset) or an EXR, as the name says,
-/// and tells how that went. A name without an ending becomes a PNG.
+/// Saves the current picture as a PNG with the preset, or as an EXR, and reports the result. A name
+/// without extension gets .png.
 void save_snapshot(Lab& lab, std::filesystem::path file);
 
-/// Writes what the view looks into and tells how that went: an EXR holds its numbers as they
-/// are stored, a PNG what the view shows of them, texel by texel. A name without an ending becomes
-/// an EXR.
+/// Saves the texture inspected by `view` and reports the result. An EXR has the stored values, a
+/// PNG the displayed ones, in full resolution. A name without extension gets .exr.
 void save_target(Lab& lab, const PassView& view, std::filesystem::path file);

@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace {
-// Makes one part after the other; the first that fails says why.
+// Creates a part unless an earlier one failed; stores its errors.
 template <class Part>
 bool made(std::optional<Part>& part, Diagnostics& problems) {
     if (!problems.empty())
@@ -58,7 +58,7 @@ Views::Image Views::thumbnail(std::size_t pass) const {
     return picture ? Image{picture->handle(), picture->extent()} : Image{};
 }
 
-// Where there is no memory the view stays empty; the passes themselves are what needs it.
+// Without memory the view stays empty, because the passes need the memory.
 bool Views::fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
     if (canvas && canvas->texture().extent() == extent)
         return true;
@@ -100,7 +100,7 @@ std::optional<gpu::Texture> Views::small_picture(const Lab& lab, int pass, Exten
     return std::move(*canvas).take_texture();
 }
 
-// What was seen of another look until now is seen no more.
+// Switches to the view programs of another look.
 void Views::move_to(const Programs& programs) {
     if (m_home && m_home->serve(programs))
         return;
@@ -175,7 +175,7 @@ CellNumbers::Subject Views::Part::cells(Extent room, Extent least, std::uint64_t
             .options = options};
 }
 
-// What the inspector and the picture's place show of what is looked into.
+// Selects the inspected texture for the inspector and for the picture.
 void Views::inspect(const Executor& executor, const WindowState& window) {
     const bool has_panel = !window.is_picture_only && window.shows_inspector;
     const auto inspected = has_panel || window.shows_pass_large
@@ -215,7 +215,7 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
     m_closer.update_inspected(&cells, now);
 }
 
-// Numbers in the texels that stand in the picture's place, and along the line over it.
+// Updates texel values over the picture, and values along the waveform's line.
 void Views::look_closer(const Lab& lab, const WindowState& window) {
     const Part part = large_part(lab, window);
     const double now = present_seconds();
@@ -243,11 +243,11 @@ void Views::stop() {
 
 void Views::update(const Lab& lab, const WindowState& window) {
     if (lab.awaits_source())
-        return;  // what was shown before stays
+        return;  // the previous views stay
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty())
         return stop();
     if (lab.renderer()->replay().is_running() || !lab.renderer()->has_whole_picture())
-        return;  // what was shown stays until the past has been drawn again, or the first frame
+        return;  // the previous views stay until the replay or the first frame is complete
     const Executor& executor = lab.renderer()->executor();
     move_to(executor.programs());
     inspect(executor, window);
@@ -255,7 +255,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     draw_output(lab, window.output.is_black ? Extent{} : window.views.output);
     show_in_comfort(lab, window.comfort);
     if (std::exchange(m_is_first, false))
-        return;  // what is waited for is seen; the rest comes with the next turn
+        return;  // the picture is displayed first, the remaining views in the next update
     look_closer(lab, window);
     count_flashes(lab, window);
     const bool is_whole = !window.is_picture_only;
@@ -268,7 +268,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     probe(lab, window.probe);
 }
 
-// Small pictures and numbers in turn: a driver may take long for the first of each.
+// Alternates between thumbnails and meters: the first of each can be slow with some drivers.
 void Views::show_strip(const Lab& lab, int height) {
     if (height <= 0) {
         m_thumbnails.stop();
@@ -283,7 +283,7 @@ void Views::show_strip(const Lab& lab, int height) {
         m_thumbnails.update(m_home->viewer, executor, height, present_seconds());
 }
 
-// Whatever the panels show; in whole pixels where the picture has a size of its own.
+// Independent of the panels; the whole picture at the largest integer zoom that fits.
 void Views::draw_output(const Lab& lab, Extent extent) {
     if (extent.is_empty())
         return m_home->output.reset();
@@ -298,7 +298,7 @@ void Views::draw_output(const Lab& lab, Extent extent) {
                .options = {.encoding = encoding_of(executor.look(), shown)}});
 }
 
-// The look's own picture, however it is looked at.
+// Measures the look's own picture, independent of the display settings.
 void Views::count_flashes(const Lab& lab, const WindowState& window) {
     if (!window.shows_flashes || window.is_picture_only)
         return m_home->flash_meter.stop();
@@ -310,7 +310,7 @@ void Views::count_flashes(const Lab& lab, const WindowState& window) {
         present_seconds());
 }
 
-// All that is on the screen in its place, whatever it is compared with.
+// Applies the flash limiter to all displayed pictures.
 void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
     const double now = present_seconds();
     if (lab.is_moving() || !clamp.is_on)
@@ -342,7 +342,7 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
             {.encoding = encoding_of(executor.look(), shown), .is_over_checker = pass.has_alpha}};
 }
 
-// What the part is compared with; a picture from a file is no pass.
+// Updates the reference of the part. A picture from a file can only be compared with the picture.
 void Views::compare(const Lab& lab, const Part& part) {
     const Executor* variant = lab.renderer()->variant();
     const bool is_picture = part.pass == lab.picture_pass();
@@ -358,7 +358,7 @@ void Views::compare(const Lab& lab, const Part& part) {
                       lab.comparing().chosen(), present_seconds());
 }
 
-// The other picture goes over its side of ours.
+// Draws the reference over its side of the picture.
 void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
     const Extent size = window.views.picture;
     const int line =
@@ -368,7 +368,7 @@ void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
     draw_part(*m_compared.other(), m_home->picture, size, part);
 }
 
-// Its numbers are shown as they are: no light is meant by them.
+// Displays the values without conversion, because they are not light.
 void Views::draw_difference(const Lab& lab, Part part, const WindowState& window) {
     if (!m_compared.difference())
         return;
@@ -377,7 +377,7 @@ void Views::draw_difference(const Lab& lab, Part part, const WindowState& window
     draw_part(*m_compared.difference(), m_home->picture, window.views.picture, part);
 }
 
-// What a step changes, while somebody asks for it.
+// Draws the effect of a previewed step; false: no preview.
 bool Views::draw_step(const Lab& lab, const WindowState& window) {
     const gpu::Texture* step = lab.tryouts().probe().picture();
     if (!step || window.shows_pass_large)

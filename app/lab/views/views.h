@@ -16,59 +16,59 @@
 #include <optional>
 #include <vector>
 
-/// What the window shows of the open look, ready for the screen: the picture and the inspected pass
-/// as they lie in their views, a thumbnail of each pass, and the numbers under the pointer.
+/// The pictures of the open look for the window: picture and inspected texture in their views,
+/// thumbnails of all passes, and the probed values.
 class Views {
 public:
     static Result<Views> make();
 
-    /// Draws those that the window shows. To be called after Lab::update.
+    /// Draws the visible views. Call it after Lab::update().
     void update(const Lab& lab, const WindowState& window);
 
-    /// A texture as a toolkit takes it (row 0 at the bottom); 0: nothing to show yet.
+    /// A texture for ImGui, row 0 at the bottom; a handle of 0: not drawn yet.
     struct Image {
         std::uintptr_t handle = 0;
         Extent extent;
     };
     Image picture() const { return image_of(m_shown[0]); }
-    /// The other picture of two that are seen side by side; each has room_of_one() to itself.
+    /// The reference in a side-by-side comparison; both pictures have the size of room_of_one().
     Image beside() const { return image_of(m_shown[1]); }
-    /// How often the picture flashed within the last second; 0 while nobody wants to know.
+    /// Flashes within the last second; 0 while they are not measured.
     Flashes flashes() const { return m_home ? m_home->flash_meter.flashes() : Flashes{}; }
-    /// Whether what is shown changes yet for a while, though the lab rests.
+    /// Whether displays still change for a while although the lab is idle.
     bool is_settling() const;
-    /// What the two pictures of a comparison come to.
+    /// The pictures and measured differences of a comparison.
     const ComparedPictures& compared() const { return m_compared; }
-    /// What there is to show in picture(), as numbers without a person's clamp; empty when nothing.
-    /// Waits for the GPU.
+    /// The content of picture() in memory, without the flash limiter; empty: not drawn. Waits for
+    /// the GPU.
     Picture read_picture() const;
-    /// The picture as the output window shows it, its size; null: nothing.
+    /// The picture in the size of the output window; null: not drawn.
     const gpu::Texture* output() const { return m_shown[2]; }
     Image inspected() const { return m_home ? image_of(m_home->inspected) : Image{}; }
-    /// What the inspected target's numbers come to; none while the inspector is closed, or until
-    /// they have come.
+    /// The statistics of the inspected target; nullopt: the inspector is closed, or they are
+    /// pending.
     std::optional<Statistics> statistics() const {
         return m_home ? m_home->inspection.statistics() : std::nullopt;
     }
-    /// How they are spread between the inspector's levels; empty likewise.
+    /// The histogram between the inspector's levels; empty: as for statistics().
     Histogram histogram() const { return m_home ? m_home->inspection.histogram() : Histogram{}; }
-    /// What each pass has at the pinned points; nothing while they are not shown.
+    /// The values of all passes at the pins; empty while the pins are hidden.
     const Pins& pins() const { return m_pins; }
-    /// Numbers of single texels, and along a line; nothing where they are not shown.
+    /// Texel values and values along a line; empty while hidden.
     const CloserLook& closer() const { return m_closer; }
     Image thumbnail(std::size_t pass) const;
-    /// How loud a pass is; null: not known yet, or nobody asks.
+    /// The level of a pass; null: not measured.
     const Gain* gain(std::size_t pass) const { return m_home ? m_home->gains.gain(pass) : nullptr; }
-    /// A small picture of a pass, display values; none where there is no memory, or another look
-    /// is seen yet.
+    /// A display-encoded thumbnail of a pass; nullopt: no memory, or the views belong to another
+    /// look.
     std::optional<gpu::Texture> small_picture(const Lab& lab, int pass, Extent extent);
-    /// What is shown of the passes is not all from the present picture yet: it comes when update()
-    /// is called again, also while nothing moves.
+    /// Whether some views do not show the current picture yet. Calls of update() draw them, even
+    /// while paused.
     bool is_owing() const {
         return m_thumbnails.is_owing() || m_closer.is_owing() ||
                (m_home && m_home->gains.is_owing());
     }
-    /// The stored numbers of WindowState::probe's pixel.
+    /// The stored values of the pixel at WindowState::probe.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
 
 private:
@@ -84,9 +84,9 @@ private:
     bool fit(std::optional<gpu::Canvas>& canvas, Extent extent);
     struct Part {
         const gpu::Texture* texture = nullptr;  // never null
-        std::string name = {};                  // of what it holds
-        int pass = 0;  // of the look; below 0: it is no pass's present picture
-        Extent whole;  // px that it is seen as: of the picture, where it stands in its place
+        std::string name = {};                  // of the texture's content
+        int pass = 0;  // of the look; negative: not the current picture of a pass
+        Extent whole;  // displayed size in px; that of the picture if it replaces it
         PictureView view;
         ViewOptions options;
 
@@ -112,28 +112,28 @@ private:
     void move_to(const Programs& programs);
     void stop();
 
-    std::unique_ptr<HomeViews> m_home;  // of the look that is seen; null: none is
+    std::unique_ptr<HomeViews> m_home;  // of the displayed look; null: not created
     Pins m_pins;
     Thumbnails m_thumbnails;
-    bool m_is_first = true;        // nothing was shown yet
-    bool m_measures_gains = true;  // in this update; else small pictures are drawn
+    bool m_is_first = true;        // before the first update
+    bool m_measures_gains = true;  // alternates with thumbnails
     ComparedPictures m_compared;
     Comfort m_comfort;
     CloserLook m_closer;
-    std::optional<Part> m_inspected_part;  // of this update; none: nobody looks
+    std::optional<Part> m_inspected_part;  // of this update; nullopt: not visible
     std::array<const gpu::Texture*, 3>
-        m_shown{};  // picture, beside and output, or what stands for them
+        m_shown{};  // limited picture, beside and output; null: not drawn
     std::optional<std::array<float, 4>> m_probed;
 };
 
-/// How a target whose texels have this encoding is seen.
+/// The display options for a target with this encoding.
 ViewOptions options_for(const PassView& view, Encoding encoding);
 
-/// The texel of what is seen as the picture that lies at a place of it, px from the top left.
+/// The probed texel of the displayed pass at a position of the picture, px from the top left.
 Probe picture_probe(const Lab& lab, const std::array<double, 2>& place);
 
-/// The pass that is looked into: the last one where none is chosen, or one that is no more.
+/// The inspected pass; the last one if the chosen pass is empty or no longer exists.
 int inspected_pass(const Look& look, const WindowState& window);
 
-/// How the small view of the inspected pass lies: all of it while the large one is moved about in.
+/// The view of the inspector; fits everything while the large view is used for navigation.
 PictureView inspector_view(const WindowState& window);

@@ -95,7 +95,6 @@ void draw_table(const char* id, float keys_width, const Lines& lines) {
 // Sizes the area to its content, limited by the window height. Longer content scrolls.
 void draw_in_room(const char* id, const std::function<void()>& draw) {
     const float around = 5.0f * ImGui::GetFrameHeightWithSpacing();  // title, close button, padding
-                                                                     // paddings
     const float most = ImGui::GetIO().DisplaySize.y - around;
     float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id), most);
     {  // only for this child: popups above it keep their own padding
