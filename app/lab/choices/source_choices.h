@@ -6,7 +6,7 @@
 
 class Drive;
 
-/// The source with a pattern as its picture; fit and shape stay, prescale is reset.
+/// The source with a pattern as its picture; fit and shape stay, prescale becomes 1.
 SourceSpec with_pattern(SourceSpec source, const std::string& name);
 
 /// The source with one changed setting.

@@ -11,7 +11,7 @@
 #include <set>
 
 namespace {
-// Values that look the same in a short text get as many digits as needed to distinguish them.
+// Values with the same short text get as many digits as necessary to distinguish them.
 Change change_of(const Parameter& parameter, const Value& before, const Value& after) {
     constexpr int most_digits = 17;
     Change change{parameter.name, parameter.label, {}, {}, unit_text(parameter)};

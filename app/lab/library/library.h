@@ -24,8 +24,7 @@ struct PresetEntry {
     std::string name;  // file name without .json
     std::filesystem::path file;
     bool is_shipped = false;  // false: the user's
-    std::string id = {};  // unique within the look: the name, or "user:NAME" if a shipped preset
-                          // has the name
+    std::string id = {};      // unique within the look: name or "user:NAME"
 };
 
 /// The order of lists: the user's presets, then the shipped ones, each by displayed name.

@@ -40,7 +40,7 @@ private:
     Library m_library;
     std::optional<Content> m_content;
     std::string m_look_text;           // text of all its files
-    std::optional<Offline> m_offline;  // after m_viewer's destruction
+    std::optional<Offline> m_offline;  // owns the context; outlives m_viewer
     std::optional<Viewer> m_viewer;
     std::vector<std::filesystem::path> m_named;
     std::string m_stamp;

@@ -16,8 +16,7 @@ struct KeptSession {
     std::filesystem::path picture;  // a PNG; may not exist
     std::string look;               // its id, or "a+b"
     std::string preset;             // its name; "": the look's defaults
-    std::size_t changes = 0;        // number of changed values, signal or source, modulations and
-                                    // passes
+    std::size_t changes = 0;        // changed values, content, modulations and passes
     std::filesystem::file_time_type time;
 };
 

@@ -10,6 +10,6 @@
 std::optional<double> fitting_gain(const Comparison& comparison,
                                    const std::optional<Distances>& distances);
 
-/// Applies the requested fits when their measurement is available. Drops those that are no longer
-/// measured. Call it after Views::update().
+/// Applies the requested fits when their measurement is available. Drops those without a
+/// measurement. Call it after Views::update().
 void answer_pending_fits(const Views& views, Lab& lab, WindowState& window);

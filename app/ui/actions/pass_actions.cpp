@@ -21,7 +21,7 @@ bool is_large(const Scene& scene) {
     return scene.window.shows_pass_large;
 }
 
-// Skips passes that the current plan does not draw.
+// Skips idle passes, which the picture does not use at present.
 template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer()->executor();

@@ -51,7 +51,7 @@ public:
     void apply(Lab& lab, WindowState& window) const;
     const std::optional<std::string>& copied() const { return m_copied; }
     bool is_quitting() const { return m_is_quitting; }
-    /// Whether there are edits of the lab.
+    /// Whether any edit of the lab was added.
     bool has_verbs() const { return !m_lab.empty(); }
     const std::map<std::string, WidgetPlace>& places() const { return m_places; }
 

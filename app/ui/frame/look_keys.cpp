@@ -8,7 +8,7 @@
 #include <array>
 
 namespace {
-// Keys with different numbers in browsers, or in one range with such keys.
+// A range of keys and its first browser key code.
 struct KeyNumbers {
     int first;  // key code of the window
     int count;

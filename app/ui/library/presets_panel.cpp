@@ -124,7 +124,7 @@ void draw_image(const Views::Image& image, const ImVec2& low, const PresetCell& 
         texture_id(image.handle), at, {at.x + size.x, at.y + size.y}, {0.0f, 1.0f}, {1.0f, 0.0f});
 }
 
-// The reason why there is no picture, clipped to the cell.
+// The reason for a missing picture, clipped to the cell.
 void draw_why_none(const std::string& problem, const ImVec2& low, const PresetCell& cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = ImGui::GetFontSize() * 0.5f;

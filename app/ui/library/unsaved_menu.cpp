@@ -11,7 +11,7 @@
 #include <filesystem>
 
 namespace {
-// As the list of looks calls them: "Phosphor + CRT".
+// The name in the list of looks: "Phosphor + CRT".
 std::string look_name(const std::string& id, const Scene& scene) {
     const auto& looks = scene.shelf.looks();
     const auto found =

@@ -92,7 +92,7 @@ std::string range_text(const Parameter& parameter) {
     return range_text(facts);
 }
 
-// A colour control shows display values, so the text says "linear light".
+// The control of a colour shows display values. This text therefore adds "linear light".
 std::string told_value(const Parameter& parameter, const Value& value) {
     const std::string text = short_value(parameter, value);
     return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;

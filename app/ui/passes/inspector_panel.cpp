@@ -92,7 +92,7 @@ void draw_levels(const InspectedTexture& inspected, int count, float width, Edit
     edits.mark("inspector_level");
 }
 
-// Choices of picture, frame and mip level, each only if there are several.
+// Choices of picture, frame and mip level. A choice with only one entry is omitted.
 void draw_choices(const InspectedTexture& inspected, float width, const Scene& scene,
                   Edits& edits) {
     const int frames = frame_count(scene.lab.renderer()->executor(), inspected.choice);

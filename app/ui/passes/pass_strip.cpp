@@ -80,7 +80,7 @@ void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, con
 }
 
 // Each level of a pyramid shows its part of the picture. Together they form one picture with
-// changing resolution. If there is more room, the parts overlap.
+// changing resolution. In a wider strip the parts overlap.
 void draw_block(const StripBlock& block, const Scene& scene, float image_height, Edits& edits) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = block.width_of_one();

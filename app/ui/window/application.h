@@ -9,8 +9,7 @@
 
 /// The options for the start of the window.
 struct WindowOptions {
-    std::optional<std::string> look;  // folder, name or preset; nullopt: last session, else
-                                      // Phosphor
+    std::optional<std::string> look;  // name, folder or preset; nullopt: session, else Phosphor
     Roots roots;
     /// Kept up to date with the displayed state, for tests; "": not written.
     std::filesystem::path state_file;
