@@ -1,4 +1,4 @@
-// Looks that accumulate, as a person meets them in the window.
+// Accumulating looks in the window.
 #include "lab/small_lab.h"
 
 namespace {
@@ -31,7 +31,7 @@ public:
 };
 }  // namespace
 
-TEST_CASE("with enough samples nothing is drawn any more, and time rests") {
+TEST_CASE("after the last sample nothing is drawn and the frame number stays") {
     Accumulating small;
     CHECK(small.shown() == 6);
     CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
@@ -41,7 +41,7 @@ TEST_CASE("with enough samples nothing is drawn any more, and time rests") {
     CHECK(small.held() == 6);
 }
 
-TEST_CASE("a knob behind the samples shows at once and keeps them") {
+TEST_CASE("a parameter of a later pass is drawn at once and keeps the samples") {
     Accumulating small;
     small.set("gain", 2.0);
     small.turn(1);
@@ -49,10 +49,10 @@ TEST_CASE("a knob behind the samples shows at once and keeps them") {
     CHECK(small.held() == 6);
 }
 
-TEST_CASE("a knob, the camera, a size and an edit begin anew") {
+TEST_CASE("changes to the accumulated picture restart the samples") {
     Accumulating small;
     float shown = 6;
-    SUBCASE("a knob") {
+    SUBCASE("a parameter") {
         small.set("step_size", 2.0);
         shown = 12;
     }
@@ -80,13 +80,13 @@ TEST_CASE("a knob, the camera, a size and an edit begin anew") {
     CHECK(small.shown() == shown);
 }
 
-TEST_CASE("an edited shader begins anew") {
+TEST_CASE("an edited shader restarts the samples") {
     Accumulating small;
     small.write_by_rename("sum.frag", replaced(sum, "vec4(step_size", "vec4(3.0 * step_size"));
     CHECK(small.turn_until([&] { return small.lab().has_converged() && small.shown() == 18; }));
 }
 
-TEST_CASE("while paused the samples are drawn again, as many as there were") {
+TEST_CASE("a change while paused draws the same number of samples again") {
     Accumulating small;
     small.lab().transport().pause();
     small.set("step_size", 2.0);

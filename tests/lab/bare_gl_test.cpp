@@ -1,4 +1,4 @@
-// What fragment shaders alone draw.
+// Output of single fragment shaders.
 #include "io/temporary_folder.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-// At the middle of the right texel of a picture of 2 x 1 px, after so many frames.
+// The middle of the right texel of a 2 x 1 px picture after `frames` frames.
 std::array<float, 4> bare_texel(const std::string& text, int frames) {
     const TemporaryFolder folder;
     RenderRequest request;
@@ -26,7 +26,7 @@ std::array<float, 4> bare_texel(const std::string& text, int frames) {
 }
 }  // namespace
 
-TEST_CASE("inputs that are numbered get what their names say") {
+TEST_CASE("inputs with explicit locations get values by name") {
     const auto seen = bare_texel(
         "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) in vec4 tint;\n"
         "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(uv, tint.b, 1.0); }\n",
@@ -36,7 +36,7 @@ TEST_CASE("inputs that are numbered get what their names say") {
     CHECK(seen[2] == 1.0f);
 }
 
-TEST_CASE("members of a block and of an array get it as well") {
+TEST_CASE("members of blocks and arrays get values by name") {
     const auto seen = bare_texel(
         "#version 330\nin VS_OUT { vec2 uv; vec3 normal; } fs_in;\nin vec2 taps[3];\nout vec4 o;\n"
         "void main() { o = vec4(fs_in.uv.x, fs_in.normal.z, taps[2].x, 1.0); }\n",
@@ -46,8 +46,7 @@ TEST_CASE("members of a block and of an array get it as well") {
     CHECK(seen[2] == doctest::Approx(0.75).epsilon(0.01));
 }
 
-TEST_CASE(
-    "a double buffer of glslViewer's adds up, a buffer begins anew, dates count months from 0") {
+TEST_CASE("glslViewer double buffers accumulate, buffers start empty, and months count from 0") {
     const auto seen = bare_texel(
         "uniform vec4 u_date;\nuniform sampler2D u_buffer0;\nuniform sampler2D u_doubleBuffer0;\n"
         "void main() {\n"

@@ -1,4 +1,5 @@
-// Numbers in the texts of a look that a person turns: programs are made anew beside the picture.
+// Annotated constants in the texts of a look: a changed value rebuilds the programs in the
+// background.
 #include "formats/settings/session_format.h"
 #include "lab/offline/offline.h"
 #include "lab/session.h"
@@ -12,7 +13,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Its red is LEVEL, or a half more where UP says so.
+// The red channel is LEVEL + more.
 constexpr const char* text =
     "#define LEVEL 0.25  // @range 0 1\n"
     "#define SIZE 1      // @range 0 4\n"
@@ -23,7 +24,7 @@ constexpr const char* text =
     "    c = vec4(kept[0], 0.0, 0.0, 1.0);\n"
     "}\n";
 
-/// A lab on one shader of Shadertoy.
+/// A lab with one Shadertoy shader.
 class ConstantLab : public SmallLab {
 public:
     ConstantLab() {
@@ -43,7 +44,7 @@ public:
         return static_cast<double>(gpu::read_pixel(executor.target(0), 3, 3)[0]);
     }
     double red() { return red(lab().renderer()->executor()); }
-    // Of 8 bits.
+    // To 8-bit precision.
     bool is_at(double level) {
         return document().look().id == "a.glsl" && std::abs(red() - level) < 0.003;
     }
@@ -68,7 +69,7 @@ double rendered_red(RenderRequest request) {
 }
 }  // namespace
 
-TEST_CASE("a constant that is turned shows at once, and undo, reset and a reload keep to it") {
+TEST_CASE("constants follow changes, undo, redo, reset and a reload of the file") {
     ConstantLab small;
     small.set("LEVEL", 0.75);
     CHECK(small.becomes(0.75));
@@ -78,7 +79,7 @@ TEST_CASE("a constant that is turned shows at once, and undo, reset and a reload
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.becomes(0.75));
 
-    // An edit of the file changes what is written elsewhere; the value stays.
+    // The edit changes other text of the file; the value stays.
     REQUIRE(write_atomically(small.file(), replaced(text, "LEVEL + more", "LEVEL - 0.5 + more"))
                 .has_value());
     CHECK(small.becomes(0.25));
@@ -88,11 +89,11 @@ TEST_CASE("a constant that is turned shows at once, and undo, reset and a reload
     }));
 }
 
-TEST_CASE("while a hand turns a constant pictures of values on the way are seen, then the last") {
+TEST_CASE("dragging a constant shows intermediate values in order, then the last one") {
     ConstantLab small;
     std::vector<double> seen;
     double value = 0.3;
-    // As a hand would: another value in each turn, whether or not the one before is there.
+    // Like a drag: a new value in each update, whether or not the previous one is compiled.
     REQUIRE(small.turn_until([&] {
         value = std::min(value + 0.0005, 1.0);
         small.set("LEVEL", value, true);
@@ -108,7 +109,7 @@ TEST_CASE("while a hand turns a constant pictures of values on the way are seen,
     CHECK_FALSE(small.lab().loader().opening().has_value());
 }
 
-TEST_CASE("a value that does not compile is told at the author's line, and the picture goes on") {
+TEST_CASE("a value that does not compile is reported at its line, and the picture stays") {
     ConstantLab small;
     small.set("SIZE", 0.0);
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
@@ -123,7 +124,7 @@ TEST_CASE("a value that does not compile is told at the author's line, and the p
     CHECK(small.becomes(0.5));
 }
 
-TEST_CASE("a paused picture follows a constant") {
+TEST_CASE("a changed constant is drawn while paused") {
     ConstantLab small;
     small.lab().transport().pause();
     small.turn(3);
@@ -132,7 +133,7 @@ TEST_CASE("a paused picture follows a constant") {
     CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
 }
 
-TEST_CASE("a constant cannot move by itself, and says why") {
+TEST_CASE("a constant cannot be modulated, and the reason is reported") {
     ConstantLab small;
     const Look& look = small.document().look();
     CHECK(why_unmodulated(look, *find_parameter(look, "more")).empty());
@@ -140,7 +141,7 @@ TEST_CASE("a constant cannot move by itself, and says why") {
           "'LEVEL' can't be modulated: changing it recompiles the look");
 }
 
-TEST_CASE("what is compared has its own constants") {
+TEST_CASE("each side of a comparison has its own constants") {
     ConstantLab small;
     small.lab().keep_in_slot(0);
     small.set("LEVEL", 0.75);
@@ -165,7 +166,7 @@ TEST_CASE("what is compared has its own constants") {
     CHECK(other_is(0.25));
 }
 
-TEST_CASE("a session opens with the constants that it was left with") {
+TEST_CASE("a session restores changed constants") {
     ConstantLab small;
     small.set("LEVEL", 0.75);
     REQUIRE(small.becomes(0.75));
@@ -178,7 +179,7 @@ TEST_CASE("a session opens with the constants that it was left with") {
     CHECK(small.becomes(0.75));
 }
 
-TEST_CASE("a drawing without a window has the constants that are set, and follows other ones") {
+TEST_CASE("offline rendering uses constants from values and from automation") {
     const TemporaryFolder folder;
     const std::string look = folder.write("a.glsl", text).string();
     CHECK(std::abs(rendered_red({.look = look}) - 0.25) < 0.003);

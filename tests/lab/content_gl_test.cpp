@@ -1,4 +1,4 @@
-// The user's signal or source through presets, looks, reloads and sessions.
+// The user's signal or source across presets, looks, reloads and sessions.
 #include "io/pictures/picture_file.h"
 #include "io/sound/sound_save.h"
 #include "lab/session.h"
@@ -20,7 +20,7 @@ std::string look_driven_by(const std::string& drive) {
 })";
 }
 
-// A lab with a look that a signal drives, one of the same kind and one that processes a picture.
+// A lab with two looks driven by a signal and one driven by a picture.
 class ContentLab : public SmallLab {
 public:
     ContentLab() : SmallLab(beam) {
@@ -80,7 +80,7 @@ std::vector<std::string> offers(Lab& lab) {
 }
 }  // namespace
 
-TEST_CASE("of presets opened one after the other the notice says once what was kept") {
+TEST_CASE("each opened preset reports the kept content once") {
     ContentLab small;
     small.open_song();
     for (int i = 0; i < 2; ++i) {
@@ -91,7 +91,7 @@ TEST_CASE("of presets opened one after the other the notice says once what was k
     }
 }
 
-TEST_CASE("a preset opens with the user's sound, says so and offers its own signal") {
+TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal") {
     ContentLab small;
     small.open_song();
     small.open_and_wait(small.preset_file("small", "wave").string());
@@ -114,7 +114,7 @@ TEST_CASE("a preset opens with the user's sound, says so and offers its own sign
     CHECK(small.document().preset_name() == "wave");
 }
 
-TEST_CASE("the offer of a preset's signal goes by like any notice") {
+TEST_CASE("the offer of a preset's signal disappears like any notice") {
     ContentLab small;
     small.open_song();
     small.open_and_wait(small.preset_file("small", "wave").string());
@@ -122,7 +122,7 @@ TEST_CASE("the offer of a preset's signal goes by like any notice") {
     CHECK_FALSE(small.lab().messages().notice().has_value());
 }
 
-TEST_CASE("a preset that is opened with its own signal replaces the user's sound") {
+TEST_CASE("a preset opened with its own signal replaces the user's sound") {
     ContentLab small;
     small.open_song();
     small.lab().open_with_content(small.preset_file("small", "wave").string());
@@ -132,7 +132,7 @@ TEST_CASE("a preset that is opened with its own signal replaces the user's sound
     CHECK_FALSE(small.document().is_content_locked());
 }
 
-TEST_CASE("a morph and its end leave the user's sound playing") {
+TEST_CASE("the user's sound keeps playing through a morph and its end") {
     ContentLab small;
     small.open_song();
     small.lab().morph_to(small.preset_file("small", "wave"), 0.1);
@@ -143,7 +143,7 @@ TEST_CASE("a morph and its end leave the user's sound playing") {
     CHECK(small.lab().messages().notice()->text == "Morphed to \"wave\" · Kept song.wav");
 }
 
-TEST_CASE("another look of the same kind plays the user's sound, one of the other kind keeps it") {
+TEST_CASE("user content plays in looks of its kind and is stored during other looks") {
     ContentLab small;
     small.open_song();
     small.open_and_wait("other");
@@ -163,7 +163,7 @@ TEST_CASE("another look of the same kind plays the user's sound, one of the othe
     CHECK(offers(small.lab()) == std::vector<std::string>{"Use the preset's source"});
 }
 
-TEST_CASE("with an open lock another look brings its own signal") {
+TEST_CASE("without the lock another look brings its own signal") {
     ContentLab small;
     small.open_song();
     small.lab().edit([](Document& document) { document.lock_content(false); });
@@ -171,7 +171,7 @@ TEST_CASE("with an open lock another look brings its own signal") {
     CHECK(small.document().state().signal.kind == "lissajous");
 }
 
-TEST_CASE("a generator that the user locks stays") {
+TEST_CASE("a locked generator stays when a preset is opened") {
     ContentLab small;
     small.lab().edit([](Document& document) {
         document.set_signal(Spec{"harmonics", {}});
@@ -207,7 +207,7 @@ TEST_CASE("a preset that changes on disk keeps the user's sound") {
     CHECK(small.document().saved().signal.kind == "harmonics");
 }
 
-TEST_CASE("a session brings the user's sound, its lock and the way back") {
+TEST_CASE("a session restores the user's sound, its lock and the undo history") {
     ContentLab small;
     small.open_song();
     small.open_and_wait(small.preset_file("small", "wave").string());
@@ -226,7 +226,7 @@ TEST_CASE("a session brings the user's sound, its lock and the way back") {
     CHECK(small.document().state().signal.kind == "lissajous");
 }
 
-TEST_CASE("a start with another look plays the sound that the last session locked") {
+TEST_CASE("a start with another look plays the sound locked in the last session") {
     ContentLab small;
     small.open_song();
     const Session session = session_of(small.lab(), {});

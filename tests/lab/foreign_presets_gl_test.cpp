@@ -1,4 +1,4 @@
-// Presets of looks that are another program's, or lie outside the library.
+// Presets of looks from other programs or outside the library.
 #include "lab/library/shelf.h"
 #include "lab/small_lab.h"
 
@@ -9,7 +9,7 @@ out vec4 color;
 void main() { color = vec4(LEVEL); }
 )";
 
-/// A lab that has opened a shader from a folder that the library knows nothing of.
+/// A lab with an open shader from a folder outside the library.
 class LabElsewhere : public SmallLab {
 public:
     LabElsewhere() {
@@ -38,7 +38,7 @@ std::vector<std::string> presets_of(const ShelfLook& look) {
 }
 }  // namespace
 
-TEST_CASE("an open look that the library does not have is listed behind all others") {
+TEST_CASE("an open look outside the library is listed last") {
     LabElsewhere elsewhere;
     elsewhere.set_level(0.75);
     elsewhere.lab().presets().save_as("Lighter");
@@ -55,12 +55,12 @@ TEST_CASE("an open look that the library does not have is listed behind all othe
     CHECK(shelf.looks()[1].argument() == argument_of(open));
 }
 
-TEST_CASE("a preset of another program's look opens, and so does the look as it is") {
+TEST_CASE("a preset of a look from another program opens, and so do its defaults") {
     LabElsewhere elsewhere;
     elsewhere.set_level(0.75);
     elsewhere.lab().presets().save_as("Lighter");
     REQUIRE(elsewhere.is_open("Lighter"));
-    elsewhere.lab().step_preset(1);  // from the last to the look as it is
+    elsewhere.lab().step_preset(1);  // from the last preset to the look's defaults
     CHECK(elsewhere.turn_until([&] { return elsewhere.is_open(""); }));
     CHECK(elsewhere.level() == 0.25);
     elsewhere.lab().step_preset(1);

@@ -11,7 +11,7 @@ PassTimes times_of(const std::vector<std::vector<double>>& frames) {
 }
 }  // namespace
 
-TEST_CASE("a pass that takes more than a second in each of the last four frames is heavy") {
+TEST_CASE("a pass above one second in each of the last four frames is heavy") {
     const std::vector<double> light{20.0, 1000.0};
     const std::vector<double> heavy{20.0, 1001.0};
     CHECK_FALSE(heavy_pass({}).has_value());
@@ -21,7 +21,7 @@ TEST_CASE("a pass that takes more than a second in each of the last four frames 
     CHECK_FALSE(heavy_pass(times_of({heavy, heavy, heavy, heavy, light})).has_value());
 }
 
-TEST_CASE("a time that cannot be is passed over") {
+TEST_CASE("an impossible time is ignored") {
     const std::vector<double> wild{5e6};
     CHECK_FALSE(heavy_pass(times_of({wild, wild, wild, wild})).has_value());
 }
@@ -59,7 +59,7 @@ void take(const Choice& choice, Lab& lab) {
 }
 }  // namespace
 
-TEST_CASE("a heavy pass that reads a picture may be bypassed, and the picture halved down to 1/4") {
+TEST_CASE("a heavy pass with an input can be bypassed, and the size halved down to 1/4") {
     const std::vector<std::string> both{"Bypass glow", "Halve render size"};
     CHECK(names_of(heavy_pass_choices(glow_of_source(), {})) == both);
     CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.5))) == both);
@@ -69,7 +69,7 @@ TEST_CASE("a heavy pass that reads a picture may be bypassed, and the picture ha
           std::vector<std::string>{"Halve render size"});
 }
 
-TEST_CASE("what may be done about a heavy pass does what the strip and the menu do") {
+TEST_CASE("choices for a heavy pass act like the strip and the menu") {
     SmallLab small;
     const ChoiceList list =
         heavy_pass_choices(small.document().look().passes[1], small.lab().size().chosen());

@@ -1,4 +1,4 @@
-// What ISF shaders draw, rule by rule.
+// Output of ISF shaders, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/document/sharing.h"
@@ -13,7 +13,7 @@
 namespace {
 const std::string float_picture = R"("PASSES": [{"FLOAT": true}])";
 
-/// Draws a.fs of a header's members and GLSL behind it.
+/// Draws a.fs, made of the members of its header and GLSL code.
 class DrawnIsf {
 public:
     DrawnIsf(const std::string& members, const std::string& code) {
@@ -46,7 +46,7 @@ public:
         CHECK(to_string(offline.take_problems()) == "");
         return picture;
     }
-    /// The first frame, saved as a PNG and read again.
+    /// The first frame, saved as a PNG and loaded again.
     Picture saved() const {
         Offline offline = opened();
         Roots roots;
@@ -56,7 +56,7 @@ public:
                                          RecentMedia(roots)));
         return load_picture(file).value();
     }
-    /// The frame of that number of a sequence of two.
+    /// Frame `number` of an exported sequence of two.
     Picture exported(int number) const {
         Offline offline = opened();
         const auto go_on = [](std::int64_t) { return true; };
@@ -95,7 +95,7 @@ Picture isf_source() {
 }
 }  // namespace
 
-TEST_CASE("an ISF shader is told its time, size and frame") {
+TEST_CASE("an ISF shader gets its time, size and frame number") {
     const DrawnIsf drawn(float_picture,
                          "void main() { gl_FragColor = vec4(TIME, TIMEDELTA, FRAMEINDEX, "
                          "RENDERSIZE.x * 100.0 + RENDERSIZE.y); }\n");
@@ -103,12 +103,12 @@ TEST_CASE("an ISF shader is told its time, size and frame") {
     check_near(texel(drawn.after(31), 0, 0), {0.5, 1.0 / 60.0, 30.0, 804.0});
 }
 
-TEST_CASE("the date of what is drawn to a file is always the same") {
+TEST_CASE("DATE is constant when rendering to a file") {
     const DrawnIsf drawn(float_picture, "void main() { gl_FragColor = DATE; }\n");
     check_near(texel(drawn.after(60), 0, 0), {2000.0, 1.0, 1.0, 1.0});
 }
 
-TEST_CASE("each pass has its number and the size of its own target") {
+TEST_CASE("each pass has its index and the size of its own target") {
     const DrawnIsf drawn(
         R"("PASSES": [{"TARGET": "a", "WIDTH": 3, "HEIGHT": "$HEIGHT/2", "FLOAT": 1}, {"FLOAT": true}])",
         "void main() {\n"
@@ -117,7 +117,7 @@ TEST_CASE("each pass has its number and the size of its own target") {
     check_near(texel(drawn.after(1), 7, 3), {3.0, 2.0, 3.0, 2.0});
 }
 
-TEST_CASE("a persistent target is what the frame before left, any other is drawn anew") {
+TEST_CASE("a persistent target keeps its previous frame, and others start empty") {
     const std::string code =
         "void main() {\n"
         "  if (PASSINDEX == 0) gl_FragColor = IMG_THIS_PIXEL(count) + vec4(1);\n"
@@ -131,14 +131,14 @@ TEST_CASE("a persistent target is what the frame before left, any other is drawn
     check_near(texel(fresh.after(7), 3, 2), {1.0, 1.0, 1.0, 1.0});
 }
 
-TEST_CASE("a last pass with a target is the picture and what the next frame reads") {
+TEST_CASE("a last pass with a target is the picture and the input of the next frame") {
     const DrawnIsf drawn(R"("PASSES": [{"TARGET": "all", "PERSISTENT": true, "FLOAT": true}])",
                          "void main() { gl_FragColor = IMG_THIS_PIXEL(all) + vec4(0.5); }\n");
     check_near(texel(drawn.after(4), 0, 0), {2.0, 2.0, 2.0, 2.0});
 }
 
-TEST_CASE("a target that two passes write is what the later made of the earlier") {
-    // Each frame doubles what there was and adds one, twice.
+TEST_CASE("two passes write the same target in sequence") {
+    // Each frame computes 2 x + 1 twice.
     const DrawnIsf drawn(
         R"("PASSES": [{"TARGET": "t", "PERSISTENT": true, "FLOAT": true}, {"TARGET": "t"},
                       {"FLOAT": true}])",
@@ -149,20 +149,20 @@ TEST_CASE("a target that two passes write is what the later made of the earlier"
     check_near(texel(drawn.after(3), 0, 0), {63.0, 63.0, 63.0, 63.0});
 }
 
-TEST_CASE("a last pass with a size fills the whole picture, linearly filtered") {
+TEST_CASE("a last pass with a size fills the whole picture with linear filtering") {
     const DrawnIsf drawn(R"("PASSES": [{"WIDTH": 2, "HEIGHT": 1, "FLOAT": true}])",
                          "void main() { gl_FragColor = vec4(RENDERSIZE, floor(gl_FragCoord.x), "
                          "1.0); }\n");
     const Picture picture = drawn.after(1);
     REQUIRE(picture.extent == Extent{8, 4});
-    // Eight columns over two texels whose centres lie at 2 and 6: 0 and 1 outside of them, by
-    // quarters between.
+    // Eight columns over two texels with centres at 2 and 6: 0 and 1 outside of them, steps of a
+    // quarter between.
     const std::vector<double> across{0.0, 0.0, 0.125, 0.375, 0.625, 0.875, 1.0, 1.0};
     for (int x = 0; x < 8; ++x)
         check_near(texel(picture, x, 2), {2.0, 1.0, across[static_cast<std::size_t>(x)], 1.0});
 }
 
-TEST_CASE("coordinates begin at the bottom left") {
+TEST_CASE("coordinates start at the bottom left") {
     const DrawnIsf drawn(
         float_picture,
         "void main() { gl_FragColor = vec4(isf_FragNormCoord, gl_FragCoord.xy); }\n");
@@ -170,7 +170,7 @@ TEST_CASE("coordinates begin at the bottom left") {
     check_near(texel(drawn.after(1), 7, 0), {7.5 / 8.0, 3.5 / 4.0, 7.5, 3.5});
 }
 
-TEST_CASE("every way to read the source of a filter gives its texels upright") {
+TEST_CASE("every way to read the source of a filter returns its texels upright") {
     for (const char* read :
          {"IMG_THIS_PIXEL(inputImage)", "IMG_THIS_NORM_PIXEL(inputImage)",
           "IMG_PIXEL(inputImage, gl_FragCoord.xy)", "IMG_PIXEL(inputImage, gl_FragCoord.xy, 0.0)",
@@ -197,14 +197,14 @@ TEST_CASE("a transition goes from the source to another picture") {
     drawn.set_source({{1, 1}, 4, Encoding::display, {0.2f, 0.4f, 0.6f, 1.0f}});
     CHECK(texel(drawn.after(1), 4, 1)[0] == doctest::Approx(0.2).epsilon(1e-3));
     drawn.request().values = {{"progress", "1"}};
-    // The upper left of SMPTE's bars is grey of 75 %.
+    // The top left bar of SMPTE is 75 % grey.
     const auto bar = texel(drawn.after(1), 0, 0);
     CHECK(bar[0] == doctest::Approx(0.75).epsilon(0.01));
     CHECK(bar[1] == bar[0]);
     CHECK(bar[2] == bar[0]);
 }
 
-TEST_CASE("inputs reach the shader as the header says them") {
+TEST_CASE("inputs have the values that the header defines") {
     DrawnIsf drawn(
         float_picture + R"(, "INPUTS": [
         {"NAME": "tint", "TYPE": "color", "DEFAULT": [0.5, 0.25, 1.0, 0.75]},
@@ -220,7 +220,7 @@ TEST_CASE("inputs reach the shader as the header says them") {
     check_near(texel(drawn.after(1), 0, 0), {-3.0, 40.0, 3.0, 0.0});
 }
 
-TEST_CASE("what older compilers took is drawn: a whole number returned as a float, own functions") {
+TEST_CASE("code for older compilers draws: an int returned as float, own noise functions") {
     DrawnIsf drawn(float_picture,
                    "float one() { return 1; }\nfloat noise1(float sample) { return sample; }\n"
                    "void main() { gl_FragColor = vec4(one(), noise1(0.5), 0, 1); }\n");
@@ -228,7 +228,7 @@ TEST_CASE("what older compilers took is drawn: a whole number returned as a floa
     check_near(texel(drawn.after(1), 0, 0), {1.0, 0.5, 0.0, 1.0});
 }
 
-TEST_CASE("an event is on in the first frame of a file only") {
+TEST_CASE("an event is on only in the first frame of a file") {
     DrawnIsf drawn(
         R"("INPUTS": [{"NAME": "hit", "TYPE": "event"}],
            "PASSES": [{"TARGET": "hits", "PERSISTENT": true, "FLOAT": true}])",
@@ -238,7 +238,7 @@ TEST_CASE("an event is on in the first frame of a file only") {
     CHECK(texel(drawn.after(5), 0, 0)[0] == 1.0f);
 }
 
-TEST_CASE("a vertex shader of the author's own moves the picture and hands values on") {
+TEST_CASE("a custom vertex shader moves the picture and writes varyings") {
     DrawnIsf drawn(float_picture,
                    "in vec2 turned;\nvoid main() { gl_FragColor = vec4(turned, 0, 1); }\n");
     drawn.write(
@@ -247,17 +247,17 @@ TEST_CASE("a vertex shader of the author's own moves the picture and hands value
         "  turned = isf_FragNormCoord.yx;\n  gl_Position.x = gl_Position.x * 0.5 - 0.5;\n}\n");
     const Picture picture = drawn.after(1);
     check_near(texel(picture, 0, 3), {0.5 / 4.0, 0.5 / 4.0, 0.0, 1.0});
-    check_near(texel(picture, 4, 3), {0.0, 0.0, 0.0, 0.0});  // the right half is left empty
+    check_near(texel(picture, 4, 3), {0.0, 0.0, 0.0, 0.0});  // the right half stays empty
 }
 
-TEST_CASE("a shader that listens reads the sound of the signal") {
+TEST_CASE("a shader with audio inputs reads the sound of the signal") {
     DrawnIsf drawn(float_picture +
                        R"(, "INPUTS": [{"NAME": "wave", "TYPE": "audio", "MAX": 16},
                                        {"NAME": "tones", "TYPE": "audioFFT", "MAX": 1024}])",
                    "void main() { gl_FragColor = vec4(IMG_PIXEL(wave, vec2(5.5, 0.5)).r, "
                    "IMG_PIXEL(wave, vec2(5.5, 1.5)).r, IMG_SIZE(tones).x, "
                    "IMG_PIXEL(tones, vec2(32.5, 0.5)).g); }\n");
-    // 12.5 swings in 1/60 s are 750 Hz, the 32nd bin of 2048 samples at 48 kHz.
+    // 12.5 cycles in 1/60 s are 750 Hz, bin 32 of 2048 samples at 48 kHz.
     drawn.request().signal = "lissajous:x=12.5,y=12.5,phase=0.25,amplitude=0.5";
     const auto heard = texel(drawn.after(60), 0, 0);
     const double left = 2.0 * heard[0] - 1.0;
@@ -267,7 +267,7 @@ TEST_CASE("a shader that listens reads the sound of the signal") {
     CHECK(heard[3] == doctest::Approx(0.5).epsilon(1e-2));
 }
 
-TEST_CASE("an ISF cube is read by direction: a sky at first, then the faces that are chosen") {
+TEST_CASE("a cube is read by direction: a sky by default, then the chosen faces") {
     DrawnIsf drawn(R"("INPUTS": [{"NAME": "room", "TYPE": "cube"}], )" + float_picture,
                    "void main() {\n"
                    "    float up = textureCube(room, vec3(0.1, 1.0, 0.1)).b;\n"
@@ -276,7 +276,7 @@ TEST_CASE("an ISF cube is read by direction: a sky at first, then the faces that
                    "}\n");
     const std::vector<float> sky = texel(drawn.after(1), 0, 0);
     CHECK(sky[0] > sky[1] + 0.2f);
-    // +x -x +y -y +z -z, one below the other, in fifths, which bytes hold exactly.
+    // +x -x +y -y +z -z from top to bottom, in fifths, which bytes store exactly.
     const Picture faces{{1, 6}, 1, Encoding::display, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}};
     const TemporaryFolder folder;
     REQUIRE(save_picture(faces, folder / "faces.png").has_value());
@@ -284,7 +284,7 @@ TEST_CASE("an ISF cube is read by direction: a sky at first, then the faces that
     check_near(texel(drawn.after(1), 0, 0), {0.4, 0.6, 0.0, 1.0});
 }
 
-TEST_CASE("a picture of a shader that is transparent is saved with its alpha, colours unchanged") {
+TEST_CASE("a transparent picture is saved with its alpha and unchanged colours") {
     const DrawnIsf half("", "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 0.4); }\n");
     check_near(texel(half.saved(), 3, 2), {1.0, 0.6, 0.2, 0.4});
     const DrawnIsf empty("", "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 0.0); }\n");
@@ -293,7 +293,7 @@ TEST_CASE("a picture of a shader that is transparent is saved with its alpha, co
     check_near(texel(opaque.saved(), 3, 2), {1.0, 0.6, 0.2});
 }
 
-TEST_CASE("all pictures of a sequence have alpha, also those that are opaque") {
+TEST_CASE("all pictures of a sequence have alpha, including opaque ones") {
     const DrawnIsf drawn("",
                          "void main() { gl_FragColor = vec4(1.0, 0.6, 0.2, 1.0 - 0.4 * "
                          "float(FRAMEINDEX)); }\n");

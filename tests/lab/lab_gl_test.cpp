@@ -1,14 +1,14 @@
 #include "lab/choices/looking_choices.h"
 #include "lab/small_lab.h"
 
-TEST_CASE("an open look counts every frame of the clock") {
+TEST_CASE("an open look draws every frame of the clock") {
     SmallLab small;
     CHECK(small.shown() == small.frames());
     small.turn(5);
     CHECK(small.shown() == small.frames());
 }
 
-TEST_CASE("an edited shader shows, and values, clock and history survive") {
+TEST_CASE("an edited shader is drawn, and values, clock and history stay") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
     small.turn(1);
@@ -25,13 +25,13 @@ TEST_CASE("an edited shader shows, and values, clock and history survive") {
     CHECK(small.lab().messages().problems().empty());
 }
 
-TEST_CASE("an edited include shows") {
+TEST_CASE("an edited include is drawn") {
     SmallLab small;
     small.write_by_rename("gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
     CHECK(small.turn_until([&] { return small.shown() == 3 * small.frames(); }));
 }
 
-TEST_CASE("a pass that is added shows, and the others keep their history") {
+TEST_CASE("an added pass is drawn, and other passes keep their history") {
     SmallLab small;
     const std::string third = replaced(small_look::manifest, R"("inputs": { "image": "sum" } })",
                                        R"("inputs": { "image": "sum" } },
@@ -42,8 +42,7 @@ TEST_CASE("a pass that is added shows, and the others keep their history") {
     CHECK(small.shown() == small.frames());
 }
 
-TEST_CASE(
-    "a mistake keeps the last good picture and names file, line and source; mending clears it") {
+TEST_CASE("an error has file, line and source, keeps the last picture and can be fixed") {
     SmallLab small;
     small.write_by_rename("show.frag", replaced(small_look::show, "* gain", "* gian"));
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
@@ -58,7 +57,7 @@ TEST_CASE(
     CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
 }
 
-TEST_CASE("the picture's size is chosen apart from its view, from a quarter to twice") {
+TEST_CASE("the render size is a fixed size or 1/4 to 2 times the view") {
     SmallLab small;
     small.lab().size().set_view({40, 20});
     const auto drawn_at = [&small](const PictureSize& size) {
@@ -73,7 +72,7 @@ TEST_CASE("the picture's size is chosen apart from its view, from a quarter to t
     CHECK(drawn_at({false, {30, 10}, 0.5}) == Extent{15, 5});
 }
 
-TEST_CASE("the size is chosen once, from the view that has been as large for half a second") {
+TEST_CASE("the render size is chosen once, when the view keeps its size for half a second") {
     SmallLab small;
     small.lab().size().choose({});
     small.lab().size().set_view({40, 20});
@@ -98,7 +97,7 @@ TEST_CASE("the size is chosen once, from the view that has been as large for hal
     CHECK(small.lab().size().extent() == Extent{50, 50});
 }
 
-TEST_CASE("the output window offers its display's size to a picture of another fixed size") {
+TEST_CASE("the output window offers its display's size if the fixed render size differs") {
     SmallLab small;  // of 8 x 8 px
     small.lab().size().set_view({40, 20});
     offer_display_size(small.lab(), {8, 8});
@@ -129,7 +128,7 @@ TEST_CASE("a uniform renamed with @was keeps its value") {
     CHECK(small.shown() == 5 * small.frames());
 }
 
-TEST_CASE("while paused a turned knob shows, also through the frames that led here") {
+TEST_CASE("while paused a changed value is drawn, also through passes with history") {
     SmallLab small;
     small.turn(10);
     small.lab().transport().pause();
@@ -144,18 +143,18 @@ TEST_CASE("while paused a turned knob shows, also through the frames that led he
 
     small.lab().edit([](Document& document) { document.set_value("step_size", Value(3.0)); });
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
-    CHECK(small.shown() == 2 * 3 * std::min(frames, 20.0f));  // the look settles in 20 frames
+    CHECK(small.shown() == 2 * 3 * std::min(frames, 20.0f));  // settle_frames is 20
     CHECK(small.frames() == frames);
 }
 
-TEST_CASE("while playing a turned knob waits for the next frame and leaves the past alone") {
+TEST_CASE("during playback a changed value starts with the next frame") {
     SmallLab small;
     small.turn(30);
     const float frames = small.frames();
     const float light = small.shown();
     small.lab().edit([](Document& document) { document.set_value("step_size", Value(3.0)); });
     for (int i = 0; i < 3; ++i)
-        small.lab().update(0.0);  // as on a screen that is faster than the look
+        small.lab().update(0.0);  // like a display that is faster than the look
     CHECK(small.frames() == frames);
     CHECK(small.shown() == light);
     small.turn(1);
@@ -171,7 +170,7 @@ TEST_CASE("a replay can be cancelled") {
     CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
 }
 
-TEST_CASE("restart begins at the first frame with no history") {
+TEST_CASE("restart begins at frame 1 without history") {
     SmallLab small;
     small.turn(10);
     small.lab().restart();
@@ -180,7 +179,7 @@ TEST_CASE("restart begins at the first frame with no history") {
     CHECK(small.shown() == 1);
 }
 
-TEST_CASE("a preset that is saved, changed and opened again is back as it was") {
+TEST_CASE("a saved preset restores its values when it is opened again") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     small.lab().presets().save_as("four");
@@ -198,7 +197,7 @@ TEST_CASE("a preset that is saved, changed and opened again is back as it was") 
     CHECK(small.lab().document()->values().at("gain") == Value(4.0));
 }
 
-TEST_CASE("a preset opens with the items that it names by their labels") {
+TEST_CASE("a preset may contain list items by label") {
     SmallLab small;
     small.write("gain.glsl", "uniform int gain = 1;  // @items \"One\" \"Two\" \"Three\"\n");
     REQUIRE(small.turn_until([&] {
@@ -214,7 +213,7 @@ TEST_CASE("a preset opens with the items that it names by their labels") {
     CHECK(small.document().values().at("gain") == Value(2.0));
 }
 
-TEST_CASE("a line of text carries the values to another lab") {
+TEST_CASE("a line of text transfers the values to another lab") {
     SmallLab from;
     from.lab().edit([](Document& document) { document.set_value("gain", Value(6.0)); });
     SmallLab to;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-// What is seen in the middle of the picture's place, of 255.
+// Red in the middle of the view, in 8-bit levels; -1 without a picture.
 int seen(const Lab& lab, Views& views) {
     WindowState window;
     window.views.picture = {8, 8};
@@ -22,7 +22,7 @@ void pause(SmallLab& small) {
 }
 }  // namespace
 
-TEST_CASE("a bypassed pass hands on what it reads, in a picture that rests too") {
+TEST_CASE("a bypassed pass outputs its input, also in a static picture") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     pause(small);
@@ -36,7 +36,7 @@ TEST_CASE("a bypassed pass hands on what it reads, in a picture that rests too")
     CHECK(small.shown() == 4 * small.frames());
 }
 
-TEST_CASE("a bypass of nothing is a notice, and nothing is switched") {
+TEST_CASE("a bypass without an input is refused with a notice") {
     SmallLab small;
     small.lab().switch_pass(PassSwitch::bypass, "sum");
     CHECK(small.lab().pass_switches().is_empty());
@@ -45,7 +45,7 @@ TEST_CASE("a bypass of nothing is a notice, and nothing is switched") {
     CHECK(small.lab().messages().notice()->text.find("only its own output") != std::string::npos);
 }
 
-TEST_CASE("a frozen pass stays through edits, values and a replay, and comes back with the past") {
+TEST_CASE("a frozen pass survives edits and a replay, and is replayed when unfrozen") {
     SmallLab small;
     pause(small);
     const float before = small.shown();
@@ -65,7 +65,7 @@ TEST_CASE("a frozen pass stays through edits, values and a replay, and comes bac
     CHECK(small.shown() == 4 * 2 * replayed);
 }
 
-TEST_CASE("another look opens with all passes as usual, another preset of the look keeps them") {
+TEST_CASE("another look resets the pass switches, and another preset keeps them") {
     SmallLab small;
     small.lab().switch_pass(PassSwitch::solo, "sum");
     small.lab().open("small");
@@ -76,7 +76,7 @@ TEST_CASE("another look opens with all passes as usual, another preset of the lo
     CHECK(small.lab().pass_switches().is_empty());
 }
 
-TEST_CASE("a pass alone, or stopped at, is seen as the picture, and later ones are not drawn") {
+TEST_CASE("a solo or stopped pass is shown as the picture, without later passes") {
     SmallLab small;
     auto views = Views::make();
     REQUIRE(views.has_value());
@@ -85,7 +85,7 @@ TEST_CASE("a pass alone, or stopped at, is seen as the picture, and later ones a
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
     REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
     pause(small);
-    CHECK(seen(small.lab(), *views) == 128);  // the last pass writes for the display
+    CHECK(seen(small.lab(), *views) == 128);  // the last pass is display-encoded
     small.lab().switch_pass(PassSwitch::solo, "sum");
     small.turn(1);
     CHECK(seen(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
@@ -101,7 +101,7 @@ TEST_CASE("a pass alone, or stopped at, is seen as the picture, and later ones a
     CHECK(seen(small.lab(), *views) == 191);  // 0.75
 }
 
-TEST_CASE("history is cleared of one pass or of all, and a picture that rests shows it") {
+TEST_CASE("the history of one pass or all can be cleared, also in a static picture") {
     SmallLab small;
     pause(small);
     small.lab().clear_history("sum");
@@ -115,7 +115,7 @@ TEST_CASE("history is cleared of one pass or of all, and a picture that rests sh
     CHECK(small.shown() == 1.0f);
 }
 
-TEST_CASE("the picture's pixel is told in the texels of the pass that is seen in its place") {
+TEST_CASE("a probed pixel is in texels of the displayed pass") {
     SmallLab small(replaced(small_look::manifest, R"("format": "rgba32f", "inputs": { "previous")",
                             R"("format": "rgba32f", "scale": 0.5, "inputs": { "previous")"));
     CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6, false, {8, 8}});

@@ -2,7 +2,7 @@
 
 #include "io/sound/sound_devices.h"
 
-/// A machine without sound.
+/// A machine without audio devices.
 class NoSoundDevices : public SoundDevices {
 public:
     std::vector<SoundDevice> list() override { return {}; }

@@ -12,7 +12,7 @@
 #include <string>
 #include <thread>
 
-/// A look of two passes: the first counts frames by `step_size`, the second multiplies by `gain`.
+/// A look of two passes: the first adds `step_size` per frame, the second multiplies by `gain`.
 namespace small_look {
 inline constexpr const char* manifest = R"({
   "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 20,
@@ -39,10 +39,10 @@ inline constexpr const char* gain = "uniform float gain = 1.0;  // @range 0 8\n"
 
 }  // namespace small_look
 
-/// A lab on a small look, in a home of its own.
+/// A lab with a small look in its own temporary folder.
 class SmallLab {
 public:
-    /// `manifest` may name other passes and drivers.
+    /// `manifest` may define other passes and another driver.
     explicit SmallLab(const std::string& manifest = small_look::manifest)
         : m_roots{m_folder.path(), m_folder / "user", m_folder / "state"} {
         write("look.json", manifest);
@@ -60,7 +60,7 @@ public:
     SmallLab& operator=(const SmallLab&) = delete;
     ~SmallLab() { m_lab.reset(); }
 
-    /// As when the program is started again: nothing is open.
+    /// Restarts the lab like the program; no look is open.
     void start(std::unique_ptr<MidiInputs> midi = machine_midi_inputs(),
                ShippedFiles shipped = {}) {
         m_lab.reset();
@@ -79,16 +79,16 @@ public:
     const Roots& roots() const { return m_roots; }
     std::filesystem::path folder() const { return m_folder.path(); }
     std::filesystem::path look_folder() const { return folder() / "shaders" / "small"; }
-    /// Saves as an editor that writes in place.
+    /// Saves like an editor that writes in place.
     void write(const char* file, const std::string& text) {
         m_folder.write(look_folder() / file, text);
     }
-    /// Saves as an editor that renames.
+    /// Saves like an editor that renames.
     void write_by_rename(const char* file, const std::string& text) {
         REQUIRE(write_atomically(look_folder() / file, text).has_value());
     }
-    /// False: it has not come to that. The limit is for tests that fail; beside many others one may
-    /// take twenty times as long as alone.
+    /// Returns false on timeout. The limit is for failing tests: in parallel with many others a
+    /// test may take twenty times as long as alone.
     template <class Condition>
     bool turn_until(Condition condition) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);

@@ -1,4 +1,4 @@
-// What can be chosen by its name, without a window.
+// Entries of menus and the command palette, without a window.
 #include "lab/choices/device_choices.h"
 #include "lab/choices/looking_choices.h"
 #include "lab/choices/palette.h"
@@ -70,7 +70,7 @@ std::string first_found(const std::vector<PaletteEntry>& entries, const char* qu
 }
 }  // namespace
 
-TEST_CASE("every kind of signal is chosen by its name, as one step of undo") {
+TEST_CASE("every kind of signal can be chosen by name in one undo step") {
     Document document(choosing_look(Driver::signal));
     const auto lists = signal_choices(document);
     CHECK(lists.front().choices.size() == signal_kinds().size());
@@ -90,7 +90,7 @@ TEST_CASE("every kind of signal is chosen by its name, as one step of undo") {
     CHECK(signal_choices(Document(choosing_look(Driver::picture))).empty());
 }
 
-TEST_CASE("every setting of the present signal that has a say can be typed or chosen") {
+TEST_CASE("every used setting of the current signal can be typed or chosen") {
     Document document(choosing_look(Driver::signal));
     document.set_signal(*completed(Spec{"waveform", {}}));
     const SignalKind& kind = *find_kind("waveform");
@@ -115,7 +115,7 @@ TEST_CASE("every setting of the present signal that has a say can be typed or ch
     const Choice& choice =
         choice_of(lists, "Signal: " + number->group + " · " + number->label + "…");
     REQUIRE(choice.number);
-    CHECK(find_choice(lists, "Signal: Wave 2 · Frequency…"));  // each has its own
+    CHECK(find_choice(lists, "Signal: Wave 2 · Frequency…"));  // each wave has its own entry
     CHECK(choice.number->limit == number->limit);
     const double typed = choice.number->present + 1.0;
     take(choice.number->answer(typed), document);
@@ -123,7 +123,7 @@ TEST_CASE("every setting of the present signal that has a say can be typed or ch
     CHECK(std::get<double>(changed->settings.at(number->key)) == typed);
 }
 
-TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name") {
+TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name") {
     Document document(choosing_look(Driver::picture));
     const PatternFacts& last = all_patterns().back();
     take(choice_of(source_choices(document, {}), "Source: " + last.label).deeds, document);
@@ -147,7 +147,7 @@ TEST_CASE("patterns, sizes, fit and pixel aspect of a source are chosen by name"
     CHECK_FALSE(parse_source(document.state().source)->loops);
 }
 
-TEST_CASE("shape and enlargement of a file are chosen by name") {
+TEST_CASE("shape and prescale of a file can be chosen by name") {
     Document document(choosing_look(Driver::picture));
     document.set_source("game.png,fit=whole,prescaled=auto");
     const auto lists = [&document] {
@@ -171,7 +171,7 @@ TEST_CASE("shape and enlargement of a file are chosen by name") {
     CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
 }
 
-TEST_CASE("looks are added, moved, bypassed and taken out by name") {
+TEST_CASE("looks are added, moved, bypassed and removed by name") {
     Document document(choosing_look(Driver::signal));
     const std::vector<ShelfLook> looks{choosable_look("phosphor", "Phosphor"),
                                        choosable_look("crt", "CRT")};
@@ -197,7 +197,7 @@ TEST_CASE("looks are added, moved, bypassed and taken out by name") {
     CHECK(stack_id(stack()) == "crt+phosphor+crt");
 }
 
-TEST_CASE("what is inspected, its channels and its ends are chosen by name") {
+TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
     const TextureChoice past{Input::From::pass, "beam", 1, 0};
     const InspectedParts parts{{{Input::From::pass, "beam"},
                                 {Input::From::source, "source"},
@@ -220,7 +220,7 @@ TEST_CASE("what is inspected, its channels and its ends are chosen by name") {
     CHECK(window.inspected.levels == Levels{0.5, 4.0});
 }
 
-TEST_CASE("a part of a colour is typed, and its slider's marks are set") {
+TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
     Document document(choosing_look(Driver::signal));
     const auto lists = knob_choices(document, document.look().parameters.front());
     const std::string blue = part_label(document.look().parameters.front(), 2);
@@ -239,7 +239,7 @@ TEST_CASE("a part of a colour is typed, and its slider's marks are set") {
     CHECK(document.values().empty());
 }
 
-TEST_CASE("panes grow and shrink by name, within what they may") {
+TEST_CASE("panes are resized by name, within their limits") {
     WindowState window;
     const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
     const double before = window.panes.left;
@@ -255,7 +255,7 @@ TEST_CASE("panes grow and shrink by name, within what they may") {
     CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
 }
 
-TEST_CASE("two words find a choice, and an action comes first where both fit as well") {
+TEST_CASE("two words find a choice, and actions rank first among equal matches") {
     Document document(choosing_look(Driver::signal));
     WindowState window;
     std::vector<ChoiceList> lists = signal_choices(document);
@@ -285,10 +285,10 @@ TEST_CASE("two words find a choice, and an action comes first where both fit as 
     for (const PaletteEntry& entry : entries)
         labels.push_back(entry.label);
     std::ranges::sort(labels);
-    CHECK(std::ranges::adjacent_find(labels) == labels.end());  // each name is there once
+    CHECK(std::ranges::adjacent_find(labels) == labels.end());  // each name is unique
 }
 
-TEST_CASE("sound and remote control are set by name") {
+TEST_CASE("sound and remote control settings can be chosen by name") {
     SoundFacts facts;
     facts.devices = {{.name = "Scope"}};
     facts.devices.front().has_output = true;
@@ -317,7 +317,7 @@ TEST_CASE("presets are morphed to, starred and searched by name") {
     CHECK(find_choice(lists, "Morph: To Amber"));
     CHECK(choice_of(lists, "Morph: Duration 3 s").is_present);
     CHECK(choice_of(lists, "Star: Amber").is_present);
-    CHECK_FALSE(find_choice(lists, "Star: Phosphor"));  // the look as it is
+    CHECK_FALSE(find_choice(lists, "Star: Phosphor"));  // the look's defaults
     WindowState window;
     take(choice_of(lists, "Presets: Search…").text->answer("amb"), window);
     CHECK(window.presets.search == "amb");

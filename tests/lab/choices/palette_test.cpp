@@ -61,7 +61,7 @@ std::vector<std::string> found(const char* query, const std::vector<std::string>
 }
 }  // namespace
 
-TEST_CASE("the palette lists what the open look has before the other looks") {
+TEST_CASE("the palette lists entries of the open look before other looks") {
     const Look look = palette_look();
     std::vector<std::string> labels;
     for (const PaletteEntry& entry : palette_entries(&look, shelf()))
@@ -71,40 +71,40 @@ TEST_CASE("the palette lists what the open look has before the other looks") {
                                    "Pass: bloom_x | Inspect", "Parameter: Exposure bias | Camera",
                                    "Parameter: Exposure | Camera", "Parameter: Bloom | Glass",
                                    "Look: CRT", "Look: Phosphor", "Preset: Amber | CRT"});
-    CHECK(palette_entries(nullptr, shelf()).size() == 4);  // two looks, a preset each
+    CHECK(palette_entries(nullptr, shelf()).size() == 4);  // two looks with a preset each
 }
 
-TEST_CASE("what is typed finds the nearest name first") {
-    CHECK(found("save").front() == "Save preset");  // the shorter one
+TEST_CASE("typed text finds the closest name first") {
+    CHECK(found("save").front() == "Save preset");  // the shorter name
     CHECK(found("spa").front() == "Save preset as…");
     CHECK(found("expo").front() == "Parameter: Exposure");
     CHECK(found("bias exp").front() == "Parameter: Exposure bias");
     CHECK(found("bloom").front() == "Parameter: Bloom");
     CHECK(found("pass bloom").front() == "Pass: bloom_x");
-    CHECK(found("phos").front() == "Look: Phosphor");  // a name before a detail
+    CHECK(found("phos").front() == "Look: Phosphor");  // a name ranks before a detail
     CHECK(found("amber crt") == std::vector<std::string>{"Preset: Amber"});
     CHECK(found("undo").front() == "Undo: Exposure");
     CHECK(found("one stop").size() == 1);
     CHECK(found("xyz").empty());
-    const auto kind = found("par");  // of a kind all are as near: they stay in their order
+    const auto kind = found("par");  // equal matches of a kind keep their order
     CHECK(std::vector<std::string>(kind.begin(), kind.begin() + 3) ==
           std::vector<std::string>{"Parameter: Exposure bias", "Parameter: Exposure",
                                    "Parameter: Bloom"});
 }
 
-TEST_CASE("with nothing typed what was used last comes first, and then all in order") {
+TEST_CASE("an empty query lists recent entries first, then all in order") {
     const auto labels = found("", {"pass:beam", "Darker", "gone"});
     CHECK(labels.size() == all_entries().size());
     CHECK(std::vector<std::string>(labels.begin(), labels.begin() + 3) ==
           std::vector<std::string>{"Pass: beam", "One stop darker", "Save preset as…"});
 }
 
-TEST_CASE("of names that fit as well the one used later comes first") {
+TEST_CASE("among equal matches the most recently used one ranks first") {
     CHECK(found("expo", {"parameter:exposure_bias"}).front() == "Parameter: Exposure bias");
     CHECK(found("save p", {"Save preset as…", "Save preset"}).front() == "Save preset as…");
 }
 
-TEST_CASE("an id that is used comes first once, and only some twenty are kept") {
+TEST_CASE("a reused id moves to the front, and at most 20 ids are kept") {
     std::vector<std::string> used;
     for (int i = 0; i < 30; ++i)
         note_use(used, std::to_string(i));

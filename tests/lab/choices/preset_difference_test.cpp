@@ -24,7 +24,7 @@ Document open_document() {
 }
 }  // namespace
 
-TEST_CASE("a preset is compared with what is open, its missing values being the defaults") {
+TEST_CASE("a preset is compared with the open values, and missing values are the defaults") {
     Document document = open_document();
     document.set_value("exposure", Value(4.0));
     Preset preset;
@@ -35,17 +35,17 @@ TEST_CASE("a preset is compared with what is open, its missing values being the 
           std::vector<Change>{{"decay", "Decay", "0.61", "0.92", ""},
                               {"exposure", "Exposure", "1.5", "4", ""},
                               {{}, "Signal: X frequency", "5", "3", "per 1/60 s"}});
-    CHECK(document.history().undo_name() == "Exposure");  // what is open stays as it is
+    CHECK(document.history().undo_name() == "Exposure");  // the document is unchanged
 }
 
-TEST_CASE("a preset does not differ from itself, nor by what it cannot hold") {
+TEST_CASE("a preset does not differ from itself or by values that it cannot store") {
     Document document = open_document();
     document.set_value("decay", Value(0.5));
     document.set_override("beam", {.format = {}, .scale = 0.5, .filter = {}});
     CHECK(difference_from(document.preset(), document).empty());
     CHECK(difference_from(document.complete_preset(), document).empty());
     Preset beyond = document.preset();
-    beyond.values["decay"] = Value(99.0);  // opens at its hard limit
+    beyond.values["decay"] = Value(99.0);  // is clamped to the hard limit on opening
     document.set_value("decay", Value(10.0));
     CHECK(difference_from(beyond, document).empty());
 }

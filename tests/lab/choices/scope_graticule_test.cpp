@@ -25,7 +25,7 @@ Look scope_look(const std::string& scope = {}) {
 const Value ten_by_eight(std::vector<double>{10, 8});
 }  // namespace
 
-TEST_CASE("a scope's traces ask for a graticule of 10 by 8 over the whole picture") {
+TEST_CASE("traces over time request a 10 by 8 graticule over the whole picture") {
     const Look look = scope_look();
     const Spec traces{"waveform", {}};
     const Values divisions{{"graticule_divisions", ten_by_eight}};
@@ -40,7 +40,7 @@ TEST_CASE("a scope's traces ask for a graticule of 10 by 8 over the whole pictur
           Values{{"phosphor/graticule_divisions", ten_by_eight}});
 }
 
-TEST_CASE("what shows no traces over time, or no graticule, asks for nothing") {
+TEST_CASE("signals without traces and looks without a graticule request nothing") {
     const Look look = scope_look();
     for (const Spec& signal :
          {Spec{"lissajous", {}}, Spec{"waveform", {{"mode", "xy"}}}, Spec{"harmonics", {}},

@@ -1,4 +1,4 @@
-// What a person compares the picture with: slots, a picture from a file, the difference.
+// Comparisons of the picture: slots, a picture from a file, the difference.
 #include "about.h"
 #include "io/pictures/picture_file.h"
 #include "lab/session.h"
@@ -18,7 +18,7 @@ out vec4 color;
 void main() { color = vec4(vec3(level + 0.0 * unseen * texture(image, uv).r), 1.0); }
 )";
 
-/// On a look whose picture is one even grey, drawn into a view of its size.
+/// A look with a uniform grey picture, drawn into a view of the same size.
 class Grey : public SmallLab {
 public:
     Grey() {
@@ -45,7 +45,7 @@ public:
         }
         m_views->update(lab(), window);
     }
-    /// Until the GPU has told what was asked of it.
+    /// Updates the views until `condition` holds. GPU readbacks take several updates.
     template <class Condition>
     void look_until(Condition condition) {
         for (int i = 0; i < 2000 && !condition(); ++i) {
@@ -55,7 +55,7 @@ public:
         m_views->update(lab(), window);
         REQUIRE(condition());
     }
-    /// The red of a pixel of the view.
+    /// The red value of a pixel of the view.
     double seen(int x = 4) {
         const Picture picture = m_views->read_picture();
         return static_cast<double>(picture.pixels[picture.index(x, 4)]);
@@ -78,7 +78,7 @@ private:
 constexpr double step = 1.0 / 255.0;
 }  // namespace
 
-TEST_CASE("a slot keeps values and gives them back as one step of undo") {
+TEST_CASE("a slot stores values and recalls them as one undo step") {
     Grey small;
     small.set("level", 0.25);
     small.lab().keep_in_slot(1);
@@ -98,7 +98,7 @@ TEST_CASE("a slot keeps values and gives them back as one step of undo") {
     CHECK(small.document().history().redo_name() == "Recall slot B");
 }
 
-TEST_CASE("slots and what is compared with come back at the next start") {
+TEST_CASE("slots and the comparison are restored at the next start") {
     Grey small;
     small.set("level", 0.25);
     small.lab().keep_in_slot(2);
@@ -115,7 +115,7 @@ TEST_CASE("slots and what is compared with come back at the next start") {
     CHECK(small.lab().sides()->other == "Slot C");
 }
 
-TEST_CASE("a wipe shows the slot's picture on its side, and goes with what is kept anew") {
+TEST_CASE("a wipe shows the slot on its side and follows changes of the slot") {
     Grey small;
     small.lab().keep_in_slot(0);
     small.set("level", 1.0);
@@ -133,7 +133,7 @@ TEST_CASE("a wipe shows the slot's picture on its side, and goes with what is ke
     CHECK(small.lab().renderer()->variant() == nullptr);
 }
 
-TEST_CASE("while a flash lasts the other picture is in the place of ours, and nothing is changed") {
+TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
     Grey small;
     small.set("level", 0.25);
     small.lab().keep_in_slot(0);
@@ -148,13 +148,13 @@ TEST_CASE("while a flash lasts the other picture is in the place of ours, and no
     CHECK(small.seen() == 1.0);
     CHECK(small.document().history().undo_name() == before);
     CHECK_FALSE(small.document().history().can_redo());
-    CHECK(small.lab().renderer()->variant() != nullptr);  // at hand for the next one
+    CHECK(small.lab().renderer()->variant() != nullptr);  // kept for the next flash
     small.lab().update(6.0);
     small.lab().update(0.0);
     CHECK(small.lab().renderer()->variant() == nullptr);
 }
 
-TEST_CASE("two pictures side by side have half the view each") {
+TEST_CASE("side-by-side pictures get half the view each") {
     Grey small;
     small.lab().keep_in_slot(0);
     small.set("level", 1.0);
@@ -171,7 +171,7 @@ TEST_CASE("two pictures side by side have half the view each") {
     CHECK(small.views().beside().handle == 0);
 }
 
-TEST_CASE("a picture from a file is compared with, and followed on the disk") {
+TEST_CASE("a comparison with a picture file follows the file on disk") {
     Grey small;
     const auto file = small.picture_file("photo.png", {8, 8}, {0.2f, 0.4f, 0.6f});
     small.lab().compare_with_file(file);
@@ -190,7 +190,7 @@ TEST_CASE("a picture from a file is compared with, and followed on the disk") {
     CHECK(small.seen(1) == about(0.8, step));
 }
 
-TEST_CASE("a picture of another size is shown fitted, which is said") {
+TEST_CASE("a picture of another size is fitted, and the sizes are reported") {
     Grey small;
     small.lab().compare_with_file(small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
     CHECK(small.lab().messages().notice()->text ==
@@ -203,7 +203,7 @@ TEST_CASE("a picture of another size is shown fitted, which is said") {
     CHECK(seen.pixels[seen.index(1, 7)] == 0.0f);
 }
 
-TEST_CASE("a file that is no picture is told, and nothing is compared") {
+TEST_CASE("a file that is not a picture is reported and not compared") {
     Grey small;
     small.lab().compare_with_file(small.look_folder() / "look.json");
     REQUIRE(small.lab().messages().notice());
@@ -212,7 +212,7 @@ TEST_CASE("a file that is no picture is told, and nothing is compared") {
     CHECK(small.lab().comparing().chosen() == Comparison{});
 }
 
-TEST_CASE("a difference is seen with its gain, and its numbers come") {
+TEST_CASE("the difference view applies its gain and reports its statistics") {
     Grey small;
     small.lab().compare_with_file(small.picture_file("grey.png", {8, 8}, {0.6f, 0.6f, 0.6f}));
     Comparison comparison = small.lab().comparing().chosen();
@@ -236,7 +236,7 @@ TEST_CASE("a difference is seen with its gain, and its numbers come") {
     CHECK(small.seen() == about(apart / 0.6, step / apart));
 }
 
-TEST_CASE("with equal brightness the other picture has our mean light") {
+TEST_CASE("equal brightness scales the other picture to the same mean light") {
     Grey small;
     small.lab().compare_with_file(small.picture_file("dark.png", {8, 8}, {0.0f, 0.2f, 0.0f}));
     Comparison comparison = small.lab().comparing().chosen();
@@ -253,7 +253,7 @@ TEST_CASE("with equal brightness the other picture has our mean light") {
     CHECK(seen.pixels[seen.index(1, 4)] == 0.0f);
 }
 
-TEST_CASE("nothing of a comparison is kept on the GPU when none is on") {
+TEST_CASE("without a comparison no other picture is kept on the GPU") {
     Grey small;
     small.rest();
     CHECK(small.views().compared().other() == nullptr);

@@ -1,4 +1,4 @@
-// The wipe between the article's own picture and ours, as a person meets it in the window.
+// The wipe between the original article's picture and the look's own, in the window.
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "lab/views/views.h"
@@ -27,7 +27,7 @@ constexpr const char* that_accumulates = R"({
   ]
 })";
 
-/// On a look whose picture grows by one a frame, and by three as the article wrote it.
+/// A look whose picture grows by 1 per frame, and by 3 in the article version.
 class Wiping : public SmallLab {
 public:
     Wiping() {
@@ -40,7 +40,7 @@ public:
     void rest() {
         REQUIRE(turn_until([&] { return !lab().is_moving(); }));
     }
-    /// Until the other side has its past.
+    /// Turns the wipe on and waits until the history of the other side is drawn.
     void wipe() {
         lab().set_compare_mode(CompareMode::wipe);
         REQUIRE(turn_until([&] { return lab().sides().has_value(); }));
@@ -53,7 +53,7 @@ public:
 };
 }  // namespace
 
-TEST_CASE("the article's picture is drawn beside ours, from the frames that led to the present") {
+TEST_CASE("the article's picture is drawn from the frames that led to the current one") {
     Wiping small;
     small.turn(6);
     small.lab().transport().pause();
@@ -65,7 +65,7 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     small.wipe();
     small.rest();
     CHECK(small.shown() == shown);
-    CHECK(small.shown_beside() == 3 * std::min(frames, 20.0f));  // the look settles in 20 frames
+    CHECK(small.shown_beside() == 3 * std::min(frames, 20.0f));  // settle_frames is 20
     CHECK(small.frames() == frames);
     CHECK(small.lab().sides()->left_name() == "Original article");
     CHECK(small.document().values().empty());
@@ -83,7 +83,7 @@ TEST_CASE("the article's picture is drawn beside ours, from the frames that led 
     CHECK(small.shown() == shown + 5);
 }
 
-TEST_CASE("a wipe that was on at the end is on at the next start") {
+TEST_CASE("an active wipe is restored at the next start") {
     Wiping small;
     CHECK(session_of(small.lab(), {}).comparison.mode == CompareMode::off);
     small.wipe();
@@ -95,7 +95,7 @@ TEST_CASE("a wipe that was on at the end is on at the next start") {
     CHECK(small.turn_until([&] { return small.shown_beside() > 0.0f; }));
 }
 
-TEST_CASE("while it plays, time waits until the other picture has its past") {
+TEST_CASE("during playback time waits until the history of the other side is drawn") {
     Wiping small;
     small.turn(30);
     const float frames = small.frames();
@@ -107,10 +107,10 @@ TEST_CASE("while it plays, time waits until the other picture has its past") {
     CHECK(small.shown_beside() == 66);
 }
 
-TEST_CASE("what is turned, edited or resized is so on both sides") {
+TEST_CASE("changes of values, shaders and the size affect both sides of a wipe") {
     Wiping small;
     small.wipe();
-    SUBCASE("a knob of the picture") {
+    SUBCASE("a parameter without history") {
         small.set("gain", 2.0);
         small.turn(1);
         CHECK(gpu::read_pixel(small.lab().renderer()->variant()->target(1), 3, 3)[0] ==
@@ -118,7 +118,7 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
         CHECK(small.shown() ==
               2 * gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0]);
     }
-    SUBCASE("a knob of the past, while paused") {
+    SUBCASE("a parameter with history, while paused") {
         small.lab().transport().pause();
         small.set("step_size", 2.0);
         small.turn(1);
@@ -126,7 +126,7 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
         CHECK(small.shown_beside() == 3 * small.shown());
         CHECK(small.shown() == 2 * std::min(small.frames(), 20.0f));
     }
-    SUBCASE("the switch itself: the sides stay where they are") {
+    SUBCASE("the switch itself, which does not swap the sides") {
         small.lab().transport().pause();
         small.set("as_written", 1.0);
         small.turn(1);
@@ -148,7 +148,7 @@ TEST_CASE("what is turned, edited or resized is so on both sides") {
     }
 }
 
-TEST_CASE("drawing the past for the other side can be stopped") {
+TEST_CASE("drawing the history of the other side can be cancelled") {
     Wiping small;
     small.turn(30);
     small.lab().set_compare_mode(CompareMode::wipe);
@@ -160,7 +160,7 @@ TEST_CASE("drawing the past for the other side can be stopped") {
     CHECK(small.lab().sides().has_value());
 }
 
-TEST_CASE("a look without the switch says that there is nothing to wipe to") {
+TEST_CASE("a wipe on a look without the switch reports the missing switch") {
     SmallLab small;
     small.lab().set_compare_mode(CompareMode::wipe);
     small.turn(1);
@@ -169,7 +169,7 @@ TEST_CASE("a look without the switch says that there is nothing to wipe to") {
     CHECK(small.lab().messages().notice()->text.find("no switch as_written") != std::string::npos);
 }
 
-TEST_CASE("both sides of an accumulating look take all their samples, then rest") {
+TEST_CASE("both sides of an accumulating look take all their samples and stop") {
     Wiping small;
     small.write_by_rename("sum.frag", sample);
     small.write_by_rename("look.json", that_accumulates);
@@ -183,7 +183,7 @@ TEST_CASE("both sides of an accumulating look take all their samples, then rest"
 }
 
 namespace {
-/// A lab on the looks that come with the program.
+/// A lab with the built-in looks.
 class RealLab {
 public:
     explicit RealLab(const std::string& look) {
@@ -221,7 +221,7 @@ public:
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
     }
-    /// The view of the resting picture, RGBA.
+    /// The pixels of the view when nothing changes any more, RGBA.
     std::vector<float> view() {
         m_lab->update(0.0);
         turn_until([&] { return !m_lab->is_moving(); });
@@ -246,7 +246,7 @@ private:
 };
 
 struct Sides {
-    double left = 0.0;  // the largest difference there
+    double left = 0.0;  // the largest difference on this side
     double right = 0.0;
 };
 
@@ -262,7 +262,7 @@ Sides differences(const std::vector<float>& a, const std::vector<float>& b, std:
 }
 }  // namespace
 
-TEST_CASE("left of the line is the article's picture to the bit, right of it ours") {
+TEST_CASE("left of the line is the exact article picture, right of it the look's own") {
     struct Case {
         const char* look;
         std::vector<std::string> switches;
@@ -287,12 +287,12 @@ TEST_CASE("left of the line is the article's picture to the bit, right of it our
     }
 }
 
-TEST_CASE("the line of a wipe goes over what can be seen of the picture") {
+TEST_CASE("the line of a wipe covers the visible part of the picture") {
     const PicturePlace small{10.0, 5.0, 2.0};  // 100 px wide, from 10 to 210
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 0.0) == 10);
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 0.5) == 110);
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 1.0) == 210);
-    const PicturePlace cut{-300.0, 0.0, 8.0};  // more than the view on both sides
+    const PicturePlace cut{-300.0, 0.0, 8.0};  // exceeds the view on both sides
     CHECK(wipe_column(cut, {100, 50}, {400, 200}, 0.5) == 200);
     CHECK(wipe_share(cut, {100, 50}, {400, 200}, 100.0) == doctest::Approx(0.25));
     CHECK(wipe_share(small, {100, 50}, {400, 200}, 900.0) == 1.0);

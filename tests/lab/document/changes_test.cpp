@@ -35,13 +35,13 @@ std::vector<std::string> lines(const std::vector<Change>& changes) {
 using Lines = std::vector<std::string>;
 }  // namespace
 
-TEST_CASE("only what differs is listed, with both values and the unit") {
+TEST_CASE("only differences are listed, with both values and the unit") {
     const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
     CHECK(changes_between(look, before, after).empty());
     after.values["decay"] = Value(0.61);
-    before.values["exposure"] = Value(1.5);  // said, but the default all the same
+    before.values["exposure"] = Value(1.5);  // explicit, but equal to the default
     CHECK(lines(changes_between(look, before, after)) == Lines{"Decay: 0.92 | 0.61 per 1/60 s"});
     CHECK(lines(changes_between(look, after, before)) == Lines{"Decay: 0.61 | 0.92 per 1/60 s"});
     after.values["gone"] = Value(3.0);
@@ -49,7 +49,7 @@ TEST_CASE("only what differs is listed, with both values and the unit") {
           Lines{"Decay: 0.92 | 0.61 per 1/60 s", "gone: not set | 3"});
 }
 
-TEST_CASE("values that are nearly the same are told apart") {
+TEST_CASE("nearly equal values are written with enough digits to differ") {
     const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
@@ -58,7 +58,7 @@ TEST_CASE("values that are nearly the same are told apart") {
     CHECK(lines(changes_between(look, before, after)) == Lines{"Exposure: 1.000001 | 1.000002"});
 }
 
-TEST_CASE("a signal's settings are compared as they are in force") {
+TEST_CASE("signal settings are compared by their effective values") {
     const Look look = changed_look();
     DocumentState before = initial_state(look);
     DocumentState after = before;
@@ -73,7 +73,7 @@ TEST_CASE("a signal's settings are compared as they are in force") {
     CHECK(kinds[0].before == "Lissajous figure");
 }
 
-TEST_CASE("source, bypass and passes that were set are listed too") {
+TEST_CASE("source, bypass and pass overrides are listed too") {
     const Look look = changed_look();
     DocumentState before = initial_state(look);
     before.stack = {{"a", "/a", "a"}, {"b", "/b", "b"}};
@@ -85,7 +85,7 @@ TEST_CASE("source, bypass and passes that were set are listed too") {
           Lines{"Source: none | cat.png", "Stack: a + b | a + (b)", "Pass bloom: default | 0.5×"});
 }
 
-TEST_CASE("a step is told in short") {
+TEST_CASE("a step has a short summary") {
     const Change decay{"decay", "Decay", "0.92", "0.61", "per 1/60 s"};
     const Change angle{"tilt", "Tilt", "0", "30", "°"};
     CHECK(summary_of({decay}, "Decay") == "0.92 → 0.61 per 1/60 s");
@@ -96,7 +96,7 @@ TEST_CASE("a step is told in short") {
     CHECK(line_of(angle) == "Tilt 0 → 30°");
 }
 
-TEST_CASE("the history lists what was done and undone, and goes there in any number of steps") {
+TEST_CASE("the history lists past and undone steps and jumps any number of steps") {
     Document document(changed_look());
     for (const double decay : {0.8, 0.7, 0.6})
         document.set_value("decay", Value(decay));

@@ -54,7 +54,7 @@ TEST_CASE("choosing a file, device, drawing, text or socket locks the signal") {
     }
 }
 
-TEST_CASE("choosing a generator or a test pattern does not lock it") {
+TEST_CASE("choosing a generator or a test pattern does not lock the content") {
     Document beam(driven_by(Driver::signal));
     beam.set_signal(wave);
     CHECK_FALSE(beam.is_content_locked());
@@ -65,7 +65,7 @@ TEST_CASE("choosing a generator or a test pattern does not lock it") {
     CHECK(tube.is_content_locked());
 }
 
-TEST_CASE("a lock that was opened by hand stays open while the same file is set up") {
+TEST_CASE("a lock opened by hand stays open while settings of the same file change") {
     Document document = with_song();
     document.lock_content(false);
     Spec plotted = song;
@@ -78,7 +78,7 @@ TEST_CASE("a lock that was opened by hand stays open while the same file is set 
     CHECK(document.is_content_locked());
 }
 
-TEST_CASE("locked content stays with another preset, and counts as no change to it") {
+TEST_CASE("locked content stays with another preset and does not modify it") {
     Document document = with_song();
     document.open_preset(preset_with(wave), "/far.json");
     CHECK(document.state().signal == song);
@@ -91,10 +91,10 @@ TEST_CASE("locked content stays with another preset, and counts as no change to 
     CHECK(document.state().signal == song);
     document.arrive_at(preset_with(wave), "/far.json", "Morph to Far");
     CHECK(document.state().signal == song);
-    CHECK(document.preset().signal == song);  // what is saved refers to it
+    CHECK(document.preset().signal == song);  // the saved preset refers to it
 }
 
-TEST_CASE("with an open lock a preset brings its signal, and the change is one of it") {
+TEST_CASE("without the lock a preset brings its signal, and a new signal modifies it") {
     Document document = with_song();
     document.lock_content(false);
     document.open_preset(preset_with(wave), "/far.json");
@@ -104,7 +104,7 @@ TEST_CASE("with an open lock a preset brings its signal, and the change is one o
     CHECK(document.is_modified());
 }
 
-TEST_CASE("only undo of the step that chose content brings the previous content back") {
+TEST_CASE("only undo of the step that chose content restores the previous content") {
     Document document(driven_by(Driver::signal));
     document.set_value("decay", Value(0.2));
     document.set_signal(song);
@@ -118,7 +118,7 @@ TEST_CASE("only undo of the step that chose content brings the previous content 
     CHECK(document.state().signal == song);
     document.undo();
     CHECK(document.state().signal == figure);
-    CHECK_FALSE(document.is_content_locked());  // as it was then
+    CHECK_FALSE(document.is_content_locked());  // as before that step
     document.redo();
     CHECK(document.state().signal == song);
     CHECK(document.is_content_locked());
@@ -128,7 +128,7 @@ TEST_CASE("only undo of the step that chose content brings the previous content 
     CHECK(document.preset_name() == "Far");
 }
 
-TEST_CASE("a signal that is locked after a preset brought it stays when that preset is undone") {
+TEST_CASE("a preset's signal that is locked later stays when the preset is undone") {
     Document document(driven_by(Driver::signal));
     document.open_preset(preset_with(wave), "/far.json");
     document.lock_content(true);
@@ -137,7 +137,7 @@ TEST_CASE("a signal that is locked after a preset brought it stays when that pre
     CHECK(document.state().signal == wave);
 }
 
-TEST_CASE("a preset that is opened with its own content unlocks, and one undo brings all back") {
+TEST_CASE("a preset opened with its own content unlocks, and one undo restores everything") {
     Document document = with_song();
     document.open_preset(preset_with(wave), "/far.json", Document::OpenedWith::own_content);
     CHECK(document.state().signal == wave);
@@ -147,7 +147,7 @@ TEST_CASE("a preset that is opened with its own content unlocks, and one undo br
     CHECK(document.is_content_locked());
 }
 
-TEST_CASE("the preset's content can be taken later, as a step of its own") {
+TEST_CASE("the preset's content can be used later, in a separate step") {
     Document document = with_song();
     document.open_preset(preset_with(wave), "/far.json");
     document.use_content({wave, {}, {}});
@@ -168,7 +168,7 @@ TEST_CASE("settings of locked content are undone like any other change") {
     CHECK(document.state().signal == song);
 }
 
-TEST_CASE("a look of the other kind and back again keeps what is locked of both") {
+TEST_CASE("locked content of both kinds survives a switch between looks") {
     Document beam = with_song();
     Document tube(driven_by(Driver::picture));
     tube.keep_content(beam.content());
@@ -186,7 +186,7 @@ TEST_CASE("a look of the other kind and back again keeps what is locked of both"
     CHECK(tube_again.state().source == "/pictures/game.png");
 }
 
-TEST_CASE("content is named by its file, else by its kind") {
+TEST_CASE("content is named by its file, otherwise by its kind") {
     const Look beam = driven_by(Driver::signal);
     const Look tube = driven_by(Driver::picture);
     CHECK(content_name({song, {}, {}}, beam) == "song.wav");
@@ -196,7 +196,7 @@ TEST_CASE("content is named by its file, else by its kind") {
     CHECK(use_content_words(tube) == "Use the preset's source");
 }
 
-TEST_CASE("the user's own signal in x and y keeps circles round unless it says otherwise") {
+TEST_CASE("the user's XY signal keeps circles round unless it specifies a fit") {
     const auto fit = [](const char* text) {
         return beam_fit_of(with_round_circles(parse_spec(text).value()));
     };
@@ -204,7 +204,7 @@ TEST_CASE("the user's own signal in x and y keeps circles round unless it says o
                             "drawing:a.svg", "scene:a.json", "stdin", "socket:/tmp/a.sock"}) {
         CAPTURE(own);
         CHECK(fit(own) == Fit::whole);
-        CHECK_FALSE(beam_fit_of(parse_spec(own).value()).has_value());  // of older presets
+        CHECK_FALSE(beam_fit_of(parse_spec(own).value()).has_value());  // in older presets
     }
     CHECK(fit("audio:song.wav,fit=stretch") == Fit::stretch);
     CHECK(fit("audio:song.wav,fit=crop") == Fit::crop);
@@ -213,8 +213,7 @@ TEST_CASE("the user's own signal in x and y keeps circles round unless it says o
     CHECK_FALSE(fit("lissajous:x=3,y=2").has_value());
 }
 
-TEST_CASE(
-    "the user's own picture keeps its shape, without enlargement, unless its text says otherwise") {
+TEST_CASE("the user's picture keeps its shape and gets automatic prescale by default") {
     Look look = driven_by(Driver::picture);
     look.manifest = "/looks/crt/look.json";
     CHECK(with_users_defaults("game.png", look) == "game.png,fit=whole,prescaled=auto");
@@ -222,6 +221,6 @@ TEST_CASE(
     CHECK(with_users_defaults("game.png,fit=crop,prescaled=2,rate=25", look) ==
           "game.png,fit=crop,prescaled=2,rate=25");
     CHECK(with_users_defaults("pattern:smpte", look) == "pattern:smpte");
-    look.manifest = "/looks/crt.slangp";  // its picture has the source's shape
+    look.manifest = "/looks/crt.slangp";  // its picture has the shape of the source
     CHECK(with_users_defaults("game.png", look) == "game.png,prescaled=auto");
 }

@@ -25,7 +25,7 @@ Look document_look() {
 }
 }  // namespace
 
-TEST_CASE("a drag is one step of undo") {
+TEST_CASE("a drag is one undo step") {
     Document document(document_look());
     document.set_value("decay", Value(0.5), true);
     document.set_value("decay", Value(0.6), true);
@@ -42,15 +42,15 @@ TEST_CASE("a drag is one step of undo") {
     CHECK(document.values().at("decay") == Value(0.7));
 }
 
-TEST_CASE("a value beyond the hard limit stops at it") {
+TEST_CASE("a value beyond the hard limit is clamped") {
     Document document(document_look());
     document.set_value("exposure", Value(1e9));
     CHECK(document.values().at("exposure") == Value(10.0));
     document.set_value("exposure", Value(std::nan("")));
-    CHECK(document.values().count("exposure") == 0);  // no number: the default
+    CHECK(document.values().count("exposure") == 0);  // NaN: the default
 }
 
-TEST_CASE("a value that is back at its default is no change") {
+TEST_CASE("a value that returns to its default is not a change") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     CHECK(document.is_modified());
@@ -69,7 +69,7 @@ TEST_CASE("several values are set in one step, each within its limit") {
     CHECK(document.values().empty());
 }
 
-TEST_CASE("reset takes back one, and all") {
+TEST_CASE("reset affects one parameter or all") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
@@ -82,8 +82,7 @@ TEST_CASE("reset takes back one, and all") {
     CHECK(document.values() == Values{{"exposure", Value(3.0)}});
 }
 
-TEST_CASE(
-    "an edited look keeps values, moves renamed ones and keeps what it lost, in all of undo") {
+TEST_CASE("an edited look keeps, renames and stores lost values in the whole history") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
@@ -97,12 +96,12 @@ TEST_CASE(
     document.undo();
     CHECK(document.values() == Values{{"persistence", Value(0.5)}});
 
-    document.replace_look(document_look());  // the uniform is back, under its old name
+    document.replace_look(document_look());  // the uniform is back under its old name
     document.redo();
     CHECK(document.values().at("exposure") == Value(3.0));
 }
 
-TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name and orphans") {
+TEST_CASE("a preset opens unmodified and keeps its name and orphans when changed") {
     Document document(document_look());
     Preset preset;
     preset.look = "small";
@@ -122,7 +121,7 @@ TEST_CASE("a preset opens unmodified, is marked once changed and keeps its name 
     CHECK(document.complete_preset().values.size() == 3);
 }
 
-TEST_CASE("opening a preset is one step: undo gives back the unsaved values and what was open") {
+TEST_CASE("opening a preset is one step, and undo restores unsaved values and the preset") {
     Document document(document_look());
     Preset night;
     night.name = "Night";
@@ -140,7 +139,7 @@ TEST_CASE("opening a preset is one step: undo gives back the unsaved values and 
     CHECK(document.values() == Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}});
     CHECK(document.preset_name() == "Night");
     CHECK(document.preset_file() == "night.json");
-    CHECK(document.is_modified());  // against the night again, not the day
+    CHECK(document.is_modified());  // compared with Night again, not with Day
     document.redo();
     CHECK(document.preset_file() == "day.json");
     CHECK_FALSE(document.is_modified());
@@ -151,7 +150,7 @@ TEST_CASE("opening a preset is one step: undo gives back the unsaved values and 
     CHECK(document.preset_name() == "Day");
 }
 
-TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
+TEST_CASE("a renamed or saved preset has its new name in the whole history") {
     Document document(document_look());
     Preset preset;
     preset.name = "Night";
@@ -165,13 +164,13 @@ TEST_CASE("a preset that is renamed or saved has its new name in all of undo") {
     CHECK(document.is_modified());
 }
 
-TEST_CASE("opening what is open already, unchanged, is no step") {
+TEST_CASE("opening the current, unchanged preset adds no undo step") {
     Document document(document_look());
     document.open_defaults();
     CHECK_FALSE(document.history().can_undo());
 }
 
-TEST_CASE("what a person overrode of a pass belongs to the look and not to the preset") {
+TEST_CASE("pass overrides belong to the look, not to the preset") {
     Look look = document_look();
     look.passes.resize(1);
     look.passes[0].name = "beam";
@@ -184,7 +183,7 @@ TEST_CASE("what a person overrode of a pass belongs to the look and not to the p
     CHECK(document.drawn_look() == look);
 }
 
-TEST_CASE("a drag that turns the view is one step of undo and goes into the preset") {
+TEST_CASE("a drag of the camera is one undo step and is stored in the preset") {
     Look look = document_look();
     for (Parameter& part : orbit_parameters({}, {0}))
         look.parameters.push_back(std::move(part));
@@ -199,20 +198,20 @@ TEST_CASE("a drag that turns the view is one step of undo and goes into the pres
     CHECK(document.values().empty());
 }
 
-TEST_CASE("what is locked stays where it is, whatever changes many values at once") {
+TEST_CASE("locked values stay when many values change at once") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
     document.set_knob("decay", {.is_locked = true});
-    SUBCASE("a reset of a group") {
+    SUBCASE("reset of a group") {
         document.reset_group({"decay", "exposure"});
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
-    SUBCASE("a reset of all") {
+    SUBCASE("reset of all") {
         document.reset_all();
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
-    SUBCASE("a preset, from which it then differs") {
+    SUBCASE("a preset, from which the document then differs") {
         Preset preset;
         preset.look = "small";
         preset.values = {{"decay", Value(0.1)}, {"exposure", Value(0.2)}};
@@ -220,25 +219,25 @@ TEST_CASE("what is locked stays where it is, whatever changes many values at onc
         CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(0.2)}});
         CHECK(document.is_modified());
     }
-    SUBCASE("the look's own values") {
+    SUBCASE("the look's defaults") {
         document.open_defaults();
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
-    SUBCASE("values that are pasted") {
+    SUBCASE("pasted values") {
         document.take({}, "Paste");
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
-    SUBCASE("the dice") {
+    SUBCASE("randomise") {
         document.randomise(1);
         CHECK(document.values().at("decay") == Value(0.5));
     }
     document.undo();
     CHECK(document.values().at("exposure") == Value(3.0));
-    document.reset({"decay"});  // the hand on its own control
+    document.reset({"decay"});  // resetting the parameter itself still works
     CHECK(document.values().count("decay") == 0);
 }
 
-TEST_CASE("a throw of the dice is one step of undo") {
+TEST_CASE("randomise is one undo step") {
     Document document(document_look());
     document.randomise(1);
     CHECK(document.values().size() == 2);
@@ -248,7 +247,7 @@ TEST_CASE("a throw of the dice is one step of undo") {
     CHECK_FALSE(document.history().can_undo());
 }
 
-TEST_CASE("a lock follows its parameter through an edit that renames it") {
+TEST_CASE("a lock follows its parameter through a rename") {
     Document document(document_look());
     document.set_knob("decay", {.is_locked = true});
     Look edited = document_look();

@@ -1,4 +1,4 @@
-// From one preset to another over some time.
+// Morphs between presets over time.
 #include "formats/preset/preset_format.h"
 #include "lab/document/morphing.h"
 #include "lab/small_lab.h"
@@ -25,7 +25,7 @@ bool is_near_on_way(double a, double b) {
 }
 }  // namespace
 
-TEST_CASE("a morph goes to a preset's values in its time, as one step of undo and in the moves") {
+TEST_CASE("a morph takes its duration, is one undo step and is recorded as automation") {
     Going small;
     small.lab().transport().pause();
     small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
@@ -54,7 +54,7 @@ TEST_CASE("a morph goes to a preset's values in its time, as one step of undo an
     CHECK_FALSE(small.document().is_modified());
 }
 
-TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
+TEST_CASE("a morph leaves locked values alone, and a change by the user ends it") {
     Going small;
     small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
     const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
@@ -67,12 +67,12 @@ TEST_CASE("what is locked stays, and what somebody turns ends a morph") {
     small.lab().edit([](Document& document) { document.set_value("gain", Value(7.0), true); });
     small.lab().edit([](Document& document) { document.finish(); });
     small.lab().update(0.25);
-    CHECK(small.document().history().past().size() == 2);  // the way so far, and the hand's
+    CHECK(small.document().history().past().size() == 2);  // the morph so far and the user's drag
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(7.0)}, {"step_size", Value(2.0)}});
 }
 
-TEST_CASE("a morph can be left half way, and goes to presets of the same look alone") {
+TEST_CASE("a morph can be stopped halfway and works only within the same look") {
     Going small;
     small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 1.0);
     small.lab().update(0.5);
@@ -84,7 +84,7 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
     CHECK(small.document().preset_name().empty());
     CHECK(small.document().is_modified());
     small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 60.0);
-    small.lab().update(0.01);  // there is no way to go: it is opened at once
+    small.lab().update(0.01);  // the values are equal already, so it opens immediately
     CHECK_FALSE(small.lab().morphing());
     CHECK(small.document().preset_name() == "Far");
     CHECK_FALSE(small.document().is_modified());
@@ -94,7 +94,7 @@ TEST_CASE("a morph can be left half way, and goes to presets of the same look al
           "\"Far\" belongs to another look. It can be opened, but not morphed to.");
 }
 
-TEST_CASE("what lies on no way between two presets changes when a morph has arrived") {
+TEST_CASE("modulations change only when a morph is complete") {
     Going small;
     Preset preset;
     preset.look = "small";
@@ -109,7 +109,7 @@ TEST_CASE("what lies on no way between two presets changes when a morph has arri
     small.lab().update(0.5);
     CHECK(small.document().state().modulations.contains("step_size"));
     CHECK_FALSE(small.document().is_modified());
-    small.lab().morph_to("", 1.0);  // the look as it is
+    small.lab().morph_to("", 1.0);  // the look's defaults
     small.lab().update(2.0);
     CHECK(small.document().values().empty());
     CHECK(small.document().state().modulations.empty());
@@ -119,7 +119,7 @@ TEST_CASE("what lies on no way between two presets changes when a morph has arri
     CHECK(small.document().preset_name() == "Breathing");
 }
 
-TEST_CASE("a morph goes to the next preset, and pressed again to the one behind that") {
+TEST_CASE("a morph targets the next preset, and a repeated one the preset after it") {
     Going small;
     for (const char* name : {"one", "two", "three"}) {
         small.lab().edit([&](Document& document) {
@@ -129,7 +129,7 @@ TEST_CASE("a morph goes to the next preset, and pressed again to the one behind 
     }
     small.lab().presets().star("one", true);
     small.lab().presets().star("two", true);
-    small.lab().morph_by(1, 1.0);  // by name: one, three, two
+    small.lab().morph_by(1, 1.0);  // order by name: one, three, two
     CHECK(small.lab().morphing()->name() == "two");
     small.lab().morph_by(1, 1.0);
     CHECK(small.lab().morphing()->name() == "Small");
@@ -141,7 +141,7 @@ TEST_CASE("a morph goes to the next preset, and pressed again to the one behind 
     CHECK(small.lab().morphing()->name() == "two");
     small.lab().morph_to("", 0.5);
     small.lab().update(0.5);
-    small.lab().presets().rename({}, "four");  // nothing is open: nothing happens
+    small.lab().presets().rename({}, "four");  // no preset is open: nothing happens
     CHECK(small.lab().presets().stars() == PresetStars{"small/one", "small/two"});
     small.lab().morph_by(1, 0.5, true);
     small.lab().update(0.5);

@@ -13,7 +13,7 @@ std::string errors_of(const std::string& text) {
 }
 }  // namespace
 
-TEST_CASE("moves are lines of seconds, name and a value as a person types it") {
+TEST_CASE("automation consists of lines with seconds, a name and a value as typed") {
     const Moves moves{{0.0, "decay", Value(0.5)},
                       {0.25, "beam_color", Value({0.1, 0.2, 0.3})},
                       {0.25, "tone_map", Value(2.0)},
@@ -30,7 +30,7 @@ TEST_CASE("moves are lines of seconds, name and a value as a person types it") {
                       sample_look()) == Moves{moves[0], moves[1]});
 }
 
-TEST_CASE("mistakes in moves are told at their lines, all of them") {
+TEST_CASE("all mistakes in automation are reported at their lines") {
     CHECK(errors_of("0 decay 0.5\n"
                     "1 decai 0.5\n"
                     "x decay 0.5\n"

@@ -1,12 +1,12 @@
 #include "lab/offline/offline.h"
 #include "lab/small_lab.h"
 
-TEST_CASE("what was recorded in the window is drawn again offline, frame by frame") {
+TEST_CASE("automation recorded in the window renders identically offline") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(1);
     small.lab().automation().record(true);
-    std::map<int, float> shown;  // by the frame's number
+    std::map<int, float> shown;  // by frame number
     for (const double gain : {3.0, 0.5, 0.5, 4.0, 1.0, 2.0}) {
         small.lab().edit([&](Document& document) { document.set_value("gain", Value(gain)); });
         small.turn(1);

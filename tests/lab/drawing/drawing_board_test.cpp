@@ -17,7 +17,7 @@ Look scope() {
     return look;
 }
 
-/// A person with a pen in the hand and an empty drawing.
+/// A document with an empty drawing and an active pen.
 struct Desk {
     Document document{scope()};
     DrawingBoard board;
@@ -31,7 +31,7 @@ struct Desk {
         board.press({x, y}, board_pixel, document);
         board.release(board_pixel, document);
     }
-    /// A straight pull of the pen.
+    /// A straight drag of the pen.
     void pull(BeamPlace from, BeamPlace to) {
         board.press(from, board_pixel, document);
         for (int i = 1; i <= 20; ++i)
@@ -51,7 +51,7 @@ struct Desk {
 };
 }  // namespace
 
-TEST_CASE("a pull of the pen is one stroke and one step of undo") {
+TEST_CASE("a drag of the pen is one stroke and one undo step") {
     Desk desk;
     desk.pull({-0.5, 0.0}, {0.5, 0.2});
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0.2]");
@@ -71,21 +71,21 @@ TEST_CASE("a pull of the pen is one stroke and one step of undo") {
     CHECK_FALSE(desk.board.has_pen());
 }
 
-TEST_CASE("a click without a pull leaves nothing") {
+TEST_CASE("a click without a drag draws nothing") {
     Desk desk;
     desk.click(0.1, 0.1);
     CHECK(desk.strokes() == "[]");
     CHECK(desk.document.history().undo_name() == "New drawing");
 }
 
-TEST_CASE("clicks make a line, which is one step; the first point closes it") {
+TEST_CASE("clicks draw a line in one undo step, and the first point closes it") {
     Desk desk(PenTool::points);
     desk.click(-0.5, 0.0);
     REQUIRE(desk.board.open_line() != nullptr);
     desk.click(0.5, 0.0);
     desk.click(0.5, 0.5);
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0 0.5 0.5]");
-    desk.click(-0.47, 0.02);  // a few pixels from where it began
+    desk.click(-0.47, 0.02);  // a few pixels from the first point
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0 0.5 0.5z]");
     CHECK(desk.board.open_line() == nullptr);
     desk.click(0.0, -0.5);
@@ -93,7 +93,7 @@ TEST_CASE("clicks make a line, which is one step; the first point closes it") {
     desk.board.end_line(desk.document);
     desk.click(0.0, -0.8);
     desk.click(0.3, -0.8);
-    desk.click(0.31, -0.8);  // the same place again ends it
+    desk.click(0.31, -0.8);  // a click on the last point ends the line
     CHECK(desk.board.open_line() == nullptr);
     CHECK(desk.keyframe().size() == 3);
     desk.undo();
@@ -103,7 +103,7 @@ TEST_CASE("clicks make a line, which is one step; the first point closes it") {
     CHECK(desk.strokes() == "[]");
 }
 
-TEST_CASE("undo takes back a line that is under way, and the next click begins another") {
+TEST_CASE("undo removes an unfinished line, and the next click starts another") {
     Desk desk(PenTool::points);
     for (const double x : {-0.5, 0.0, 0.5})
         desk.click(x, 0.0);
@@ -115,7 +115,7 @@ TEST_CASE("undo takes back a line that is under way, and the next click begins a
     CHECK(desk.strokes() == "[L0 0.3 0.2 0.3]");
 }
 
-TEST_CASE("a stroke is deleted by pointing at it") {
+TEST_CASE("a stroke is deleted by a click on it") {
     Desk desk;
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
     desk.pull({-0.5, 0.5}, {0.5, 0.5});
@@ -127,17 +127,17 @@ TEST_CASE("a stroke is deleted by pointing at it") {
     CHECK(desk.document.history().undo_name() == "Delete stroke");
 }
 
-TEST_CASE("a point of a finished stroke is dragged in one step of undo, the others stay") {
+TEST_CASE("a drag of a point is one undo step and keeps the other points") {
     Desk desk(PenTool::points);
     for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}})
         desk.click(place[0], place[1]);
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
     CHECK(desk.board.grip_at({0.05, 0.45}, board_pixel) == StrokeGrip{0, 1});
-    desk.pull({0.05, 0.45}, {0.15, -0.35});  // it follows the hand, and does not jump to it
+    desk.pull({0.05, 0.45}, {0.15, -0.35});  // it moves relative to the pointer, without a jump
     CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
     CHECK(desk.document.history().undo_name() == "Move point");
     CHECK_FALSE(desk.document.history().is_in_gesture());
-    desk.pull({0.1, -0.3}, {0.2, -0.3});  // the same once more is a step of its own
+    desk.pull({0.1, -0.3}, {0.2, -0.3});  // another drag is a separate step
     CHECK(desk.strokes() == "[L-0.5 0 0.2 -0.3 0.5 0]");
     desk.undo();
     CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
@@ -149,7 +149,7 @@ TEST_CASE("a point of a finished stroke is dragged in one step of undo, the othe
     CHECK(desk.strokes() == "[L-0.5 0 0.1 -0.3 0.5 0]");
 }
 
-TEST_CASE("a click that trembles on a point is no step, and what lies nowhere near is not moved") {
+TEST_CASE("a tiny drag of a point, or a drag away from all strokes, changes nothing") {
     Desk desk;
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
@@ -159,7 +159,7 @@ TEST_CASE("a click that trembles on a point is no step, and what lies nowhere ne
     CHECK(desk.document.history().undo_name() == "Stroke");
 }
 
-TEST_CASE("a line is dragged as a whole where no point is near") {
+TEST_CASE("a drag away from the points moves the whole stroke") {
     Desk desk;
     desk.pull({-0.5, 0.5}, {0.5, 0.5});
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
@@ -172,7 +172,7 @@ TEST_CASE("a line is dragged as a whole where no point is near") {
     CHECK(desk.strokes() == "[L-0.5 0.5 0.5 0.5;L-0.5 0 0.5 0]");
 }
 
-TEST_CASE("undo in the middle of a drag lets go of the point") {
+TEST_CASE("undo during a drag releases the point") {
     Desk desk;
     desk.pull({-0.5, 0.0}, {0.5, 0.0});
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
@@ -184,13 +184,13 @@ TEST_CASE("undo in the middle of a drag lets go of the point") {
     desk.board.release(board_pixel, desk.document);
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");
     desk.board.press({0.5, 0.0}, board_pixel, desk.document);
-    desk.undo();  // the stroke itself, before the hand has moved
+    desk.undo();  // undoes the stroke itself, before the pointer has moved
     desk.board.move({0.5, 0.5}, board_pixel, desk.document);
     desk.board.release(board_pixel, desk.document);
     CHECK(desk.strokes() == "[]");
 }
 
-TEST_CASE("the other button deletes a point; of two points the stroke goes with it") {
+TEST_CASE("the secondary button deletes a point, and a two-point stroke with it") {
     Desk desk(PenTool::points);
     for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {-0.5, 0.0}})
         desk.click(place[0], place[1]);
@@ -198,12 +198,12 @@ TEST_CASE("the other button deletes a point; of two points the stroke goes with 
     const auto other_button = [&](const BeamPlace& place) {
         desk.board.press_other(place, board_pixel, desk.document);
     };
-    other_button({0.0, 0.5});  // with another tool it deletes nothing
+    other_button({0.0, 0.5});  // deletes nothing with another tool
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
     other_button({0.25, 0.25});  // nor on a line
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
     other_button({0.0, 0.5});
-    CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");  // two points close nothing
+    CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");  // two points cannot be closed
     CHECK(desk.document.history().undo_name() == "Delete point");
     other_button({0.5, 0.0});
     CHECK(desk.strokes() == "[]");
@@ -213,7 +213,7 @@ TEST_CASE("the other button deletes a point; of two points the stroke goes with 
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
 }
 
-TEST_CASE("keyframes come, go and change places, each in one step") {
+TEST_CASE("keyframes are added, removed and reordered in one step each") {
     Desk desk;
     desk.pull({0.0, 0.0}, {0.5, 0.0});
     desk.board.duplicate_keyframe(desk.document);
@@ -233,13 +233,13 @@ TEST_CASE("keyframes come, go and change places, each in one step") {
     desk.board.remove_keyframe(desk.document);
     CHECK(desk.board.keyframe() == 1);
     desk.board.remove_keyframe(desk.document);
-    desk.board.remove_keyframe(desk.document);  // the last one stays
+    desk.board.remove_keyframe(desk.document);  // the last keyframe stays
     CHECK(desk.strokes() == "[L0 0.2 0.5 0.2]");
     desk.undo();
     CHECK(desk.strokes() == "[L0 0.2 0.5 0.2][L0 0 0.5 0]");
 }
 
-TEST_CASE("while the pen is in the hand its keyframe stands still, the document's does not") {
+TEST_CASE("an active pen freezes the shown keyframe, but not that of the document") {
     Desk desk;
     desk.pull({0.0, 0.0}, {0.5, 0.0});
     desk.board.add_keyframe(desk.document);
@@ -252,7 +252,7 @@ TEST_CASE("while the pen is in the hand its keyframe stands still, the document'
     CHECK(desk.board.shown(desk.document.state().signal) == desk.document.state().signal);
 }
 
-TEST_CASE("a drawing that is full takes no more points") {
+TEST_CASE("a full drawing accepts no more points") {
     Desk desk;
     Drawing full{{{{}}}};
     for (std::size_t i = 0; i < most_drawing_points; ++i)

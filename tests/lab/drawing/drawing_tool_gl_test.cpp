@@ -30,7 +30,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
     REQUIRE(write_atomically(file, text).has_value());
 }
 
-/// The heights between which the beam is lit at some time.
+/// The lowest and highest lit point of the beam at a time.
 std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
     std::array<float, 2> heights{9.0f, -9.0f};
     for (const BeamPoint& point : lab.player().trace({seconds, seconds + 1.0 / 60.0}))
@@ -40,7 +40,7 @@ std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
 }
 }  // namespace
 
-TEST_CASE("with the pen in the hand its keyframe stands still; put down, the keyframes play") {
+TEST_CASE("an active pen shows a still keyframe, and without it the keyframes play") {
     SmallLab small(drawn_signal);
     Lab& lab = small.lab();
     lab.drawing().take_pen(true);
@@ -53,13 +53,13 @@ TEST_CASE("with the pen in the hand its keyframe stands still; put down, the key
     REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1] - 0.5f) < 1e-4f);
     lab.drawing().take_pen(false);
-    // Half a second each is held, and takes a second to become the other.
+    // Each keyframe is held for half a second. A transition takes one second.
     REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[1] < -0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1]) < 1e-3f);
     CHECK(std::abs(lit_heights(lab, 1.6)[0] - 0.5f) < 1e-4f);
 }
 
-TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is told") {
+TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     SmallLab small(drawn_signal);
     Lab& lab = small.lab();
     lab.drawing().take_pen(true);
@@ -88,10 +88,10 @@ TEST_CASE("an SVG that is opened becomes the drawing; what is wrong with one is 
           std::string::npos);
     CHECK(strokes_of(lab).empty());
     REQUIRE(small.turn_until([&] { return lab.player().sound().drawing != nullptr; }));
-    CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 from end to end
+    CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 in total
 }
 
-TEST_CASE("a scene that is opened is drawn") {
+TEST_CASE("an opened scene is drawn") {
     SmallLab small(drawn_signal);
     write(small.folder() / "s.json",
           "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"

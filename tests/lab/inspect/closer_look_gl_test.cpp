@@ -40,14 +40,14 @@ struct CloserWatching : Headless {
 constexpr PictureView at_50{PictureView::Fit::free, 50.0};
 }  // namespace
 
-TEST_CASE_FIXTURE(CloserWatching, "texels have numbers where there is room for them") {
+TEST_CASE_FIXTURE(CloserWatching, "texel values appear where there is room for them") {
     CHECK(seen_cells(cells({PictureView::Fit::free, 39.0}, {200, 100})).count.is_empty());
-    // 50 a texel about the middle (10, 5): 8 to 12 and 4 to 6 are seen.
+    // 50 px per texel around the centre (10, 5): columns 8 to 12 and rows 4 to 6 are visible.
     const CellNumbers::Block block = seen_cells(cells(at_50, {200, 100}));
     CHECK(block.left == 8);
     CHECK(block.top == 4);
     CHECK(block.count == Extent{4, 2});
-    // At a corner no more than there are, and parts of some.
+    // At a corner: only existing texels, some of them partly visible.
     const CellNumbers::Block corner =
         seen_cells(cells({PictureView::Fit::free, 50.0, 0.0, 0.0}, {210, 110}));
     CHECK(corner.left == 0);
@@ -56,7 +56,7 @@ TEST_CASE_FIXTURE(CloserWatching, "texels have numbers where there is room for t
 }
 
 TEST_CASE_FIXTURE(CloserWatching,
-                  "numbers follow a view that moves at once, else five times a second") {
+                  "values follow a moving view at once, otherwise five times per second") {
     PictureView there = at_50;
     there.x = 0.25;
     executor.draw(frame(1));
@@ -66,7 +66,7 @@ TEST_CASE_FIXTURE(CloserWatching,
     CHECK(closer->picture().block()->numbers[0] == Rgba{8, 4, 1, 1});
     CHECK(closer->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
     CHECK(closer->picture().sight().texel_width == 50.0);
-    CHECK(closer->picture().is_light(0));  // 8, 4, 1 is more than white
+    CHECK(closer->picture().is_light(0));  // 8, 4, 1 is brighter than white
     CHECK_FALSE(closer->is_owing());
     executor.draw(frame(2));
     turn(at_50, 1.1);
@@ -82,7 +82,7 @@ TEST_CASE_FIXTURE(CloserWatching,
     CHECK(closer->picture().block()->numbers[0][0] == 3.0f);
     name = "another";
     turn(there, 1.25);
-    CHECK(closer->picture().block() == nullptr);  // those numbers were not its
+    CHECK(closer->picture().block() == nullptr);  // the values belonged to another target
     turn(there, 1.26);
     REQUIRE(closer->picture().block());
     turn({PictureView::Fit::free, 8.0}, 1.27);
@@ -90,7 +90,7 @@ TEST_CASE_FIXTURE(CloserWatching,
     CHECK_FALSE(closer->is_owing());
 }
 
-TEST_CASE("a line takes the texels from its start to its end, or those of a row") {
+TEST_CASE("a line covers the texels from its start to its end, or those of a row") {
     const TexelRows level = texels_along(ScanLine::along_row(5, 10), {20, 10});
     CHECK(level.count == Extent{20, 1});
     CHECK(level.first == std::array{0.5, 5.5});
@@ -102,7 +102,7 @@ TEST_CASE("a line takes the texels from its start to its end, or those of a row"
     CHECK(texels_along({{0.0, 0.0}, {0.0, 1.0}}, {20, 10}).count == Extent{10, 1});
 }
 
-TEST_CASE_FIXTURE(CloserWatching, "the numbers along a line are those of its texels") {
+TEST_CASE_FIXTURE(CloserWatching, "the waveform of a line contains the values of its texels") {
     executor.draw(frame(3));
     // From (15, 2) to (7, 6): eight to the left, four down.
     const ScanLine line{{0.76, 0.25}, {0.36, 0.65}};
@@ -124,7 +124,7 @@ TEST_CASE_FIXTURE(CloserWatching, "the numbers along a line are those of its tex
     CHECK_FALSE(closer->is_owing());
 }
 
-TEST_CASE("luminance is that of ITU-R BT.709") {
+TEST_CASE("luminance uses the ITU-R BT.709 weights") {
     CHECK(std::abs(luminance_of({1, 1, 1, 0}) - 1.0) <= 1e-12);
     CHECK(std::abs(luminance_of({0.5f, 0, 0, 9}) - 0.1063) <= 1e-12);
     CHECK(std::abs(luminance_of({0, 2, 1, 0}) - 1.5026) <= 1e-12);

@@ -1,4 +1,4 @@
-// A picture that flashes, as the meter counts it and as the clamp shows it.
+// A flashing picture: the counts of the meter and the output of the flash limiter.
 #include "gpu/objects/draw.h"
 #include "gpu/objects/readback.h"
 #include "graph/looks.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace {
-/// A canvas of one colour, display values, that flashes `hertz` times a second at 60 frames.
+/// A canvas of one colour, in display values, that flashes with a period in frames at 60 fps.
 struct Flashing : Headless {
     std::optional<gpu::Canvas> canvas;
     std::array<float, 4> dark{0.0f, 0.0f, 0.0f, 1.0f};
@@ -24,7 +24,7 @@ struct Flashing : Headless {
     void draw(int frame, int period) const {
         canvas->clear(frame % period * 2 < period ? dark : light);
     }
-    /// The most that a meter tells of the frames that `shown` gives.
+    /// The highest counts of a meter over the frames that `shown` returns.
     template <class Shown>
     Flashes counted(int period, Shown shown) {
         std::uint64_t number = 0;
@@ -36,7 +36,7 @@ struct Flashing : Headless {
             draw(frame, period);
             const double seconds = frame / 60.0;
             meter.update({shown(seconds), Encoding::display, ++number}, seconds);
-            gpu::finish();  // else some frames might be passed over
+            gpu::finish();  // otherwise some frames might be skipped
             most = {std::max(most.general, meter.flashes().general),
                     std::max(most.red, meter.flashes().red)};
         }
@@ -49,17 +49,18 @@ double red_in_the_middle(const gpu::Texture& texture) {
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Flashing, "the flashes of a picture are counted from its cells") {
+TEST_CASE_FIXTURE(Flashing, "flashes are counted from the cells of a picture") {
     const auto as_it_is = [&](double) -> const gpu::Texture& { return canvas->texture(); };
     CHECK(counted(20, as_it_is) == Flashes{3, 0});
     CHECK(counted(10, as_it_is) == Flashes{6, 0});
-    // display values of 0.35 and 0.45: light of 0.1005 and 0.1706, 0.07 apart
+    // Display values 0.35 and 0.45: light of 0.1005 and 0.1706, 0.07 apart.
     dark = {0.35f, 0.35f, 0.35f, 1.0f};
     light = {0.45f, 0.45f, 0.45f, 1.0f};
     CHECK(counted(10, as_it_is) == Flashes{0, 0});
 }
 
-TEST_CASE_FIXTURE(Flashing, "the clamp keeps every flash within the limit, at its fastest too") {
+TEST_CASE_FIXTURE(Flashing,
+                  "the limiter keeps every flash within the limit, even at its highest rate") {
     const auto limited_by = [&](double most) {
         auto comfort = Comfort::make();
         REQUIRE(comfort.has_value());
@@ -78,7 +79,7 @@ TEST_CASE_FIXTURE(Flashing, "the clamp keeps every flash within the limit, at it
     CHECK_FALSE(counted(10, limited_by(ComfortClamp::highest)).is_beyond_limit());
 }
 
-TEST_CASE_FIXTURE(Flashing, "light changes at the rate that was asked for, up and down") {
+TEST_CASE_FIXTURE(Flashing, "limited light rises and falls at the chosen rate") {
     auto comfort = Comfort::make();
     REQUIRE(comfort.has_value());
     const ComfortClamp clamp{true, 0.3};
@@ -88,7 +89,7 @@ TEST_CASE_FIXTURE(Flashing, "light changes at the rate that was asked for, up an
     const gpu::Texture* seen = nullptr;
     for (int frame = 1; frame <= 60; ++frame)
         seen = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
-    // 0.3 of linear light as IEC 61966-2-1 encodes it
+    // 0.3 of linear light, encoded as in IEC 61966-2-1.
     CHECK(std::abs(red_in_the_middle(*seen) - (1.055 * std::pow(0.3, 1.0 / 2.4) - 0.055)) < 0.01);
     canvas->clear(dark);
     for (int frame = 61; frame <= 90; ++frame)
@@ -96,7 +97,8 @@ TEST_CASE_FIXTURE(Flashing, "light changes at the rate that was asked for, up an
     CHECK(std::abs(red_in_the_middle(*seen) - (1.055 * std::pow(0.15, 1.0 / 2.4) - 0.055)) < 0.01);
 }
 
-TEST_CASE_FIXTURE(Flashing, "a picture that rests is shown as it is, and so is any without clamp") {
+TEST_CASE_FIXTURE(Flashing,
+                  "a static picture is unchanged, and so is any picture without the limiter") {
     auto comfort = Comfort::make();
     REQUIRE(comfort.has_value());
     canvas->clear({0.2f, 0.4f, 0.6f, 1.0f});

@@ -3,7 +3,8 @@
 #include "lab/small_lab.h"
 
 namespace {
-/// A look whose first pass is 1 after a frame, and 1 more after each; the second a fourth of it.
+/// A look whose first pass is 1 after a frame and grows by 1 per frame. The second pass is a
+/// quarter of it.
 struct Metered : SmallLab {
     std::optional<GainMeters> meters;
 
@@ -23,12 +24,12 @@ struct Metered : SmallLab {
 };
 }  // namespace
 
-TEST_CASE("every pass is measured, one a turn, and again when it has changed") {
+TEST_CASE("one pass is measured per update, and again after a change") {
     Metered lab;
     lab.update(10.0);
     CHECK(lab.meters->gain(0) == nullptr);
     CHECK(lab.meters->is_owing());
-    lab.update(10.0);  // the answer has come
+    lab.update(10.0);  // the result is available
     CHECK(lab.meters->gain(1) == nullptr);
     lab.update(10.0);
     REQUIRE(lab.meters->gain(0));
@@ -55,13 +56,13 @@ TEST_CASE("every pass is measured, one a turn, and again when it has changed") {
     CHECK(lab.meters->gain(0) == nullptr);
 }
 
-TEST_CASE("a picture that rests is measured again when a value of it is another") {
+TEST_CASE("a static picture is measured again after a value changes") {
     Metered lab;
     for (int turn = 0; turn < 3; ++turn)
         lab.update(10.0);
     lab.lab().edit([](Document& document) { document.set_value("gain", Value(0.5)); });
     lab.turn(1);
-    // Until the GPU has told that no number is wrong.
+    // Waits until the GPU has checked the picture for NaN and infinity.
     CHECK(lab.turn_until([&] { return !lab.lab().is_moving(); }));
     for (const double seconds : {20.0, 21.0, 22.0, 23.0})
         lab.update(seconds);

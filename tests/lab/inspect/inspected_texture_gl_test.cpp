@@ -2,7 +2,7 @@
 #include "lab/inspect/inspected_texture.h"
 
 namespace {
-// A number of its own for each frame, that a second pass reads two frames late, with an image and
+// The first pass writes the frame number. The second reads it two frames late, with an image and
 // the source.
 Look watched() {
     Look look = look_of(
@@ -39,7 +39,7 @@ struct Watching : Headless {
 };
 }  // namespace
 
-TEST_CASE_FIXTURE(Watching, "passes, the source and images can be looked into, and former frames") {
+TEST_CASE_FIXTURE(Watching, "passes, previous frames, the source and images can be inspected") {
     std::vector<std::string> labels;
     for (const TextureChoice& choice : executor.textures())
         labels.push_back(choice.label());
@@ -47,7 +47,7 @@ TEST_CASE_FIXTURE(Watching, "passes, the source and images can be looked into, a
     CHECK(frame_count(executor, {Input::From::pass, "number"}) == 3);
     CHECK(frame_count(executor, {Input::From::pass, "late"}) == 1);
     CHECK(frame_count(executor, {Input::From::image, "lut"}) == 1);
-    CHECK(seen() == 3.0f + 0.25f + 0.75f);  // frame 5 - 2; the left of the image
+    CHECK(seen() == 3.0f + 0.25f + 0.75f);  // frame 5 - 2; the left texel of the image
     for (const int ago : {0, 1, 2}) {
         view.look_into({Input::From::pass, "number", ago});
         CHECK(seen() == static_cast<float>(5 - ago));
@@ -59,13 +59,13 @@ TEST_CASE_FIXTURE(Watching, "passes, the source and images can be looked into, a
     view.look_into({Input::From::image, "lut", 0, 1});
     CHECK(label() == "lut mip 1");
     CHECK(inspected_texture(executor, view)->extent() == Extent{1, 1});
-    CHECK(inspected_texture(executor, view)->encoding == Encoding::display);  // data as it is
+    CHECK(inspected_texture(executor, view)->encoding == Encoding::display);  // unchanged data
     view.look_into("late");
     CHECK(label() == "late");
     CHECK(inspected_texture(executor, view)->encoding == Encoding::display);  // the last pass
 }
 
-TEST_CASE_FIXTURE(Watching, "what is no more gives way to the pass that was chosen with it") {
+TEST_CASE_FIXTURE(Watching, "a missing texture falls back to the pass that was chosen with it") {
     for (const TextureChoice& gone :
          {TextureChoice{Input::From::image, "gone"}, TextureChoice{Input::From::source, {}, 1},
           TextureChoice{Input::From::image, "lut", 0, 2},

@@ -14,7 +14,7 @@ struct Inspecting : Headless {
         inspection.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
     }
     void show(float number) { target->clear({number, number, number, 1}); }
-    // As many turns as it takes for what is under way to come.
+    // Enough updates for pending results.
     void turn(double seconds) {
         REQUIRE((inspection && target));
         for (int i = 0; i < 3; ++i) {
@@ -26,10 +26,10 @@ struct Inspecting : Headless {
 };
 }  // namespace
 
-TEST_CASE_FIXTURE(Inspecting, "a target is measured at most five times a second") {
+TEST_CASE_FIXTURE(Inspecting, "a target is measured at most five times per second") {
     show(1);
     turn(1000.0);
-    turn(1100.0);  // the first time takes longer
+    turn(1100.0);  // the first measurement takes longer
     CHECK(mean() == 1.0);
     show(2);
     turn(1100.19);
@@ -38,7 +38,7 @@ TEST_CASE_FIXTURE(Inspecting, "a target is measured at most five times a second"
     CHECK(mean() == 2.0);
 }
 
-TEST_CASE_FIXTURE(Inspecting, "the histogram reaches from black to white at once") {
+TEST_CASE_FIXTURE(Inspecting, "the histogram follows the black and white points at once") {
     show(3);
     turn(1000.0);
     CHECK(inspection->histogram().bins[0][96] == 256);  // three quarters of 128
@@ -50,8 +50,7 @@ TEST_CASE_FIXTURE(Inspecting, "the histogram reaches from black to white at once
     CHECK(inspection->histogram().above == 3 * 256);
 }
 
-TEST_CASE_FIXTURE(Inspecting,
-                  "another pass's numbers are not shown as this one's, nor after the end") {
+TEST_CASE_FIXTURE(Inspecting, "statistics are cleared for another pass and after the end") {
     show(1);
     turn(1000.0);
     subject.pass = "bloom";

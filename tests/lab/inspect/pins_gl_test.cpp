@@ -2,7 +2,7 @@
 #include "lab/inspect/pins.h"
 #include "lab/small_lab.h"
 
-TEST_CASE("a pin has the value of its point in every pass, at most five times a second") {
+TEST_CASE("a pin reads its point in every pass, at most five times per second") {
     SmallLab small;
     small.lab().transport().pause();
     small.turn(2);
@@ -21,7 +21,7 @@ TEST_CASE("a pin has the value of its point in every pass, at most five times a 
     REQUIRE(pins->value(0, 1));
     const float first = present();
     CHECK((*pins->value(0, 0))[0] == first);
-    CHECK((*pins->value(0, 1))[0] == first);  // its gain is 1
+    CHECK((*pins->value(0, 1))[0] == first);  // the gain is 1
     CHECK(pins->value(0, 2) == nullptr);
     CHECK(pins->value(1, 0) == nullptr);
 
@@ -34,7 +34,7 @@ TEST_CASE("a pin has the value of its point in every pass, at most five times a 
     CHECK((*pins->value(0, 0))[0] == first + 1.0f);
 
     pinned.push_back({0.0, 1.0});
-    look(1001.01);  // at once: these are other numbers
+    look(1001.01);  // at once, because the pins changed
     REQUIRE(pins->value(1, 1));
     pins->stop();
     CHECK(pins->value(0, 0) == nullptr);

@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace {
-// Whose turn it was at each of the times, the picture being another one at each or always the same.
+// The index that was due at each time, or -1. The picture changes each time if `is_moving`.
 std::vector<int> turns(Rota& rota, const std::vector<double>& times, bool is_moving) {
     static std::uint64_t picture = 1;
     std::vector<int> had;
@@ -21,7 +21,7 @@ std::vector<int> turns(Rota& rota, const std::vector<double>& times, bool is_mov
 using Had = std::vector<int>;
 }  // namespace
 
-TEST_CASE("what is new gets its turn at once, then one in turn five times a second") {
+TEST_CASE("new entries are due at once, then one at a time five times per second") {
     Rota rota;
     rota.restart(3);
     CHECK(turns(rota, {1.0, 1.01, 1.02}, true) == Had{0, 1, 2});
@@ -29,7 +29,7 @@ TEST_CASE("what is new gets its turn at once, then one in turn five times a seco
           Had{-1, -1, 0, -1, -1, 1, 2});
 }
 
-TEST_CASE("when the picture rests each that has not seen it gets a turn, and then none") {
+TEST_CASE("in a static picture each outdated entry is due once, then none") {
     Rota rota;
     rota.restart(2);
     turns(rota, {1.0, 1.01, 1.3}, true);
@@ -39,7 +39,7 @@ TEST_CASE("when the picture rests each that has not seen it gets a turn, and the
     CHECK(turns(rota, {9.1, 9.31}, true) == Had{0, 1});
 }
 
-TEST_CASE("a slow turn is followed by a pause ten times as long") {
+TEST_CASE("a slow refresh is followed by a pause ten times as long") {
     Rota rota;
     rota.restart(1);
     REQUIRE(rota.due(1, 5.0));
@@ -48,7 +48,7 @@ TEST_CASE("a slow turn is followed by a pause ten times as long") {
     CHECK(rota.due(3, 10.0));
 }
 
-TEST_CASE("nobody has a turn where there is nothing") {
+TEST_CASE("without entries nothing is due") {
     Rota rota;
     rota.restart(0);
     CHECK_FALSE(rota.due(1, 1.0));

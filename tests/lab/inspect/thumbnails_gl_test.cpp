@@ -6,14 +6,14 @@ Pass shade(const std::string& name) {
     return pass(name, "uniform float u_time;\nvoid main() { color = vec4(vec3(u_time), 1); }\n");
 }
 
-// The look's output is of display values, so they are seen as they are.
+// The output of the look is display-encoded, so values are shown unchanged.
 int grey(const Thumbnails& thumbnails, std::size_t pass) {
     const gpu::Texture* picture = thumbnails.picture(pass);
     return picture ? static_cast<int>(gpu::read_pixel(*picture, 3, 3)[0] * 255.0f + 0.5f) : -1;
 }
 }  // namespace
 
-TEST_CASE_FIXTURE(Headless, "thumbnails: one pass in turn is drawn anew, five times a second") {
+TEST_CASE_FIXTURE(Headless, "one thumbnail at a time is redrawn, five times per second") {
     auto viewer = Viewer::make();
     REQUIRE(viewer.has_value());
     Look look = look_of({shade("a"), shade("b")});
@@ -38,11 +38,11 @@ TEST_CASE_FIXTURE(Headless, "thumbnails: one pass in turn is drawn anew, five ti
     REQUIRE(thumbnails.picture(0));
     CHECK(thumbnails.picture(0)->extent() == Extent{16, 8});
     CHECK(thumbnails.is_owing());
-    for (const double seconds : {2.0, 2.01})  // the picture rests
+    for (const double seconds : {2.0, 2.01})  // the picture is static
         thumbnails.update(*viewer, executor, 8, seconds);
     CHECK(grey(thumbnails, 1) == 128);
     CHECK_FALSE(thumbnails.is_owing());
-    thumbnails.update(*viewer, executor, 0, 3.0);  // nobody looks
+    thumbnails.update(*viewer, executor, 0, 3.0);  // not displayed
     CHECK(thumbnails.picture(0) == nullptr);
     CHECK_FALSE(thumbnails.is_owing());
 }

@@ -13,7 +13,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-/// Two empty roots in a folder of their own, gone at the end.
+/// Two empty roots in their own folder, deleted at the end.
 class TemporaryRoots {
 public:
     TemporaryRoots() {
@@ -23,7 +23,7 @@ public:
         std::ofstream(m_folder / "program" / "shaders" / "phosphor" / "look.json") << "{}";
     }
     ~TemporaryRoots() { fs::remove_all(m_folder); }
-    /// Writes a file below the program's root.
+    /// Writes a file in the program's root.
     fs::path write_program(const std::string& name, const std::string& text) const {
         fs::path file = m_folder / "program" / name;
         fs::create_directories(file.parent_path());
@@ -44,7 +44,7 @@ Preset night() {
 }
 }  // namespace
 
-TEST_CASE("a preset is saved under its look, listed, renamed, duplicated and deleted") {
+TEST_CASE("a preset is saved under its look, listed, renamed and duplicated") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     const auto file = library.save_preset(night(), "Night sky");
@@ -65,7 +65,7 @@ TEST_CASE("a preset is saved under its look, listed, renamed, duplicated and del
     CHECK(library.presets("phosphor").size() == 2);
 }
 
-TEST_CASE("no preset of the user is saved over another, unless that is asked") {
+TEST_CASE("a preset of the user is overwritten only on request") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     const auto file = library.save_preset(night(), "Night");
@@ -77,7 +77,7 @@ TEST_CASE("no preset of the user is saved over another, unless that is asked") {
     CHECK(library.preset_path("phosphor", "Night") == *file);
 }
 
-TEST_CASE("a preset in the program's folder is shipped while it is as it was listed") {
+TEST_CASE("a preset in the program folder is shipped if it matches the shipped digest") {
     const TemporaryRoots folder;
     const fs::path shipped = folder.write_program("presets/phosphor/amber.json", "{}");
     const fs::path added = folder.write_program("presets/phosphor/mine.json", "{}");
@@ -86,10 +86,10 @@ TEST_CASE("a preset in the program's folder is shipped while it is as it was lis
     CHECK_FALSE(library.is_shipped(added));
     CHECK_FALSE(library.rename_preset(shipped, "Other").has_value());
     folder.write_program("presets/phosphor/amber.json", "{ }");
-    CHECK_FALSE(library.is_shipped(shipped));  // changed since: the user's
+    CHECK_FALSE(library.is_shipped(shipped));  // modified, so it belongs to the user
 }
 
-TEST_CASE("equal names of the user and the program stand beside each other") {
+TEST_CASE("a preset of the user and a shipped preset may have the same name") {
     const TemporaryRoots folder;
     folder.write_program("presets/phosphor/Night.json", "{}");
     const Library library(folder.roots(), {{"presets/phosphor/Night.json", digest_of("{}")}});
@@ -107,7 +107,7 @@ TEST_CASE("equal names of the user and the program stand beside each other") {
     CHECK_FALSE(library.find_preset("phosphor", "shipped:Dawn").has_value());
 }
 
-TEST_CASE("presets of the user in the program's folder can be moved to the user's folder") {
+TEST_CASE("the user's presets in the program folder can be moved to the user folder") {
     const TemporaryRoots folder;
     folder.write_program("presets/phosphor/amber.json", "{}");
     const fs::path mine = folder.write_program("presets/phosphor/Mine.json", "{\"a\": 1}");
@@ -124,7 +124,7 @@ TEST_CASE("presets of the user in the program's folder can be moved to the user'
     CHECK(library.presets_in_program_folder().empty());
 }
 
-TEST_CASE("presets that say the same name of themselves are told apart by their files") {
+TEST_CASE("presets with equal names are listed with their file names") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     Preset preset = night();
@@ -142,7 +142,7 @@ TEST_CASE("presets that say the same name of themselves are told apart by their 
     CHECK(names == std::vector<std::string>{"Day", "Night (one)", "Night (two)"});
 }
 
-TEST_CASE("a name that is no file's name is refused") {
+TEST_CASE("a name that is not a file name is refused") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     for (const char* name : {"", ".", "..", "../evil", "a/b", " a", "a\nb", ".hidden", "a\\b"})
@@ -150,7 +150,7 @@ TEST_CASE("a name that is no file's name is refused") {
     CHECK(library.save_preset(night(), "Grün 31 (soft)").has_value());
 }
 
-TEST_CASE("a preset's file does not say where to write") {
+TEST_CASE("a preset with a path as its look is not saved") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     for (const char* look : {"../../elsewhere", "..", "/tmp", "phosphor/.."}) {
@@ -161,7 +161,7 @@ TEST_CASE("a preset's file does not say where to write") {
     CHECK(library.save_preset(night(), "Night").has_value());
 }
 
-TEST_CASE("a look is duplicated with all its files, and not over another") {
+TEST_CASE("a look is duplicated with all its files and never over another") {
     const TemporaryRoots folder;
     const Library library(folder.roots());
     const auto look = library.find_look("phosphor");

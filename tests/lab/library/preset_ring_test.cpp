@@ -12,7 +12,7 @@ const std::vector<PresetEntry> five{{"crt", "a", "/p/a.json", false, "a"},
                                     {"crt", "e", "/p/e.json", false, "e"}};
 }  // namespace
 
-TEST_CASE("presets go round and round, and the look without one is among them") {
+TEST_CASE("presets form a ring that includes the look's defaults") {
     CHECK(preset_beside(presets, "", 1) == PresetPlace{"/p/amber.json", 1, 2});
     CHECK(preset_beside(presets, "/p/amber.json", 1) == PresetPlace{"/p/blue.json", 2, 2});
     CHECK(preset_beside(presets, "/p/blue.json", 1) == PresetPlace{"", 0, 2});
@@ -21,13 +21,13 @@ TEST_CASE("presets go round and round, and the look without one is among them") 
     CHECK(preset_beside(presets, "/p/amber.json", 4) == PresetPlace{"/p/blue.json", 2, 2});
 }
 
-TEST_CASE("a preset from elsewhere has the first before it and the last behind it") {
+TEST_CASE("next to a preset from elsewhere are the first and the last preset") {
     CHECK(preset_beside(presets, "/home/mine.json", 1) == PresetPlace{"/p/amber.json", 1, 2});
     CHECK(preset_beside(presets, "/home/mine.json", -1) == PresetPlace{"/p/blue.json", 2, 2});
     CHECK(preset_beside({}, "", 1) == PresetPlace{"", 0, 0});
 }
 
-TEST_CASE("with stars alone the others, and the look as it is, are left out") {
+TEST_CASE("with favourites only, other presets and the defaults are skipped") {
     const PresetStars stars{"crt/b", "crt/d", "phosphor/c"};
     const PresetPlace b{"/p/b.json", 1, 2};
     const PresetPlace d{"/p/d.json", 2, 2};
@@ -35,7 +35,7 @@ TEST_CASE("with stars alone the others, and the look as it is, are left out") {
     CHECK(starred_beside(five, stars, "/p/b.json", -1) == d);
     CHECK(starred_beside(five, stars, "/p/d.json", 1) == b);
     CHECK(starred_beside(five, stars, "/p/b.json", 2) == b);
-    CHECK(starred_beside(five, stars, "/p/c.json", 1) == d);  // from between two
+    CHECK(starred_beside(five, stars, "/p/c.json", 1) == d);  // between two favourites
     CHECK(starred_beside(five, stars, "/p/c.json", -1) == b);
     for (const char* open : {"", "/p/a.json", "/p/e.json"}) {
         CHECK(starred_beside(five, stars, open, 1) == b);
