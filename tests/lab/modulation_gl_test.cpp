@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace {
-/// About 1 by an eighth of 0 .. 8, once a second.
+/// Varies gain around 1 by 1/8 of its range 0 .. 8, once per second.
 const Modulation once_a_second{.depth = 0.125, .shape = LfoShape::sine, .rate = 1.0};
 
 double gain_at(double seconds) {
@@ -33,7 +33,7 @@ Offline drawn_offline(SmallLab& small, double fps) {
 }
 }  // namespace
 
-TEST_CASE("a modulation is an undoable change; that it runs is none") {
+TEST_CASE("setting a modulation can be undone, and running it is not a change") {
     SmallLab small;
     move_gain(small);
     const Document& document = small.document();
@@ -55,7 +55,7 @@ TEST_CASE("a modulation is an undoable change; that it runs is none") {
     CHECK(document.state().modulations == Modulations{{"gain", once_a_second}});
 }
 
-TEST_CASE("a paused picture shows a turned value where the modulation is, and a step goes on") {
+TEST_CASE("while paused a changed value is drawn with its modulation, and a step advances it") {
     SmallLab small;
     move_gain(small);
     small.turn(13);
@@ -70,7 +70,7 @@ TEST_CASE("a paused picture shows a turned value where the modulation is, and a 
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
 }
 
-TEST_CASE("a past that is drawn again has the values of its own times") {
+TEST_CASE("a replay uses the modulated values of each frame's time") {
     SmallLab small;
     small.turn(40);
     small.lab().transport().pause();
@@ -83,12 +83,12 @@ TEST_CASE("a past that is drawn again has the values of its own times") {
     });
     const auto& past = small.lab().player().past();
     double sum = 0.0;
-    for (std::size_t i = past.size() - 20; i < past.size(); ++i)  // the look's settle_frames
+    for (std::size_t i = past.size() - 20; i < past.size(); ++i)  // settle_frames
         sum += gain_at(past[i].span.end);
     CHECK(is_close(small.shown(), sum));
 }
 
-TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
+TEST_CASE("a preset moves identically in the window and offline, at any frame rate") {
     SmallLab small;
     move_gain(small);
     small.lab().presets().save_as("moving");
@@ -108,7 +108,7 @@ TEST_CASE("a preset moves alike in the window and offline, at any frame rate") {
     CHECK(describe(*described, {8, 8})->find("\"kind\": \"lfo\"") != std::string::npos);
 }
 
-TEST_CASE("a modulation comes back with the session, and is read in the history") {
+TEST_CASE("a modulation is restored with the session and listed in the history") {
     SmallLab small;
     const DocumentState before = small.document().state();
     move_gain(small);
@@ -124,7 +124,7 @@ TEST_CASE("a modulation comes back with the session, and is read in the history"
     CHECK(small.document().state().modulations == Modulations{{"gain", once_a_second}});
 }
 
-TEST_CASE("what is locked keeps its modulation; resetting all stops the others") {
+TEST_CASE("a locked parameter keeps its modulation when everything is reset") {
     SmallLab small;
     move_gain(small);
     small.lab().edit([](Document& document) {

@@ -21,7 +21,7 @@ std::string open_look(const SmallLab& small) {
 }
 }  // namespace
 
-TEST_CASE("what is being opened can be cancelled at any time, and what was open goes on") {
+TEST_CASE("opening can be cancelled at any time, and the open look continues") {
     SmallLab small;
     add_other_look(small);
     for (int turns = 0; turns < 4; ++turns) {
@@ -29,7 +29,7 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
         REQUIRE(small.lab().loader().is_loading());
         small.turn(turns);
         if (open_look(small) == "other")
-            break;  // a fast machine
+            break;  // a fast machine has opened it already
         small.lab().cancel_opening();
         CHECK_FALSE(small.lab().loader().is_loading());
         const float frames = small.frames();
@@ -45,7 +45,7 @@ TEST_CASE("what is being opened can be cancelled at any time, and what was open 
     CHECK(small.turn_until([&] { return open_look(small) == "other"; }));
 }
 
-TEST_CASE("after cancelling, an edit of what is open shows as before") {
+TEST_CASE("after cancelling, an edit of the open look is still drawn") {
     SmallLab small;
     add_other_look(small);
     small.lab().open("other");
@@ -60,7 +60,7 @@ TEST_CASE("after cancelling, an edit of what is open shows as before") {
     CHECK(seen == std::set<std::string>{"small"});
 }
 
-TEST_CASE("of two looks that are asked for one after the other only the second opens") {
+TEST_CASE("of two looks opened in succession only the second one opens") {
     SmallLab small;
     add_other_look(small);
     small.write("../third/look.json", small_look::manifest);
@@ -77,8 +77,7 @@ TEST_CASE("of two looks that are asked for one after the other only the second o
     CHECK_FALSE(seen.contains("other"));
 }
 
-TEST_CASE(
-    "when nothing is being opened there is nothing to cancel, and its thread ends when asked") {
+TEST_CASE("cancelling without an opening does nothing, and the thread ends on request") {
     SmallLab small;
     small.lab().cancel_opening();
     CHECK(open_look(small) == "small");
@@ -93,7 +92,7 @@ const gpu::Context* home_of(const SmallLab& small) {
 }
 }  // namespace
 
-TEST_CASE("each look draws in a context of its own, which the one after the next has again") {
+TEST_CASE("each look draws in its own context, and successive looks use two in turn") {
     SmallLab small;
     add_other_look(small);
     small.write("../other/gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
@@ -113,7 +112,7 @@ TEST_CASE("each look draws in a context of its own, which the one after the next
     CHECK(small.shown() == small.frames());
 }
 
-TEST_CASE("an edit, and the same look opened again, stay in the context that the look draws in") {
+TEST_CASE("an edit, and the same look opened again, keep the look's context") {
     SmallLab small;
     const gpu::Context* home = home_of(small);
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
@@ -124,7 +123,7 @@ TEST_CASE("an edit, and the same look opened again, stay in the context that the
     CHECK(home_of(small) == home);
 }
 
-TEST_CASE("a look draws nothing before its source is there") {
+TEST_CASE("a look draws nothing before its source is available") {
     SmallLab small;
     add_other_look(small);
     small.write("../other/look.json",
@@ -145,8 +144,8 @@ TEST_CASE("a look draws nothing before its source is there") {
     CHECK_FALSE(has_drawn_without);
 }
 
-// Mesa takes from a context what it has bound when a program that was linked there ends elsewhere.
-TEST_CASE("what the window draws with stays bound beside an edit of the look") {
+// Mesa drops the bindings of a context when a program that was linked in it is deleted elsewhere.
+TEST_CASE("the bindings of the window survive an edit of the look") {
     SmallLab small;
     Stage vertex;
     vertex.text =

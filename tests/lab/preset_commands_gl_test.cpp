@@ -1,4 +1,4 @@
-// Presets as files: whose they are, and what is done with them.
+// Presets as files: their owners and the commands for them.
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
@@ -10,7 +10,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// A lab with a shipped preset "Amber" and one of the user's in the program's folder, "Old".
+// A lab with a shipped preset "Amber" and the user's preset "Old" in the program folder.
 class PresetLab : public SmallLab {
 public:
     PresetLab() {
@@ -42,7 +42,7 @@ public:
 };
 }  // namespace
 
-TEST_CASE("a shipped preset is not saved over; a name beside it is proposed") {
+TEST_CASE("a shipped preset is not overwritten, and a new name is proposed") {
     PresetLab small;
     small.turn_gain(3.0);
     CHECK_FALSE(small.presets().can_save_over());
@@ -68,7 +68,7 @@ TEST_CASE("a shipped preset is neither renamed nor deleted") {
     CHECK(read_text(small.shipped_file()) == PresetLab::text("Amber"));
 }
 
-TEST_CASE("a preset of the user in the program's folder stays editable, byte for byte") {
+TEST_CASE("saving a user's preset in the program folder keeps the rest of its text") {
     PresetLab small;
     small.open_and_wait(small.old_file().string());
     CHECK(small.presets().can_save_over());
@@ -81,7 +81,7 @@ TEST_CASE("a preset of the user in the program's folder stays editable, byte for
     CHECK(read_text(small.old_file()).value() == expected);
 }
 
-TEST_CASE("a preset out of a picture or a line of text is saved under a name of its own") {
+TEST_CASE("a preset from a picture or a line of text can only be saved with a new name") {
     PresetLab small;
     const std::string line = small.lab().share_line();
     const fs::path file = small.folder() / "line.txt";
@@ -90,7 +90,7 @@ TEST_CASE("a preset out of a picture or a line of text is saved under a name of 
     CHECK_FALSE(small.presets().can_save_over());
 }
 
-TEST_CASE("a deleted preset is in the trash, and undo brings it back as it was open") {
+TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") {
     PresetLab small;
     small.presets().save_as("Mine");
     const fs::path file = small.users_file("Mine");
@@ -141,7 +141,7 @@ TEST_CASE("newer steps are undone before a deletion") {
     CHECK(fs::exists(small.users_file("Mine")));
 }
 
-TEST_CASE("a preset that is not open is renamed, duplicated and deleted without being opened") {
+TEST_CASE("a preset is renamed, duplicated and deleted without being opened") {
     PresetLab small;
     small.presets().save_as("Mine");
     small.open_and_wait(small.shipped_file().string());
@@ -154,7 +154,7 @@ TEST_CASE("a preset that is not open is renamed, duplicated and deleted without 
     CHECK_FALSE(fs::exists(small.users_file("Ours")));
 }
 
-TEST_CASE("presets of the user in the program's folder are offered to be moved, and moved") {
+TEST_CASE("a move is offered for the user's presets in the program folder") {
     PresetLab small;
     small.open_and_wait(small.old_file().string());
     small.presets().offer_move();
@@ -167,7 +167,7 @@ TEST_CASE("presets of the user in the program's folder are offered to be moved, 
     CHECK(fs::exists(small.shipped_file()));
 }
 
-TEST_CASE("a shipped look is not written into; a copy of it is offered") {
+TEST_CASE("a shipped look is not modified, and a copy of it is offered") {
     SmallLab small;
     const std::string manifest = read_text(small.look_folder() / "look.json").value();
     small.start(machine_midi_inputs(), {{"shaders/small/look.json", digest_of(manifest)}});
@@ -183,7 +183,7 @@ TEST_CASE("a shipped look is not written into; a copy of it is offered") {
     CHECK_FALSE(small.document().state().overrides.empty());
 }
 
-TEST_CASE("F4 on a shipped look that cannot be written to offers a copy") {
+TEST_CASE("F4 on a read-only shipped look offers a copy") {
     SmallLab small;
     const fs::path file = small.look_folder() / "show.frag";
     const std::string text = read_text(file).value();
@@ -195,7 +195,7 @@ TEST_CASE("F4 on a shipped look that cannot be written to offers a copy") {
     fs::permissions(file, fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
     const bool is_root = geteuid() == 0;
     constexpr uid_t nobody = 65534;
-    if (is_root)  // whom no permission stops
+    if (is_root)  // permissions do not apply to root
         REQUIRE(seteuid(nobody) == 0);
     small.lab().open_in_editor({file, 1});
     if (is_root)

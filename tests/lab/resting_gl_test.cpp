@@ -28,7 +28,7 @@ void turn_gain(SmallLab& small, double gain) {
 }
 }  // namespace
 
-TEST_CASE("a paused picture reaches the graphics library only where something was changed") {
+TEST_CASE("a paused picture makes draw calls only after a change") {
     SmallLab small(manifest);
     small.lab().transport().pause();
     rest(small);
@@ -43,7 +43,7 @@ TEST_CASE("a paused picture reaches the graphics library only where something wa
         small.turn(100);
         CHECK(CountedDraws::take() == 0);
     }
-    turn_gain(small, 3.0);  // as it is
+    turn_gain(small, 3.0);  // unchanged
     small.turn(1);
     CHECK(CountedDraws::take() == 0);
     small.lab().transport().play();
@@ -51,7 +51,7 @@ TEST_CASE("a paused picture reaches the graphics library only where something wa
     CHECK(CountedDraws::take() >= 3 * 2);
 }
 
-TEST_CASE("a picture that has all its samples reaches it no more, though time flows") {
+TEST_CASE("a converged picture makes no draw calls while time continues") {
     SmallLab small(still);
     rest(small);
     CHECK(small.lab().player().is_playing());

@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 namespace {
 const std::map<std::string, double> kept_window{{"width", 1000.0}, {"scale", 1.25}};
 
-// As after the program's end, whether it was closed or killed.
+// The session after the end of the program, whether it was closed or killed.
 Session kept(SmallLab& small) {
     REQUIRE(save_session(small.roots(), session_of(small.lab(), kept_window)).has_value());
     Diagnostics warnings;
@@ -22,7 +22,7 @@ void set_gain(SmallLab& small, double gain) {
 }
 }  // namespace
 
-TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back") {
+TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored") {
     SmallLab small;
     set_gain(small, 2.0);
     small.lab().presets().save_as("two");
@@ -43,7 +43,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     CHECK(small.document().preset_name() == "two");
     CHECK(small.document().is_modified());
     CHECK_FALSE(small.lab().player().is_playing());
-    CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // a frame may go by
+    CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // one frame may pass
     CHECK(small.lab().size().extent() == Extent{8, 4});
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.document().values().at("gain") == Value(4.0));
@@ -53,7 +53,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and picture size come back")
     CHECK_FALSE(small.document().is_modified());
 }
 
-TEST_CASE("a change is kept as soon as it is done, a drag when the hand lets go") {
+TEST_CASE("a change is saved at once, and a drag when it ends") {
     SmallLab small;
     SessionKeeper keeper(small.roots());
     const WindowState arrangement;
@@ -73,8 +73,7 @@ TEST_CASE("a change is kept as soon as it is done, a drag when the hand lets go"
     CHECK(kept_gain() == 3.0);
 }
 
-TEST_CASE(
-    "a paused picture whose first replay is cut short is drawn with what there is of its past") {
+TEST_CASE("a paused picture whose first replay is cancelled is drawn with a partial history") {
     SmallLab small;
     small.turn(30);
     small.lab().transport().pause();
@@ -87,10 +86,10 @@ TEST_CASE(
     REQUIRE_FALSE(small.lab().renderer()->has_drawn());
     small.turn(1);
     CHECK(small.shown() >= 1.0f);  // every frame adds one
-    CHECK(small.shown() < 20.0f);  // of the look's settle_frames
+    CHECK(small.shown() < 20.0f);  // fewer frames than settle_frames
 }
 
-TEST_CASE("values follow a look that was edited between two uses") {
+TEST_CASE("values follow a look that was edited between two sessions") {
     SmallLab small;
     set_gain(small, 3.0);
     const Session session = kept(small);
@@ -102,14 +101,14 @@ TEST_CASE("values follow a look that was edited between two uses") {
     CHECK(small.document().values() == Values{{"strength", Value(3.0)}});
 }
 
-TEST_CASE("unsaved changes whose place another look takes are kept, and come back") {
+TEST_CASE("unsaved changes are stored when another look opens, and can be restored") {
     SmallLab small;
     small.lab().keep_unsaved(kept(small));
-    CHECK(small.lab().kept_sessions().files().empty());  // nothing to lose
+    CHECK(small.lab().kept_sessions().files().empty());  // nothing unsaved
     set_gain(small, 3.0);
     small.lab().keep_unsaved(kept(small));
     small.lab().keep_unsaved(kept(small));
-    REQUIRE(small.lab().kept_sessions().files().size() == 1);  // the same but once
+    REQUIRE(small.lab().kept_sessions().files().size() == 1);  // without a duplicate
     const fs::path three = small.lab().kept_sessions().files().front();
     CHECK(small.lab().kept_sessions().list().front().look == "small");
     CHECK(small.lab().kept_sessions().list().front().changes == 1);
@@ -134,7 +133,7 @@ TEST_CASE("unsaved changes whose place another look takes are kept, and come bac
     CHECK_FALSE(fs::exists(picture));
 }
 
-TEST_CASE("changes are counted without locked content, and ages are told in round numbers") {
+TEST_CASE("changes are counted without locked content, and ages are rounded") {
     Session session;
     session.saved.preset.values = {{"a", Value(1.0)}, {"b", Value(1.0)}};
     session.current.preset.values = {{"a", Value(2.0)}, {"c", Value(1.0)}};
@@ -149,7 +148,7 @@ TEST_CASE("changes are counted without locked content, and ages are told in roun
     CHECK(age_text(25.0 * 3600.0) == "1 day ago");
 }
 
-TEST_CASE("the latest dozen of unsaved changes are kept") {
+TEST_CASE("the latest 12 unsaved sessions are kept") {
     const SmallLab small;
     KeptSessions sessions(small.roots());
     Session session;
@@ -171,7 +170,7 @@ TEST_CASE("the latest dozen of unsaved changes are kept") {
     CHECK(oldest->current.preset.values.at("gain") == Value(3.0));
 }
 
-TEST_CASE("what a person called a preset names no folder of the unsaved changes") {
+TEST_CASE("a preset's name cannot select the folder of the unsaved changes") {
     const SmallLab small;
     KeptSessions sessions(small.roots());
     Session session;
@@ -185,7 +184,7 @@ TEST_CASE("what a person called a preset names no folder of the unsaved changes"
     CHECK(file.stem().string().substr(7).starts_with("small \u2013 ..-up-xxx"));
 }
 
-TEST_CASE("a damaged session is set aside and said; the program starts without it") {
+TEST_CASE("a damaged session is set aside and reported, and the program starts without it") {
     const SmallLab small;
     const fs::path file = small.roots().state / "session.json";
     for (const std::string& text :
@@ -200,7 +199,7 @@ TEST_CASE("a damaged session is set aside and said; the program starts without i
     }
 }
 
-TEST_CASE("stars, locks and a slider's own ends come back, also when the look was left") {
+TEST_CASE("favourites, locks and slider ranges are restored, even after leaving the look") {
     SmallLab small;
     small.lab().edit([](Document& document) {
         document.set_knob("gain", {.is_favourite = true, .is_locked = true});
@@ -221,7 +220,7 @@ TEST_CASE("stars, locks and a slider's own ends come back, also when the look wa
     CHECK_FALSE(small.document().knobs().at("gain").ends.has_value());
 }
 
-TEST_CASE("beside a locked value one goes through the presets without being warned") {
+TEST_CASE("a changed locked value causes no warning when presets are opened") {
     SmallLab small;
     small.lab().presets().save_as("one");
     const auto set = [&](const char* name, double value) {
@@ -229,7 +228,7 @@ TEST_CASE("beside a locked value one goes through the presets without being warn
     };
     const auto opened_again = [&] {
         while (small.lab().messages().notice())
-            small.lab().update(10.0);  // what was said before goes by
+            small.lab().update(10.0);  // earlier notices expire
         small.lab().open(small.lab().library().find_preset("small", "one")->file.string());
         REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
         return small.lab().messages().notice().has_value();
@@ -239,6 +238,6 @@ TEST_CASE("beside a locked value one goes through the presets without being warn
     CHECK_FALSE(opened_again());
     CHECK(small.document().values() == Values{{"gain", Value(3.0)}});
     set("step_size", 2.0);
-    CHECK(opened_again());  // that was not locked: it comes back with undo
+    CHECK(opened_again());  // not locked, so undo can restore it
     CHECK(small.document().values() == Values{{"gain", Value(3.0)}});
 }

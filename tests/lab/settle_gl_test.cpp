@@ -1,4 +1,4 @@
-// Programs that hold the values as constants draw what those draw that could be turned.
+// Specialised programs draw the same picture as generic programs.
 #include "io/temporary_folder.h"
 #include "lab/offline/offline.h"
 #include "lab/small_lab.h"
@@ -35,15 +35,15 @@ Drawn drawn(const RenderRequest& request, bool is_settled) {
 }
 }  // namespace
 
-TEST_CASE("settled values draw the same picture with fewer calls") {
+TEST_CASE("specialised programs draw the same picture with fewer draw calls") {
     struct Story {
         const char* look;
         const char* preset;
-        int draw_calls;  // settled, of those that the look has
+        int draw_calls;  // when specialised; 0: not checked
     };
     const Story stories[] = {
         {"phosphor", "article", 16},   // beam, persistence, reduced, the pyramid's 12, composite
-        {"phosphor", "radar-p7", 17},  // and what the tube holds
+        {"phosphor", "radar-p7", 17},  // and excitation
         {"crt", "article", 0},
         {"vector-beam", "amber", 0},
         {"shadow-mask", "living-room", 0},
@@ -63,7 +63,7 @@ TEST_CASE("settled values draw the same picture with fewer calls") {
     }
 }
 
-TEST_CASE("a pass that somebody looks at is drawn though the picture does without it") {
+TEST_CASE("a displayed pass is drawn even if the picture does not need it") {
     const RenderRequest request{.look = "phosphor", .preset = "article", .size = {64, 64}};
     Offline offline = opened(request);
     REQUIRE(offline.settle({"bloom_x"}).has_value());
@@ -71,7 +71,7 @@ TEST_CASE("a pass that somebody looks at is drawn though the picture does withou
     CHECK(offline.executor().draw_calls() == 17);
 }
 
-TEST_CASE("what moves stays a uniform of settled programs, and the next start can turn all") {
+TEST_CASE("automated parameters stay uniforms, and the next start is generic again") {
     const SmallLab small;
     const TemporaryFolder folder;
     folder.write("moves.txt", "0 gain 3\n0.03 gain 5\n");
@@ -86,7 +86,7 @@ TEST_CASE("what moves stays a uniform of settled programs, and the next start ca
         offline->advance();
         shown.push_back(offline->picture().pixels[0]);
     }
-    CHECK(shown == std::vector<float>{3.0f, 10.0f, 15.0f});  // gain times the frame's number
+    CHECK(shown == std::vector<float>{3.0f, 10.0f, 15.0f});  // gain times the frame number
 
     auto still = prepare({.look = "small", .values = {{"gain", "2"}}}, Library(small.roots()));
     REQUIRE(still.has_value());
@@ -102,7 +102,7 @@ TEST_CASE("what moves stays a uniform of settled programs, and the next start ca
     CHECK(turned->picture().pixels[0] == 7.0f);
 }
 
-TEST_CASE("every preset of Phosphor is the same picture where nobody looks at its passes") {
+TEST_CASE("every Phosphor preset draws the same picture without displayed passes") {
     constexpr Extent size{160, 120};
     int sharing = 0;
     for (const auto& file : std::filesystem::directory_iterator(
@@ -130,7 +130,7 @@ TEST_CASE("every preset of Phosphor is the same picture where nobody looks at it
     CHECK(sharing >= 5);
 }
 
-TEST_CASE("what moves may decide who shares a target: then nobody does") {
+TEST_CASE("a target is not shared if automation may change its condition") {
     const TemporaryFolder folder;
     folder.write("moves.txt", "0.02 beam_kind Segments\n");
     auto roots = find_roots(AFTERGLOW_SOURCE_DIR);

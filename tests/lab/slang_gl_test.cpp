@@ -1,4 +1,4 @@
-// What chains of libretro's shaders draw, rule by rule.
+// Output of libretro shader chains, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/offline/offline.h"
@@ -42,7 +42,7 @@ std::string chain_shader(const std::string& color, const std::vector<std::string
 
 const std::string copies_source = chain_shader("texture(Source, at)", {"Source"});
 
-/// Draws a preset over shaders 0.slang, 1.slang, ...
+/// Draws a preset with the shaders 0.slang, 1.slang, ...
 class DrawnChain {
 public:
     DrawnChain(const std::vector<std::string>& shaders, const std::string& lines) {
@@ -76,13 +76,13 @@ public:
         return std::move(*offline);
     }
 
-    std::string filter = {};  // where the preset says none; "": as it opens
+    std::string filter = {};  // for passes without a filter; "": the default
 
 private:
     TemporaryFolder m_folder;
 };
 
-// Display values 0, 1/8, ... row by row from the top in red; blue is 1.
+// Red contains the display values 0, 1/8, ... row by row from the top; blue is 1.
 Picture counted(Extent extent) {
     Picture picture{extent, 4, Encoding::display, {}};
     for (int i = 0; i < extent.width * extent.height; ++i)
@@ -95,7 +95,7 @@ Picture flat(float level) {
     return {{1, 1}, 4, Encoding::display, {level, level, level, 1.0f}};
 }
 
-// Of 255.
+// In 8-bit levels.
 int red(const Picture& picture, int x, int y) {
     return static_cast<int>(std::lround(picture.pixels[picture.index(x, y)] * 255.0f));
 }
@@ -105,7 +105,7 @@ int first_red(const Picture& picture) {
 }
 }  // namespace
 
-TEST_CASE("the picture stands as its source does, however many passes there are") {
+TEST_CASE("the picture is oriented like its source, for any number of passes") {
     const Picture source = counted({2, 3});
     for (const std::size_t passes : {1U, 2U, 3U})
         for (const char* last : {"", "scale_type0 = source\n"}) {
@@ -120,9 +120,9 @@ TEST_CASE("the picture stands as its source does, however many passes there are"
         }
 }
 
-TEST_CASE("what has no filter is read as the person says, what has one as the preset says") {
+TEST_CASE("the user chooses unspecified filters, and the preset specifies the others") {
     const Picture source = {{2, 1}, 4, Encoding::display, {0, 0, 0, 1, 1, 1, 1, 1}};
-    // Texel centres lie at 1/4 and 3/4 of the width, the picture's at 1/8, 3/8, 5/8 and 7/8.
+    // Texel centres are at 1/4 and 3/4 of the width, those of the picture at 1/8, 3/8, 5/8 and 7/8.
     const std::array nearest{0, 0, 255, 255};
     const std::array linear{0, 64, 191, 255};
     struct Case {
@@ -147,7 +147,7 @@ TEST_CASE("what has no filter is read as the person says, what has one as the pr
     }
 }
 
-TEST_CASE("a last pass with a size of its own is stretched by the filter that is chosen") {
+TEST_CASE("a last pass with its own size is scaled with the chosen filter") {
     DrawnChain chain({copies_source},
                      "wrap_mode0 = clamp_to_edge\nfilter_linear0 = false\nscale_type0 = source\n");
     chain.filter = "linear";
@@ -157,18 +157,18 @@ TEST_CASE("a last pass with a size of its own is stretched by the filter that is
     CHECK(std::abs(red(picture, 2, 0) - 191) <= 1);
 }
 
-TEST_CASE("the texture coordinates begin at the top left in every pass") {
+TEST_CASE("texture coordinates start at the top left in every pass") {
     const DrawnChain chain({chain_shader("vec4(at.y)"),
                             chain_shader("texture(Source, at) * 0.5 + at.y * 0.5", {"Source"})},
                            "");
     Offline offline = chain.open({1, 4}, flat(0.0f));
     const Picture picture = offline.picture_after(1);
-    // The first pass is of the source's one pixel: 0.5 everywhere.
+    // The first pass has the size of the source, one pixel: 0.5 everywhere.
     for (int y = 0; y < 4; ++y)
         CHECK(std::abs(red(picture, 0, y) - (0.25 + (y + 0.5) / 8.0) * 255.0) <= 1.0);
 }
 
-TEST_CASE("FrameCount counts from 0, and anew after its modulo") {
+TEST_CASE("FrameCount counts from 0 and restarts at its modulo") {
     const DrawnChain chain({chain_shader("vec4(float(u.FrameCount) / 8.0)")},
                            "frame_count_mod0 = 3\n");
     Offline offline = chain.open({1, 1}, flat(0.0f));
@@ -176,7 +176,7 @@ TEST_CASE("FrameCount counts from 0, and anew after its modulo") {
         CHECK(first_red(offline.picture_after(1)) == expected);
 }
 
-TEST_CASE("what never changes on a desktop is told as it is there") {
+TEST_CASE("uniforms that are constant on a desktop have the values of a desktop") {
     const DrawnChain chain(
         {chain_shader("vec4(u.FrameDirection == 1 && u.Rotation == 0u && u.OriginalFPS == 60.0 && "
                       "u.TotalSubFrames == 1u && u.FrameTimeDelta == 16667u ? 1.0 : 0.0)")},
@@ -184,7 +184,7 @@ TEST_CASE("what never changes on a desktop is told as it is there") {
     CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) == 255);
 }
 
-TEST_CASE("a parameter is turned in both stages at once") {
+TEST_CASE("a parameter changes in both stages at once") {
     std::string shader = chain_shader("vec4(at.x * u.level)");
     const DrawnChain chain({replaced(shader, "at = TexCoord", "at = vec2(u.level)")}, "");
     CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) ==
@@ -192,7 +192,7 @@ TEST_CASE("a parameter is turned in both stages at once") {
     CHECK(first_red(chain.open({1, 1}, flat(0.0f), "1").picture_after(1)) == 255);
 }
 
-TEST_CASE("a last pass with a scale is drawn at its own size and stretched") {
+TEST_CASE("a last pass with a scale is drawn at its own size and scaled to the picture") {
     const std::string sizes =
         chain_shader("vec4(u.OutputSize.x / 16.0, u.FinalViewportSize.x / 16.0, 0.0, 1.0)");
     Offline own =
@@ -205,7 +205,7 @@ TEST_CASE("a last pass with a scale is drawn at its own size and stretched") {
     CHECK(first_red(whole.picture_after(1)) == std::lround(8.0 / 16.0 * 255.0));
 }
 
-TEST_CASE("feedback is what the pass drew a frame ago, at first transparent black") {
+TEST_CASE("feedback is the previous frame of a pass, initially transparent black") {
     const DrawnChain chain(
         {chain_shader("texture(PassFeedback0, at) + 0.125", {"PassFeedback0"}), copies_source}, "");
     Offline offline = chain.open({1, 1}, flat(0.0f));
@@ -213,7 +213,7 @@ TEST_CASE("feedback is what the pass drew a frame ago, at first transparent blac
         CHECK(std::abs(first_red(offline.picture_after(1)) - expected) <= 1);
 }
 
-TEST_CASE("feedback by an alias may be of a pass that comes later") {
+TEST_CASE("feedback by alias may refer to a later pass") {
     const DrawnChain chain(
         {chain_shader("texture(LaterFeedback, at) + 0.25", {"LaterFeedback"}),
          chain_shader("texture(Source, at) * 0.5", {"Source"}, "#pragma name Later\n"),
@@ -225,7 +225,7 @@ TEST_CASE("feedback by an alias may be of a pass that comes later") {
         CHECK(std::abs(first_red(offline.picture_after(1)) - expected * 255.0) <= 1.0);
 }
 
-TEST_CASE("history is the source of former frames, at first transparent black") {
+TEST_CASE("history is the source of previous frames, initially transparent black") {
     const DrawnChain chain({chain_shader("texture(OriginalHistory2, at) * u.OriginalHistorySize1.x",
                                          {"OriginalHistory2"})},
                            "");
@@ -238,7 +238,7 @@ TEST_CASE("history is the source of former frames, at first transparent black") 
     CHECK(first_red(offline.picture_after(1)) == 102);
 }
 
-TEST_CASE("outside of a texture there is transparent black unless its wrap says otherwise") {
+TEST_CASE("outside of a texture is transparent black unless its wrap mode differs") {
     const std::string shader = chain_shader("texture(Source, at + vec2(1.0, 0.0))", {"Source"});
     CHECK(first_red(DrawnChain({shader}, "").open({1, 1}, flat(1.0f)).picture_after(1)) == 0);
     CHECK(first_red(DrawnChain({shader}, "wrap_mode0 = clamp_to_edge\n")
@@ -265,13 +265,13 @@ TEST_CASE("a chain reads its source in 8 bits") {
     CHECK(std::abs(first_red(offline.picture_after(1)) - 127.5) <= 1.0);
 }
 
-TEST_CASE("numbers may be packed as halves") {
+TEST_CASE("numbers can be packed as half floats") {
     const DrawnChain chain({chain_shader("unpackHalf2x16(packHalf2x16(vec2(u.level, 0.5))).xyxy")},
                            "");
     CHECK(std::abs(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) - 63.75) <= 1.0);
 }
 
-TEST_CASE("whole numbers go through an integer target as they are") {
+TEST_CASE("integers pass through an integer target unchanged") {
     const DrawnChain chain(
         {chain_shader("uvec4(4000000000u)", {}, "#pragma format R32_UINT\n#pragma name Whole\n",
                       "uvec4"),
@@ -280,7 +280,7 @@ TEST_CASE("whole numbers go through an integer target as they are") {
     CHECK(first_red(chain.open({1, 1}, flat(0.0f)).picture_after(1)) == 255);
 }
 
-TEST_CASE("numbers below zero go through every signed target, and its feedback, as they are") {
+TEST_CASE("negative integers pass unchanged through every signed target and its feedback") {
     struct Signed {
         std::string format;
         std::string least;
@@ -311,7 +311,7 @@ TEST_CASE("numbers below zero go through every signed target, and its feedback, 
     }
 }
 
-TEST_CASE("an input with smaller levels is the mean of what it covers in its smallest") {
+TEST_CASE("the smallest level of a mipmapped input is the mean of the input") {
     const DrawnChain chain(
         {copies_source, chain_shader("textureLod(Source, at, 1.0)", {"Source"})},
         "mipmap_input1 = true\nfilter_linear1 = true\nwrap_mode1 = clamp_to_edge\n");
@@ -320,7 +320,7 @@ TEST_CASE("an input with smaller levels is the mean of what it covers in its sma
 }
 
 namespace {
-/// A lab in which a chain of one pass is open.
+/// A lab with an open chain of one pass.
 class SlangLab : public SmallLab {
 public:
     SlangLab() {
@@ -342,7 +342,7 @@ private:
 };
 }  // namespace
 
-TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
+TEST_CASE("changed parameters are saved as a .slangp that references the open one") {
     SlangLab slang;
     REQUIRE(slang.lab().can_save_slang_preset());
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
@@ -352,7 +352,7 @@ TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
     slang.lab().save_slang_preset(slang.file("mine"));
     slang.open_preset("mine.slangp");
     CHECK(slang.level() == 0.75);
-    slang.lab().save_slang_preset(slang.file("a.slangp"));  // would go round in a circle
+    slang.lab().save_slang_preset(slang.file("a.slangp"));  // would be a circular reference
     CHECK(slang.lab().messages().notice()->text ==
           "The open look uses this file. Choose another name.");
     CHECK_FALSE(slang.document().is_modified());
@@ -361,7 +361,7 @@ TEST_CASE("what is changed is saved as a .slangp that refers to the open one") {
     CHECK_FALSE(slang.lab().can_save_slang_preset());
 }
 
-TEST_CASE("a shader that is open alone is saved as a .slangp that draws it") {
+TEST_CASE("a single open shader is saved as a .slangp that draws it") {
     SlangLab slang;
     slang.open_preset("0.slang");
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
@@ -371,7 +371,7 @@ TEST_CASE("a shader that is open alone is saved as a .slangp that draws it") {
     CHECK(slang.document().look().passes.size() == 1);
 }
 
-TEST_CASE("a chain's picture keeps its source's shape in the view, until it is asked not to") {
+TEST_CASE("a chain keeps its source's shape in the view until another shape is chosen") {
     SlangLab slang;
     slang.lab().size().set_view({100, 60});
     slang.lab().size().choose({});
@@ -392,7 +392,7 @@ TEST_CASE("a chain's picture keeps its source's shape in the view, until it is a
     CHECK(slang.lab().size().extent() == Extent{100, 60});
 }
 
-TEST_CASE("the aspect of the original is that of its pixels as they are seen") {
+TEST_CASE("OriginalAspect is the aspect ratio of the source including its pixel aspect") {
     std::string shader = chain_shader("vec4(u.aspect / 4.0)");
     shader = replaced(shader, "float level;", "float level; float OriginalAspect;");
     shader = replaced(shader, "u.aspect", "u.OriginalAspect");

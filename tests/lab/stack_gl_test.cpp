@@ -71,7 +71,7 @@ float value_of(const Result<float>& result) {
 }
 }  // namespace
 
-TEST_CASE("two copies of a look draw one after the other, each with its own values") {
+TEST_CASE("two copies of a look draw in sequence, each with its own values") {
     const TemporaryFolder folder;
     write_gain(folder, "gain", "linear");
     CHECK(value_of(drawn(folder, {.look = "gain+gain"})) == doctest::Approx(0.25));
@@ -84,8 +84,8 @@ TEST_CASE("two copies of a look draw one after the other, each with its own valu
           "several looks have a parameter 'gain'; use one of: gain/gain, gain#2/gain");
 }
 
-TEST_CASE("between looks display values become light and light display values") {
-    // IEC 61966-2-1: 0.5 of a display is 0.21404 of its light, and half of its light 0.73536.
+TEST_CASE("between looks display values are converted to light, and light to display values") {
+    // IEC 61966-2-1: display value 0.5 is light 0.21404, and light 0.5 is display value 0.73536.
     const TemporaryFolder folder;
     write_constant(folder);
     write_gain(folder, "light", "linear");
@@ -99,8 +99,7 @@ TEST_CASE("between looks display values become light and light display values") 
         std::abs(value_of(drawn(folder, {.look = "light+shown",
                                          .values = {{"light/gain", "0.5"}, {"shown/gain", "1"}}})) -
                  0.73536) < 1e-5);
-    // What is brighter than white, or below black, goes there and back.
-    // What is brighter than white, or below black, goes on by the same curve.
+    // Values above white or below black follow the same curve.
     for (const double light : {3.5, -2.0}) {
         const double shown =
             std::copysign(1.055 * std::pow(std::abs(light), 1 / 2.4) - 0.055, light);
@@ -112,7 +111,7 @@ TEST_CASE("between looks display values become light and light display values") 
     }
 }
 
-TEST_CASE("a later look reads earlier frames of the look before it, and its size") {
+TEST_CASE("a later look reads earlier frames of the previous look and its size") {
     const TemporaryFolder folder;
     write_constant(folder);
     write_gain(folder, "late", "display", "source@2");
@@ -127,7 +126,7 @@ TEST_CASE("a later look reads earlier frames of the look before it, and its size
           4.0f);
 }
 
-TEST_CASE("a preset of a stack says its looks, what is bypassed and each value") {
+TEST_CASE("a preset of a stack contains its looks, the bypassed ones and each value") {
     const TemporaryFolder folder;
     write_gain(folder, "gain", "linear");
     folder.write("presets/gain+gain/mine.json",
@@ -148,7 +147,7 @@ TEST_CASE("a preset of a stack says its looks, what is bypassed and each value")
 }
 
 namespace {
-// The open lab shows two looks: "small", which counts frames, and "gain".
+// A lab with two looks: "small", which counts frames, and "gain".
 struct StackLab : SmallLab {
     StackLab() {
         write("look.json", replaced(small_look::manifest, "\"sum@1\"", "\"show@1\"").c_str());
@@ -176,7 +175,7 @@ struct StackLab : SmallLab {
 };
 }  // namespace
 
-TEST_CASE("looks are added, bypassed, moved and removed in one undoable step each; values stay") {
+TEST_CASE("looks are added, bypassed and removed in one undo step each and keep their values") {
     StackLab small;
     const StackPart other{"gain", small.write_other(), "gain"};
     small.lab().edit([](Document& document) { document.set_value("step_size", 2.0); });
@@ -185,7 +184,7 @@ TEST_CASE("looks are added, bypassed, moved and removed in one undoable step eac
         stack.push_back(other);
         document.set_stack(std::move(stack), "Add Gain");
     });
-    CHECK(small.value("step_size") == 2.0);  // the picture that goes on has its values
+    CHECK(small.value("step_size") == 2.0);  // the displayed picture keeps its values
     REQUIRE(small.shows("small+gain"));
     CHECK(small.value("small/step_size") == 2.0);
     small.lab().edit([](Document& document) { document.set_value("gain/offset", 1.0); });
@@ -215,8 +214,7 @@ TEST_CASE("looks are added, bypassed, moved and removed in one undoable step eac
     CHECK(small.document().history().redo_name() == "Add Gain");
 }
 
-TEST_CASE(
-    "a stack that begins with the open look opens in one step of undo, and so does the look") {
+TEST_CASE("a stack that begins with the open look opens in one undo step, and so does the look") {
     StackLab small;
     small.write_other();
     const fs::path preset = small.folder() / "presets/small+gain/mine.json";
@@ -249,7 +247,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("any look of a stack is followed when its files change; a mistake leaves the picture") {
+TEST_CASE("each look of a stack is reloaded on changes, and an error keeps the picture") {
     StackLab small;
     const fs::path other = small.write_other();
     small.lab().open("small+gain");
@@ -268,7 +266,7 @@ TEST_CASE("any look of a stack is followed when its files change; a mistake leav
     CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
 }
 
-TEST_CASE("a stack with its order, bypass and undo comes back at the next start") {
+TEST_CASE("a stack with its order, bypass and undo is restored at the next start") {
     StackLab small;
     const StackPart other{"gain", small.write_other(), "gain"};
     small.lab().edit([&](Document& document) {

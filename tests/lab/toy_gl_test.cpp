@@ -1,4 +1,4 @@
-// What shaders of Shadertoy draw, rule by rule.
+// Output of Shadertoy shaders, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/offline/offline.h"
@@ -10,7 +10,7 @@
 #include <cmath>
 
 namespace {
-/// A shader's pass for the JSON that a test writes.
+/// A pass for the JSON that a test writes.
 struct JsonPass {
     std::string type;
     std::string id;
@@ -25,7 +25,7 @@ std::string main_image(const std::string& body) {
     return "void mainImage(out vec4 c, in vec2 p) { " + body + " }";
 }
 
-/// A shader on a picture of 4 x 2 px, 60 frames a second.
+/// A shader with a picture of 4 x 2 px at 60 frames per second.
 class DrawnToy {
 public:
     explicit DrawnToy(const std::vector<JsonPass>& passes) {
@@ -47,7 +47,7 @@ public:
         m_offline.emplace(std::move(*offline));
     }
 
-    /// The texel at the left bottom after so many frames more, of a pass.
+    /// The bottom left texel of a pass after `frames` more frames.
     std::array<float, 4> after(int frames, int pass = 0) {
         for (int frame = 0; frame < frames; ++frame)
             m_offline->advance();
@@ -65,7 +65,7 @@ private:
     std::optional<Offline> m_offline;
 };
 
-// Numbers beyond 0..1 are seen in a buffer, which keeps them.
+// Values outside of 0..1 are read from a buffer, which stores them.
 DrawnToy buffer_with(const std::string& body, const std::string& inputs = "") {
     return DrawnToy(
         {{"buffer", "4dXGR8", main_image(body), inputs},
@@ -75,13 +75,13 @@ DrawnToy buffer_with(const std::string& body, const std::string& inputs = "") {
 using Texel = std::array<float, 4>;
 }  // namespace
 
-TEST_CASE("a buffer that reads itself has what it drew the frame before, zero at first") {
+TEST_CASE("a buffer that reads itself gets its previous frame, initially zero") {
     DrawnToy counter = buffer_with("c = texelFetch(iChannel0, ivec2(p), 0) + 1.0;", shows_buffer_a);
     CHECK(counter.after(1) == Texel{1, 1, 1, 1});
     CHECK(counter.after(4) == Texel{5, 5, 5, 5});
 }
 
-TEST_CASE("frames are counted from 0, and time begins with the first") {
+TEST_CASE("frames are counted from 0, and time starts at the first") {
     DrawnToy clock = buffer_with("c = vec4(iFrame, iTime * 60.0, iTimeDelta * 60.0, iFrameRate);");
     const Texel first = clock.after(1);
     CHECK(first[0] == 0.0f);
@@ -93,13 +93,13 @@ TEST_CASE("frames are counted from 0, and time begins with the first") {
     CHECK(fourth[1] == doctest::Approx(3.0));
 }
 
-TEST_CASE("frame 0 sets what the later ones add to") {
+TEST_CASE("frame 0 can set the initial value of later frames") {
     DrawnToy toy = buffer_with(
         "c = iFrame == 0 ? vec4(10.0) : texelFetch(iChannel0, ivec2(p), 0) + 1.0;", shows_buffer_a);
     CHECK(toy.after(3)[0] == 12.0f);
 }
 
-TEST_CASE("pixels are counted from the bottom left, and sizes are told with 1 behind them") {
+TEST_CASE("pixels count from the bottom left, and resolutions end with 1") {
     DrawnToy toy = buffer_with("c = vec4(p, iResolution.yz);");
     toy.after(1);
     CHECK(toy.texel(3, 1) == Texel{3.5f, 1.5f, 2.0f, 1.0f});
@@ -108,7 +108,7 @@ TEST_CASE("pixels are counted from the bottom left, and sizes are told with 1 be
     CHECK(read.after(1) == Texel{4, 2, 1, 0});
 }
 
-TEST_CASE("a buffer's alpha is its author's, the Image's is 1") {
+TEST_CASE("a buffer keeps its alpha, and the alpha of Image is 1") {
     DrawnToy toy({{"buffer", "4dXGR8", main_image("c = vec4(0.25);")},
                   {"image", "4dfGRr", main_image("c = texelFetch(iChannel0, ivec2(0), 0);"),
                    shows_buffer_a}});
@@ -116,18 +116,18 @@ TEST_CASE("a buffer's alpha is its author's, the Image's is 1") {
     CHECK(toy.texel(0, 0, 1)[3] == 1.0f);
 }
 
-TEST_CASE("offline no key is down and nothing is pressed") {
+TEST_CASE("offline no key or mouse button is down") {
     DrawnToy toy = buffer_with("c = iMouse + texelFetch(iChannel1, ivec2(65, 0), 0);",
                                R"({"channel": 1, "type": "keyboard"})");
     CHECK(toy.after(1) == Texel{0, 0, 0, 0});
 }
 
-TEST_CASE("the sample rate is the usual one") {
+TEST_CASE("the sample rate is 44100 Hz") {
     DrawnToy toy = buffer_with("c = vec4(iSampleRate);");
     CHECK(toy.after(1)[0] == 44100.0f);
 }
 
-TEST_CASE("a cube reads the sky: brighter and bluer above than below") {
+TEST_CASE("a default cube is a sky: brighter and bluer above than below") {
     DrawnToy toy = buffer_with(
         "c = vec4(texture(iChannel1, vec3(0.0, 1.0, 0.1)).b, texture(iChannel1, vec3(0.0, -1.0, "
         "0.1)).b, "
@@ -139,7 +139,7 @@ TEST_CASE("a cube reads the sky: brighter and bluer above than below") {
 }
 
 namespace {
-// A shader of one pixel whose inputs name files beside it.
+// A one-pixel shader whose inputs reference files in its folder.
 Result<Picture> drawn_beside(const TemporaryFolder& folder, const std::string& color,
                              const std::string& inputs) {
     const auto file = folder.write("a.json", R"({"renderpass": [{"type": "image", "code": ")" +
@@ -159,9 +159,9 @@ Result<Picture> drawn_beside(const TemporaryFolder& folder, const std::string& c
 }
 }  // namespace
 
-TEST_CASE("a cube and a volume read files that lie beside the shader") {
+TEST_CASE("a cube and a volume read files in the folder of the shader") {
     const TemporaryFolder folder;
-    // Faces +x -x +y -y +z -z; slices from below.
+    // Faces +x -x +y -y +z -z. Slices from the bottom.
     const Picture faces{{1, 6}, 1, Encoding::display, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f, 1.0f}};
     const Picture slices{{2, 4}, 1, Encoding::display, {0.2f, 0.2f, 0.2f, 0.2f, 1, 1, 1, 1}};
     REQUIRE(save_picture(faces, folder / "faces.png").has_value());
@@ -177,7 +177,7 @@ TEST_CASE("a cube and a volume read files that lie beside the shader") {
     CHECK(seen->pixels[1] == doctest::Approx(1.0).epsilon(0.01));
 }
 
-TEST_CASE("a file that is no cube says so, and what a cube is read from") {
+TEST_CASE("a file that cannot be a cube is reported with its size") {
     const TemporaryFolder folder;
     const Picture neither{{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)};
     REQUIRE(save_picture(neither, folder / "neither.png").has_value());
@@ -189,7 +189,7 @@ TEST_CASE("a file that is no cube says so, and what a cube is read from") {
     CHECK(seen.error().front().message.starts_with("can't be a cube map at 5 x 3 px."));
 }
 
-TEST_CASE("what Cube A draws in a direction is read in that direction") {
+TEST_CASE("Cube A is read in the directions in which it was drawn") {
     const std::string cube_main =
         "void mainCubemap(out vec4 c, in vec2 p, in vec3 from, in vec3 seen) { c = vec4(seen, "
         "1.0); }";
@@ -199,7 +199,7 @@ TEST_CASE("what Cube A draws in a direction is read in that direction") {
                    R"({"channel": 1, "type": "cubemap", "id": "4dX3Rr"})"},
                   {"cubemap", "4dX3Rr", cube_main},
                   {"image", "4dfGRr", main_image("c = vec4(1.0);")}});
-    const Texel off = toy.after(2);  // the buffer reads the cube of the frame before
+    const Texel off = toy.after(2);  // the buffer reads the cube of the previous frame
     CHECK(off[3] == 1.0f);
     for (std::size_t part = 0; part < 3; ++part)
         CHECK(std::abs(off[part]) < 0.01f);
@@ -214,7 +214,7 @@ TEST_CASE("dates of renders are fixed, with months from 0") {
     CHECK(date[3] == doctest::Approx(0.5));
 }
 
-TEST_CASE("a volume reads noise, 32 texels a side, which repeats") {
+TEST_CASE("a default volume is repeating noise of 32 texels per side") {
     DrawnToy toy = buffer_with(
         "vec3 at = vec3(0.3, 0.4, 0.6); c = vec4(textureSize(iChannel1, 0).z, "
         "texture(iChannel1, at).r - texture(iChannel1, at + 1.0).r, texture(iChannel1, at).r, "
@@ -226,14 +226,14 @@ TEST_CASE("a volume reads noise, 32 texels a side, which repeats") {
     CHECK(seen[2] > 0.0f);
 }
 
-TEST_CASE("a volume's resolution has its depth") {
+TEST_CASE("the resolution of a volume includes its depth") {
     DrawnToy toy =
         buffer_with("c = vec4(iChannelResolution[1], 1.0);",
                     R"({"channel": 1, "type": "volume", "sampler": {"filter": "linear"}})");
     CHECK(toy.after(1) == Texel{32, 32, 32, 1});
 }
 
-TEST_CASE("vflip says which row of a video lies at the bottom") {
+TEST_CASE("vflip selects the bottom row of a video") {
     const TemporaryFolder folder;
     Picture rows{{1, 2}, 3, Encoding::display, {1.0f, 1.0f, 1.0f, 0.0f, 0.0f, 0.0f}};
     REQUIRE(save_picture(rows, folder / "rows.png").has_value());
@@ -257,7 +257,7 @@ TEST_CASE("vflip says which row of a video lies at the bottom") {
     }
 }
 
-TEST_CASE("vflip says which row of a picture lies at the bottom") {
+TEST_CASE("vflip selects the bottom row of a picture") {
     const auto reading = [](const char* flip) {
         return fmt::format(R"({{"channel": 1, "type": "texture", "filepath": "rows.png",
             "sampler": {{"filter": "nearest", "wrap": "clamp", "vflip": "{}"}}}})",
@@ -279,7 +279,7 @@ TEST_CASE("vflip says which row of a picture lies at the bottom") {
         auto offline = Offline::create(std::move(*prepared), request.size, 60.0);
         REQUIRE(offline.has_value());
         offline->advance();
-        // The top row of the file is white; flipped, as usual, the bottom one is at 0.
+        // The top row of the file is white. With vflip, which is usual, the bottom row is at y = 0.
         CHECK(offline->picture().pixels[0] == (flip == std::string("true") ? 0.0f : 1.0f));
     }
 }

@@ -1,4 +1,4 @@
-// A number that is not finite stops the clock, as a person meets it in the window.
+// A non-finite number pauses the clock, in the window.
 #include "lab/small_lab.h"
 
 #include <cmath>
@@ -41,7 +41,7 @@ void main() {
 }
 )";
 
-/// A lab on a look that counts frames, one texel of which goes wrong in frame 40.
+/// A lab with a look that counts frames and writes NaN to one texel in frame 40.
 struct Tripping : SmallLab {
     Tripping() {
         write_by_rename("sum.frag", wrong_at_40);
@@ -58,17 +58,17 @@ struct Tripping : SmallLab {
 };
 }  // namespace
 
-TEST_CASE("the first number that is not finite stops the clock at its frame, with a good history") {
+TEST_CASE("the first non-finite number pauses the clock at its frame with a valid history") {
     Tripping lab;
     lab.wait_for_trip();
     CHECK(*lab.lab().trip() == Trip{0, 3, 3, 40});
     CHECK_FALSE(lab.lab().player().is_playing());
     CHECK(lab.lab().player().frame_number() == 40);
     CHECK(std::isnan(lab.sum(3)));
-    CHECK(lab.sum(5) == 20.0f);  // settle_frames of the past
+    CHECK(lab.sum(5) == 20.0f);  // settle_frames of history
 }
 
-TEST_CASE("clamped, time goes on with a nought in the place of the NaN") {
+TEST_CASE("clamping continues with 0 instead of NaN") {
     Tripping lab;
     lab.wait_for_trip();
     lab.lab().answer_trip(TripAnswer::clamp);
@@ -80,7 +80,7 @@ TEST_CASE("clamped, time goes on with a nought in the place of the NaN") {
     CHECK(lab.sum(5) == 23.0f);
 }
 
-TEST_CASE("cleared, history begins anew; left as it is, nothing asks again") {
+TEST_CASE("clearing restarts the history, and ignoring never asks again") {
     Tripping lab;
     lab.wait_for_trip();
     lab.lab().answer_trip(TripAnswer::clear);
@@ -94,7 +94,7 @@ TEST_CASE("cleared, history begins anew; left as it is, nothing asks again") {
     CHECK(std::isnan(lab.sum(3)));
 }
 
-TEST_CASE("where nobody can be asked it is clamped and told once") {
+TEST_CASE("in unattended mode NaN is clamped and reported once") {
     Tripping lab;
     lab.lab().set_unattended(true);
     REQUIRE(lab.turn_until([&] {
@@ -107,7 +107,7 @@ TEST_CASE("where nobody can be asked it is clamped and told once") {
     CHECK(std::isfinite(lab.sum(3)));
 }
 
-TEST_CASE("a value that is the cure lets time go on, with a past that never went wrong") {
+TEST_CASE("a value that fixes the NaN lets time continue with a valid history") {
     Tripping lab;
     lab.wait_for_trip();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.0)); });
@@ -119,7 +119,7 @@ TEST_CASE("a value that is the cure lets time go on, with a past that never went
     CHECK(lab.sum(3) == lab.sum(5));
 }
 
-TEST_CASE("a value that is no cure leaves the clock where it was") {
+TEST_CASE("a value that does not fix the NaN keeps the clock paused") {
     Tripping lab;
     lab.wait_for_trip();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.9)); });
@@ -130,7 +130,7 @@ TEST_CASE("a value that is no cure leaves the clock where it was") {
     CHECK_FALSE(lab.lab().player().is_playing());
 }
 
-TEST_CASE("an edit that is the cure lets time go on") {
+TEST_CASE("an edit that fixes the NaN lets time continue") {
     Tripping lab;
     lab.wait_for_trip();
     lab.write_by_rename("sum.frag", small_look::sum);
@@ -140,7 +140,7 @@ TEST_CASE("an edit that is the cure lets time go on") {
     CHECK(std::isfinite(lab.sum(3)));
 }
 
-TEST_CASE("the pass that began it is named, though another one was looked at before") {
+TEST_CASE("the pass that wrote it first is reported, even if another one was checked first") {
     SmallLab lab;
     lab.write("calm.frag", calm);
     lab.write("spark.frag", spark);
@@ -162,7 +162,7 @@ TEST_CASE("the pass that began it is named, though another one was looked at bef
     CHECK(*lab.lab().trip() == Trip{1, 3, 3, 40});
 }
 
-TEST_CASE("where no format holds such numbers nothing is looked for") {
+TEST_CASE("formats that cannot store NaN are not checked") {
     SmallLab lab(replaced(replaced(small_look::manifest, "rgba32f", "rgba8"), "rgba32f", "rgba8"));
     lab.turn(3);
     CHECK_FALSE(lab.lab().renderer()->awaits_trip());

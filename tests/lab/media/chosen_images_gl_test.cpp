@@ -8,7 +8,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// Reads a picture that the person picks, as `show` shows it.
+// Reads a picture that the user chooses, displayed by `show`.
 constexpr const char* with_a_picker = R"({
   "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "nothing", "settle_frames": 1,
   "source_encoding": "linear",
@@ -20,7 +20,7 @@ constexpr const char* with_a_picker = R"({
 const std::string picker = replaced(replaced(small_look::sum, "previous;", "picked;"),
                                     "texture(previous, uv) + step_size", "texture(picked, uv)");
 
-// EXR keeps the numbers as they are.
+// EXR stores the values exactly.
 fs::path save_grey(const fs::path& file, float level) {
     const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
     REQUIRE(save_picture(grey, file).has_value());
@@ -33,7 +33,7 @@ void pick(SmallLab& small, const fs::path& file) {
     });
 }
 
-// A small lab on a look with a picker.
+// A small lab with a look that has a picture parameter.
 struct PickerLab : SmallLab {
     PickerLab() {
         write("sum.frag", picker);
@@ -44,7 +44,7 @@ struct PickerLab : SmallLab {
 };
 }  // namespace
 
-TEST_CASE("a chosen picture is read when it was chosen and when its file has changed, else never") {
+TEST_CASE("a chosen picture is loaded only when it is chosen and when its file changes") {
     const TemporaryFolder folder;
     folder.write("shaders/small/look.json", with_a_picker);
     folder.write("shaders/small/sum.frag", picker);
@@ -72,7 +72,7 @@ TEST_CASE("a chosen picture is read when it was chosen and when its file has cha
     CHECK(shown(file) == 0.25f);
     save_grey(file, 0.5f);
     fs::last_write_time(file, written);
-    CHECK(shown(file) == 0.25f);  // its time has not changed: it was not read
+    CHECK(shown(file) == 0.25f);  // same modification time, so it was not read
     fs::last_write_time(file, written + std::chrono::seconds(1));
     CHECK(shown(file) == 0.5f);
     CHECK(shown(save_grey(folder / "two.exr", 2.0f)) == 2.0f);
@@ -80,7 +80,7 @@ TEST_CASE("a chosen picture is read when it was chosen and when its file has cha
     CHECK(images.files().empty());
 }
 
-TEST_CASE("a chosen picture that is painted over shows at once, without an edit of the look") {
+TEST_CASE("a chosen picture that is overwritten is shown without an edit of the look") {
     PickerLab small;
     const fs::path file = save_grey(small.folder() / "picked.exr", 0.25f);
     pick(small, file);
@@ -93,9 +93,9 @@ TEST_CASE("a chosen picture that is painted over shows at once, without an edit 
     CHECK(small.turn_until([&] { return small.shown() == 0.125f; }));
 }
 
-TEST_CASE("an image's encoding shows when look.json is edited, though its file is the same") {
+TEST_CASE("a new encoding of an image in look.json takes effect with the same file") {
     SmallLab small;
-    // As PNG holds it: the sRGB curve turns 0.5 into ((0.5 + 0.055) / 1.055)^2.4 = 0.21404.
+    // As PNG stores it: the sRGB curve maps 0.5 to ((0.5 + 0.055) / 1.055)^2.4 = 0.21404.
     const Picture half{{1, 1}, 3, Encoding::display, {0.5f, 0.5f, 0.5f}};
     REQUIRE(save_picture(half, small.look_folder() / "grain.png").has_value());
     const double stored = std::round(0.5 * 255.0) / 255.0;
@@ -115,7 +115,7 @@ TEST_CASE("an image's encoding shows when look.json is edited, though its file i
     CHECK(shows(stored));
 }
 
-TEST_CASE("the notice of a problem goes as soon as the problem does") {
+TEST_CASE("the notice of a problem disappears with the problem") {
     PickerLab small;
     const fs::path file = small.folder() / "picked.exr";
     pick(small, file);
@@ -125,11 +125,11 @@ TEST_CASE("the notice of a problem goes as soon as the problem does") {
     REQUIRE(small.lab().messages().problems().size() == 1);
     CHECK(small.lab().messages().problems().front().diagnostic.file == file);
 
-    SUBCASE("the file comes to be") {
+    SUBCASE("the file is created") {
         save_grey(file, 0.5f);
         REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
     }
-    SUBCASE("another is chosen") {
+    SUBCASE("another file is chosen") {
         pick(small, save_grey(small.folder() / "other.exr", 0.5f));
         small.turn(2);
     }
@@ -141,7 +141,7 @@ TEST_CASE("the notice of a problem goes as soon as the problem does") {
     CHECK_FALSE(small.lab().messages().notice().has_value());
 }
 
-TEST_CASE("what is said meanwhile stays when a problem is mended") {
+TEST_CASE("a newer notice stays when an earlier problem is fixed") {
     PickerLab small;
     pick(small, small.folder() / "picked.exr");
     small.turn(1);
@@ -152,7 +152,7 @@ TEST_CASE("what is said meanwhile stays when a problem is mended") {
     CHECK(small.lab().messages().notice()->text == "Saved");
 }
 
-TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
+TEST_CASE("a preset that is broken and repaired on disk leaves no notice") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
     small.lab().presets().save_as("bright");
@@ -167,7 +167,7 @@ TEST_CASE("a preset that is broken and mended on disk leaves no notice") {
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
 }
 
-TEST_CASE("a sampler reads the pattern of its default, and again when a choice is taken back") {
+TEST_CASE("a sampler reads its default pattern, and again after a choice is removed") {
     const TemporaryFolder folder;
     const auto context = gpu::Context::headless();
     REQUIRE(context.has_value());
@@ -195,17 +195,17 @@ TEST_CASE("a sampler reads the pattern of its default, and again when a choice i
     CHECK(images.files().empty());
 }
 
-TEST_CASE("a picture that is chosen while a look is open is read beside what is drawn") {
+TEST_CASE("a picture chosen while a look is open is loaded in the background") {
     PickerLab small;
     pick(small, save_grey(small.folder() / "one.exr", 0.25f));
     const float frames = small.frames();
     small.turn(1);
     CHECK(small.frames() == frames + 1.0f);
-    CHECK(small.shown() == 0.0f);  // as before: it is taken at the beginning of a turn
+    CHECK(small.shown() == 0.0f);  // unchanged, because it takes effect at the start of an update
     CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
 }
 
-TEST_CASE("of two pictures that are chosen one after the other the second stays") {
+TEST_CASE("of two pictures chosen in succession the second one stays") {
     PickerLab small;
     pick(small, save_grey(small.folder() / "one.exr", 0.25f));
     small.turn(1);
@@ -217,7 +217,7 @@ TEST_CASE("of two pictures that are chosen one after the other the second stays"
     }
 }
 
-TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is none says so") {
+TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported") {
     SmallLab small;
     small.write("../../elsewhere/room.fs",
                 "/*{\"INPUTS\": [{\"NAME\": \"room\", \"TYPE\": \"cube\"}],"
@@ -245,7 +245,7 @@ TEST_CASE("a panorama that is chosen for a cube is seen all round, and what is n
     CHECK(small.turn_until([&] { return red() == 0.0f; }));
 }
 
-TEST_CASE("a picture outside of a preset's folder is shown when the user agrees, then at once") {
+TEST_CASE("a picture outside a preset's folder needs the user's permission once") {
     PickerLab small;
     const fs::path outside = save_grey(small.folder() / "outside.exr", 0.5f);
     const fs::path preset = small.folder() / "user/presets/small/theirs.json";

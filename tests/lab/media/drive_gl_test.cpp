@@ -6,7 +6,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The small look with other ends: what drives it, and what its first pass reads.
+// The small look with another driver and another input of its first pass.
 std::string manifest_of(const std::string& drive, const std::string& previous) {
     return R"({
   "format": "afterglow-look", "version": 1, "name": "Small", )" +
@@ -22,7 +22,7 @@ std::string manifest_of(const std::string& drive, const std::string& previous) {
 const std::string on_a_picture = manifest_of(
     R"("driven_by": "picture", "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1)",
     "source");
-// Shows what its source was ten frames ago.
+// Shows the source of ten frames ago.
 const std::string on_the_past = manifest_of(
     R"("driven_by": "picture", "default_source": "pattern:harbour,size=64x48", "source_encoding": "linear", "settle_frames": 20)",
     "source@10");
@@ -33,7 +33,7 @@ const std::string with_an_image = manifest_of(
     R"("driven_by": "nothing", "settle_frames": 1, "images": { "grain": { "file": "grain.exr" } })",
     "grain");
 
-// 16-bit stereo WAV of a constant: left a quarter, right minus a quarter of full scale.
+// 16-bit stereo WAV of constants: left 1/4, right -1/4 of full scale.
 std::string wav(std::uint32_t frames, std::uint32_t rate = 8000) {
     const auto number = [](std::uint32_t value, int bytes) {
         std::string text;
@@ -58,12 +58,12 @@ bool has_sound(SmallLab& small) {
 }
 }  // namespace
 
-TEST_CASE("a sound that is opened draws and plays from its beginning; undo gives the figure back") {
+TEST_CASE("an opened sound draws and plays from its start, and undo restores the figure") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
     small.lab().open_file(song);
-    CHECK(small.lab().player().signal() != nullptr);  // the figure goes on until then
+    CHECK(small.lab().player().signal() != nullptr);  // the figure stays until then
     REQUIRE(has_sound(small));
     CHECK(small.lab().player().time() < 0.1);
     CHECK(small.lab().player().sound_seconds() == doctest::Approx(1.0));
@@ -79,7 +79,7 @@ TEST_CASE("a sound that is opened draws and plays from its beginning; undo gives
     CHECK(has_sound(small));
 }
 
-TEST_CASE("a preset finds its sound again where it was opened, and says when it is gone") {
+TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "music" / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
@@ -107,32 +107,32 @@ TEST_CASE("a preset finds its sound again where it was opened, and says when it 
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().player().signal() != of_another);
     CHECK(small.lab().messages().notice()->text.find("song.wav") != std::string::npos);
-    CHECK(small.lab().player().signal() != nullptr);  // the look's own
+    CHECK(small.lab().player().signal() != nullptr);  // the look's default
     CHECK(small.document().state().signal.kind == "audio");
     small.lab().presets().save();
-    CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // nothing is lost
+    CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // the reference is kept
 }
 
-TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
+TEST_CASE("a missing file stays listed as a problem while it is referenced") {
     for (const std::string& manifest : {on_a_signal, on_a_picture}) {
         SmallLab small(manifest);
         const bool is_sound = manifest == on_a_signal;
         const fs::path file = small.folder() / (is_sound ? "gone.wav" : "gone.exr");
-        small.lab().edit([&](Document& document) {  // as a preset names it
+        small.lab().edit([&](Document& document) {  // like a preset that references it
             if (is_sound)
                 document.set_signal({"audio", {{"file", file.string()}}});
             else
                 document.set_source(file.string());
         });
         REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
-        small.lab().update(60.0);  // the notice has gone by
+        small.lab().update(60.0);  // the notice has expired
         small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
         small.turn(3);
         CHECK_FALSE(small.lab().messages().notice().has_value());
         REQUIRE(small.lab().messages().problems().size() == 1);
         CHECK(small.lab().messages().problems().front().diagnostic.file == file);
         CHECK(small.lab().messages().problems().front().diagnostic.severity == Severity::warning);
-        small.write("gain.glsl", "uniform float gain = 3.0;\n");  // a reload is no mending
+        small.write("gain.glsl", "uniform float gain = 3.0;\n");  // a reload clears nothing
         REQUIRE(small.turn_until(
             [&] { return small.document().look().parameters.back().initial == Value(3.0); }));
         CHECK(small.lab().messages().problems().size() == 1);
@@ -145,7 +145,7 @@ TEST_CASE("a file that is missing keeps its mark for as long as it is named") {
     }
 }
 
-TEST_CASE("a sound that breaks off draws as far as it goes, and keeps a mark") {
+TEST_CASE("a truncated sound plays as far as it goes and is listed as a problem") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "cut.wav";
     const std::string whole = wav(8000);
@@ -159,7 +159,7 @@ TEST_CASE("a sound that breaks off draws as far as it goes, and keeps a mark") {
     CHECK(small.lab().messages().notice()->is_problem);
 }
 
-TEST_CASE("reading a sound can be stopped; what was there before comes back") {
+TEST_CASE("loading a sound can be cancelled, and the previous signal returns") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "long.wav";
     REQUIRE(write_atomically(song, wav(4000000)).has_value());
@@ -174,8 +174,7 @@ TEST_CASE("reading a sound can be stopped; what was there before comes back") {
     CHECK(small.lab().player().sound().sound == nullptr);
 }
 
-TEST_CASE(
-    "a picture or sound that is changed on disk follows; broken there, the last one goes on") {
+TEST_CASE("a picture or sound follows its file, and a broken file keeps the last version") {
     SmallLab painted(on_a_picture);
     const fs::path file = painted.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
@@ -203,11 +202,11 @@ TEST_CASE(
     CHECK(seconds() == doctest::Approx(0.5));
 }
 
-TEST_CASE("a chosen file that cannot be read changes nothing, and the message names it") {
+TEST_CASE("a chosen file that cannot be read changes nothing and is named in the message") {
     struct Case {
         std::string manifest;
         const char* file;
-        const char* content;  // null: there is no such file
+        const char* content;  // null: the file does not exist
     };
     for (const Case& bad :
          {Case{on_a_signal, "broken.wav", "RIFF and nothing more"},
@@ -236,7 +235,7 @@ TEST_CASE("a chosen file that cannot be read changes nothing, and the message na
     }
 }
 
-TEST_CASE("a file that was opened is reported once, whatever it is") {
+TEST_CASE("an opened file of any kind is reported once") {
     SmallLab small(on_a_picture);
     const fs::path picture = small.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), picture).has_value());
@@ -251,7 +250,7 @@ TEST_CASE("a file that was opened is reported once, whatever it is") {
     CHECK(small.lab().opened_files().take().empty());
 }
 
-TEST_CASE("a video, a drawing or a model that cannot be read is told, and the lab goes on") {
+TEST_CASE("an unreadable video, drawing or model is reported, and the lab continues") {
     struct Case {
         std::string manifest;
         const char* file;
@@ -294,7 +293,7 @@ TEST_CASE("a video, a drawing or a model that cannot be read is told, and the la
     }
 }
 
-TEST_CASE("a look on a picture shows its pattern, then the person's file") {
+TEST_CASE("a look driven by a picture shows its pattern, then the user's file") {
     SmallLab small(on_a_picture);
     REQUIRE(small.turn_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
     const fs::path file = small.folder() / "grey.exr";
@@ -309,7 +308,7 @@ TEST_CASE("a look on a picture shows its pattern, then the person's file") {
     CHECK(small.shown() == 1.25f);
 }
 
-TEST_CASE("a picture that a person chose for a sampler is read, and black where it is gone") {
+TEST_CASE("a picture chosen for a sampler is loaded, and a missing one is black") {
     SmallLab small;
     small.write(
         "show.frag",
@@ -335,7 +334,7 @@ TEST_CASE("a picture that a person chose for a sampler is read, and black where 
     CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "gone.exr");
 }
 
-TEST_CASE("how a source lies in the picture is a step of its own") {
+TEST_CASE("each change of the placement of a source is an undo step") {
     SmallLab small(on_a_picture);  // draws 8 x 8 px
     const std::string file = (small.folder() / "grey.exr").string();
     REQUIRE(save_picture(grey(0.25f), file).has_value());
@@ -357,7 +356,7 @@ TEST_CASE("how a source lies in the picture is a step of its own") {
     CHECK(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
 }
 
-TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes on") {
+TEST_CASE("numbered pictures play in order, and a gap is reported") {
     SmallLab small(on_a_picture);
     for (const int number : {1, 2, 4})
         REQUIRE(save_picture(grey(static_cast<float>(number)),
@@ -370,12 +369,12 @@ TEST_CASE("numbered pictures follow each other; a gap is told and the lab goes o
     CHECK(small.lab().messages().notice()->text.find("picture 3 is missing") != std::string::npos);
 }
 
-TEST_CASE("a replay shows a pattern that moves as it was at each frame") {
+TEST_CASE("a replay shows a moving pattern as it was in each frame") {
     SmallLab small(on_the_past);
     small.lab().size().choose({false, {64, 48}, 1.0});
     REQUIRE(small.turn_until(
         [&] { return !small.lab().drive().source_extent().is_empty() && small.frames() > 40.0f; }));
-    // Ten frames are a step of the clock that the harbour moves by.
+    // The harbour moves by one step in ten frames.
     const double end = small.lab().player().time();
     REQUIRE(make_pattern("harbour,size=64x48", end)->pixels !=
             make_pattern("harbour,size=64x48", end - 10.0 / 60.0)->pixels);
@@ -396,7 +395,7 @@ TEST_CASE("a replay shows a pattern that moves as it was at each frame") {
     }
 }
 
-TEST_CASE("an image of the look that is saved anew shows; a broken one is told") {
+TEST_CASE("a changed image of the look is shown, and a broken one is reported") {
     TemporaryFolder folder;
     const fs::path grain = folder / "grain.exr";
     REQUIRE(save_picture(grey(0.5f), grain).has_value());

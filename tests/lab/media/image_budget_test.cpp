@@ -2,10 +2,10 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("the images of a look take at most a gigabyte together") {
+TEST_CASE("the images of a look take at most 1 GiB in total") {
     Image image;
     image.file = "a.png";
-    image.format = Format::rgba32f;  // 16 bytes a texel
+    image.format = Format::rgba32f;  // 16 bytes per texel
     Picture picture;
     picture.extent = {4096, 4096};  // 2^24 texels
     ImageBudget floats;
@@ -16,7 +16,7 @@ TEST_CASE("the images of a look take at most a gigabyte together") {
     REQUIRE_FALSE(refused.has_value());
     CHECK(refused.error().front().file == "a.png");
     picture.extent = {4096, 4096};
-    image.format = Format::rgba8;  // 4 bytes
+    image.format = Format::rgba8;  // 4 bytes per texel
     ImageBudget bytes;
     for (int i = 0; i < 16; ++i)
         CHECK(bytes.take(image, picture).has_value());

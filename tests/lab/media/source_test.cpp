@@ -16,7 +16,7 @@ Picture level(float value) {
     return {{2, 1}, 3, Encoding::linear, std::vector<float>(6, value)};
 }
 
-// Pictures 5, 6, 7 of a sequence, each as light as its number.
+// Pictures 5, 6, 7 of a sequence. The values of each are its number.
 std::string sequence(const TemporaryFolder& folder, const std::string& settings) {
     for (const int number : {5, 6, 7}) {
         const auto file = folder / ("f_" + std::to_string(number) + ".exr");
@@ -31,7 +31,7 @@ Source opened(const std::string& text) {
     return std::move(*source);
 }
 
-// What frames 1, 2, ... of a clock show.
+// The values in frames 1, 2, ... of a clock.
 std::vector<float> shown(Source& source, int frames, double fps) {
     std::vector<float> values;
     for (int frame = 1; frame <= frames; ++frame)
@@ -40,13 +40,13 @@ std::vector<float> shown(Source& source, int frames, double fps) {
 }
 }  // namespace
 
-TEST_CASE("at equal rates each frame shows the next picture; then the first again, or the last") {
+TEST_CASE("at equal rates each frame shows the next picture, then loops or holds the last") {
     const TemporaryFolder folder;
     Source looping = opened(sequence(folder, ",rate=24"));
     CHECK(shown(looping, 7, 24) == std::vector<float>{5, 6, 7, 5, 6, 7, 5});
     Source held = opened(sequence(folder, ",rate=24,loop=off"));
     CHECK(shown(held, 5, 24) == std::vector<float>{5, 6, 7, 7, 7});
-    CHECK(held.wait_for(2 / 24.0)->pixels.front() == 6.0f);  // and back
+    CHECK(held.wait_for(2 / 24.0)->pixels.front() == 6.0f);  // also backwards
     Source slow = opened(sequence(folder, ",rate=30"));
     CHECK(shown(slow, 6, 60) == std::vector<float>{5, 5, 6, 6, 7, 7});
     Source usual = opened(sequence(folder, ""));
@@ -54,8 +54,8 @@ TEST_CASE("at equal rates each frame shows the next picture; then the first agai
     CHECK(usual.moves());
 }
 
-TEST_CASE("a film is read in the encoding that its look works in") {
-    constexpr int count = 20;  // more than are read ahead
+TEST_CASE("a film is read in the encoding of its look") {
+    constexpr int count = 20;  // more than the read-ahead
     const TemporaryFolder folder;
     for (int number = 0; number < count; ++number)
         REQUIRE(save_picture(level(0.5f), folder / ("f_" + std::to_string(number) + ".exr")));
@@ -67,7 +67,7 @@ TEST_CASE("a film is read in the encoding that its look works in") {
     CHECK(later->pixels.front() == doctest::Approx(srgb_encode(0.5)).epsilon(1e-6));
 }
 
-TEST_CASE("a picture that is missing leaves the one before it, and is told once") {
+TEST_CASE("a missing picture repeats the previous one and is reported once") {
     const TemporaryFolder folder;
     const std::string name = sequence(folder, ",rate=10");
     std::filesystem::remove(folder / "f_6.exr");
@@ -80,7 +80,7 @@ TEST_CASE("a picture that is missing leaves the one before it, and is told once"
     CHECK(source.take_problems().empty());
 }
 
-TEST_CASE("what is no number in a picture is made one and told; light above 1 stays") {
+TEST_CASE("NaN and infinity are replaced and reported, and light above 1 stays") {
     const TemporaryFolder folder;
     Picture picture = level(3.5f);
     picture.pixels[0] = std::numeric_limits<float>::quiet_NaN();
@@ -98,7 +98,7 @@ TEST_CASE("what is no number in a picture is made one and told; light above 1 st
     CHECK_FALSE(source.moves());
 }
 
-TEST_CASE("the smallest and a very wide picture are sources") {
+TEST_CASE("the smallest and a very wide picture are accepted as sources") {
     const TemporaryFolder folder;
     for (const Extent extent : {Extent{1, 1}, Extent{16384, 1}}) {
         const Picture picture{extent, 3, Encoding::linear,
@@ -109,7 +109,7 @@ TEST_CASE("the smallest and a very wide picture are sources") {
     }
 }
 
-TEST_CASE("what is no source is told") {
+TEST_CASE("an invalid source is reported") {
     const TemporaryFolder folder;
     const auto refused = [](const std::string& text) {
         const auto source = Source::open(text);
@@ -123,7 +123,7 @@ TEST_CASE("what is no source is told") {
     CHECK(refused(video.string()).starts_with(video.string() + ": error: can't read the video"));
 }
 
-TEST_CASE("a pattern that moves is drawn as it is at each time") {
+TEST_CASE("a moving pattern is drawn for each requested time") {
     Source source = opened("pattern:harbour,size=64x48,fit=integer");
     CHECK(source.moves());
     CHECK_FALSE(source.is_film());
@@ -134,7 +134,7 @@ TEST_CASE("a pattern that moves is drawn as it is at each time") {
         CHECK(source.picture_at(seconds)->pixels == expected->pixels);
     }
     CHECK(source.picture_at(1.0)->pixels != source.picture_at(3.0)->pixels);
-    const SharedPicture before = source.picture_at(1.001);  // of the same sixth of a second
+    const SharedPicture before = source.picture_at(1.001);  // in the same sixth of a second
     CHECK(source.picture_at(1.002) == before);
     CHECK_FALSE(source.is_late());
     CHECK_FALSE(opened("pattern:white").moves());

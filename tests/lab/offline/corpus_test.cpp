@@ -16,7 +16,7 @@ std::vector<std::string> sampled_names(const TemporaryFolder& folder, int seed) 
 }
 }  // namespace
 
-TEST_CASE("the same seed draws the same files of a folder, wherever it is") {
+TEST_CASE("a seed samples the same files of a folder at any location") {
     const TemporaryFolder here;
     const TemporaryFolder there;
     for (const TemporaryFolder* folder : {&here, &there})
@@ -28,7 +28,7 @@ TEST_CASE("the same seed draws the same files of a folder, wherever it is") {
     CHECK(sampled_names(here, 2) != first);
 }
 
-TEST_CASE("each look of a folder is tried once, by the file that shows it") {
+TEST_CASE("each look of a folder is tried once, by its main file") {
     const TemporaryFolder folder;
     const auto names = [&] {
         std::vector<std::string> found;

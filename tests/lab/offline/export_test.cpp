@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a part has every frame that its seconds need, and one at least") {
+TEST_CASE("a part contains every frame of its seconds, and at least one") {
     const auto part = [](double start, double seconds, double fps) {
         const ExportPart made = part_of(start, seconds, fps);
         return std::pair(made.first, made.end);

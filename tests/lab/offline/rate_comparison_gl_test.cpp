@@ -17,7 +17,7 @@ void main() {
 }
 )";
 
-/// A lab on a light that fades, as `kept` says it, from what `kept_first` leaves of it in frame 1.
+/// A lab with a fading light: factor `kept` per frame, starting with `kept_first` in frame 1.
 class Fading : public SmallLab {
 public:
     Fading(const std::string& kept, const std::string& kept_first) {
@@ -36,9 +36,9 @@ public:
 };
 }  // namespace
 
-TEST_CASE("a look settles at a moment when every rate ends a frame") {
+TEST_CASE("looks are compared at a time when a frame of every rate ends") {
     Look look;
-    look.settle_frames = 20;  // 1/3 s: half a second is the least
+    look.settle_frames = 20;  // 1/3 s; the minimum is half a second
     CHECK(moment_to_compare(look) == 0.5);
     look.settle_frames = 121;
     CHECK(std::abs(moment_to_compare(look) - 13.0 / 6.0) < 1e-12);
@@ -50,7 +50,7 @@ TEST_CASE("a look settles at a moment when every rate ends a frame") {
     CHECK(size_to_compare({320, 200}) == Extent{320, 200});
 }
 
-TEST_CASE("a light that fades by the second is the same at every rate") {
+TEST_CASE("a decay per second is equal at every rate") {
     Fading lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
     const auto found = lab.compare();
     REQUIRE(found.has_value());
@@ -59,13 +59,13 @@ TEST_CASE("a light that fades by the second is the same at every rate") {
     CHECK(found->worst().difference.largest < 1e-4);
 }
 
-TEST_CASE("a light that fades by the frame is not, and the farthest rates are named") {
+TEST_CASE("a decay per frame differs, and the most different rates are reported") {
     Fading lab("decay", "decay");
     const auto found = lab.compare();
     REQUIRE(found.has_value());
     CHECK(found->worst().first == 24.0);
     CHECK(found->worst().second == 144.0);
-    // After half a second: 12 frames against 72.
+    // After half a second: 12 and 72 frames.
     const double apart = std::pow(0.95, 12.0) - std::pow(0.95, 72.0);
     CHECK(std::abs(found->worst().difference.largest - apart) < 1e-4);
     REQUIRE(found->pictures.size() == compared_rates.size());
@@ -73,7 +73,7 @@ TEST_CASE("a light that fades by the frame is not, and the farthest rates are na
     CHECK(std::abs(found->picture(144.0).pixels[0] - std::pow(0.95, 72.0)) < 1e-4);
 }
 
-TEST_CASE("a comparison runs beside the lab, can be cancelled and be begun again") {
+TEST_CASE("a rate comparison runs in the background and can be cancelled and restarted") {
     Fading lab("decay", "1.0");
     lab.lab().jobs().compare_rates();
     CHECK(lab.lab().jobs().rates().is_running());

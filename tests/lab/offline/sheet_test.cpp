@@ -17,7 +17,7 @@ int count_of(const Picture& sheet, float value) {
 }
 }  // namespace
 
-TEST_CASE("a sheet holds every picture whole, row by row from the top left") {
+TEST_CASE("a sheet contains every picture completely, in rows from the top left") {
     const Extent cell{60, 30};
     const auto sheet = sheet_of(
         {{"one", plain(cell, 0.25f)}, {"two", plain(cell, 0.5f)}, {"three", plain(cell, 0.75f)}},
@@ -39,7 +39,7 @@ TEST_CASE("a sheet holds every picture whole, row by row from the top left") {
     CHECK(first(0.75f)[1] >= first(0.25f)[1] + 30);
 }
 
-TEST_CASE("a sheet shows linear light as a display needs it") {
+TEST_CASE("a sheet encodes linear light for the display") {
     const auto sheet = sheet_of({{"a", plain({20, 20}, 0.5f, Encoding::linear)}}, 1);
 
     REQUIRE(sheet);
@@ -47,7 +47,7 @@ TEST_CASE("a sheet shows linear light as a display needs it") {
     CHECK(count_of(*sheet, static_cast<float>(1.055 * std::pow(0.5, 1.0 / 2.4) - 0.055)) == 400);
 }
 
-TEST_CASE("a caption is written below its picture and stays within its width") {
+TEST_CASE("a caption is below its picture and within its width") {
     const Extent cell{80, 30};
     const auto bare = sheet_of({{"", plain(cell, 0.25f)}, {"", plain(cell, 0.25f)}}, 2);
     const auto told = sheet_of(
@@ -67,7 +67,7 @@ TEST_CASE("a caption is written below its picture and stays within its width") {
     CHECK(rightmost < bare->extent.width / 2);
 }
 
-TEST_CASE("a sheet larger than a picture may be is refused") {
+TEST_CASE("a sheet above the size limit of pictures is refused") {
     const auto sheet =
         sheet_of({{"a", plain({9000, 10}, 0.0f)}, {"b", plain({9000, 10}, 0.0f)}}, 2);
 

@@ -48,24 +48,24 @@ std::string sweep_refusal(std::string_view text) {
 }
 }  // namespace
 
-TEST_CASE("a span is divided evenly along the slider") {
+TEST_CASE("a range is divided evenly along the slider") {
     CHECK(numbers_of("decay=0:1:5") == std::vector<double>{0.0, 0.25, 0.5, 0.75, 1.0});
     CHECK(numbers_of("decay=1:0:3") == std::vector<double>{1.0, 0.5, 0.0});
-    const auto ratios = numbers_of("exposure=0.5:8:5");  // each twice the one before
+    const auto ratios = numbers_of("exposure=0.5:8:5");  // each is twice the previous one
     REQUIRE(ratios.size() == 5);
     for (std::size_t i = 0; i < 5; ++i)
         CHECK(std::abs(ratios[i] - 0.5 * std::pow(2.0, static_cast<double>(i))) < 1e-12);
-    // From 0 there are no equal ratios.
+    // Equal ratios are impossible from 0.
     CHECK(numbers_of("exposure=0:8:3") == std::vector<double>{0.0, 4.0, 8.0});
     CHECK(numbers_of("taps=1:3:5") == std::vector<double>{1.0, 2.0, 3.0});
 }
 
-TEST_CASE("a list is taken as it is, items by their names") {
+TEST_CASE("a list is used as given, with items by name") {
     CHECK(numbers_of("decay=0.5, 0.25") == std::vector<double>{0.5, 0.25});
     CHECK(numbers_of("tone_map=ACES,Clamp") == std::vector<double>{2.0, 0.0});
 }
 
-TEST_CASE("what cannot be varied is refused in plain words") {
+TEST_CASE("an invalid sweep is refused with a clear message") {
     CHECK(sweep_refusal("decay") == "expected name=low:high:count or name=a,b,c, got 'decay'");
     CHECK(sweep_refusal("dekay=0:1:2") ==
           "'test' has no parameter 'dekay' (did you mean 'decay'?)");
@@ -78,7 +78,7 @@ TEST_CASE("what cannot be varied is refused in plain words") {
     CHECK(sweep_refusal("tone_map=Clamp,Acid").find("'tone_map' must be one of") == 0);
 }
 
-TEST_CASE("every combination comes once, the first parameter fastest") {
+TEST_CASE("every combination appears once, and the first parameter varies fastest") {
     const Look look = look_to_vary();
     const auto across = parse_sweep_axis("tone_map=Clamp,ACES", look);
     const auto down = parse_sweep_axis("decay=0:1:3", look);

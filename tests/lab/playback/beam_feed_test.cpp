@@ -35,7 +35,7 @@ private:
     Descriptor m_socket;
 };
 
-// As in the window, where time goes on without a sender.
+// Like the window, where time continues without a sender.
 Player live_player() {
     return Player(std::make_unique<NoSoundDevices>());
 }
@@ -44,7 +44,7 @@ Spec socket_at(const std::filesystem::path& place) {
     return {"socket", {{"path", place.string()}}};
 }
 
-/// Plays until a frame is as wished; the last one.
+/// Plays until a frame satisfies `is_wished`, and returns its beam.
 template <class Wished>
 Beam play_until(Player& player, const Wished& is_wished) {
     const auto start = std::chrono::steady_clock::now();
@@ -63,7 +63,7 @@ bool is_lit(const Beam& beam) {
 }
 }  // namespace
 
-TEST_CASE("one program after the other draws over a socket, and what each does is told") {
+TEST_CASE("programs draw over a socket one after another, and their state is reported") {
     const TemporaryFolder folder;
     const auto place = folder.path() / "beam";
     Player player = live_player();
@@ -84,17 +84,17 @@ TEST_CASE("one program after the other draws over a socket, and what each does i
     CHECK(player.sent_state() == "Receiving from " + place.string());
 }
 
-TEST_CASE("after the last program has gone the beam rests, and it is told") {
+TEST_CASE("after the last program disconnects the beam stops, and this is reported") {
     const TemporaryFolder folder;
     Player player = live_player();
     REQUIRE(player.set_signal(socket_at(folder.path() / "beam")).has_value());
-    { const Sender silent(folder.path() / "beam"); }  // is no sender
+    { const Sender silent(folder.path() / "beam"); }  // sends nothing, so it is not a sender
     Sender(folder.path() / "beam").send("0 0 1 0.01\n");
     play_until(player, [&](const Beam&) { return !player.silence().empty(); });
     CHECK(player.silence() == "\"" + (folder.path() / "beam").string() + "\" stopped sending");
 }
 
-TEST_CASE("a place that cannot be had leaves the socket that is open") {
+TEST_CASE("an unusable path leaves the open socket in place") {
     const TemporaryFolder folder;
     const auto place = folder.path() / "beam";
     Player player = live_player();

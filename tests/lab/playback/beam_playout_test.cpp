@@ -11,13 +11,13 @@ namespace {
 constexpr int playout_rate = 48000;
 constexpr double playout_frame = 1.0 / 60.0;
 
-/// A real scope in the hands of a test, at the end of a device.
+/// A simulated oscilloscope at a sound device.
 struct Scope {
     BeamQueue queue{playout_rate};
     bool has_stalled = false;
     int opened = 0;
 
-    /// What it is given in a time, at full scale: x and y in turn.
+    /// The samples that it gets in a time, at full scale: x and y interleaved.
     std::vector<float> see(int frames) {
         std::vector<float> stereo(2 * static_cast<std::size_t>(frames));
         queue.mix(stereo);
@@ -39,7 +39,7 @@ private:
     Scope& m_scope;
 };
 
-/// A machine without sound, which says for what it is missed.
+/// A machine without audio devices that names the beam in its error.
 class MissingDevices : public NoSoundDevices {
 public:
     Result<std::unique_ptr<BeamOutput>> open_beam_output(const SoundSettings&) override {
@@ -74,8 +74,8 @@ struct Bench {
             player.set_signal(parse_spec("lissajous:x=3,y=2,amplitude=0.8").value()).has_value());
     }
 
-    /// Lets time go by; what the scope was given, `frames` samples for each frame of a
-    /// sixtieth.
+    /// Advances time and returns the output to the scope: `frames` samples for each frame of 1/60
+    /// s.
     std::vector<float> run(double seconds, int frames = playout_rate / 60) {
         std::vector<float> seen;
         for (int i = 0; i < std::lround(seconds * 60.0); ++i) {
@@ -97,19 +97,19 @@ float largest_step(const std::vector<float>& stereo) {
     return step;
 }
 
-// Three sines in 1/60 s go no faster than 2 pi 180 * 0.8 a second; a jump is spread over 5 ms.
+// Three periods in 1/60 s change by at most 2 pi 180 * 0.8 per second. A jump is spread over 5 ms.
 const float steepest = static_cast<float>(0.8 * 2.0 * std::numbers::pi * 180.0 / playout_rate +
                                           1.6 / (playout_rate * 0.005));
 }  // namespace
 
-TEST_CASE("a real scope gets x on the left and y on the right, at the device's rate") {
+TEST_CASE("a scope gets x on the left and y on the right, at the device's rate") {
     Bench bench;
     bench.run(0.1);
     const double start = bench.player.time();
     const std::vector<float> seen = bench.run(1.0);
     double largest = 0.0;
     for (std::size_t i = 0; i < seen.size() / 2; ++i) {
-        // The picture of a time and its samples begin together.
+        // The picture and the samples of a time start together.
         const double turns =
             60.0 * (start + playout_frame + static_cast<double>(i + 1) / playout_rate);
         const double x = 0.8 * std::sin(2.0 * std::numbers::pi * (3.0 * turns + 0.25));
@@ -120,7 +120,7 @@ TEST_CASE("a real scope gets x on the left and y on the right, at the device's r
     CHECK(largest < 0.02);
 }
 
-TEST_CASE("seeking, another signal, pause and play make no click; a paused beam rests") {
+TEST_CASE("seeks, new signals, pause and play cause no click, and a paused beam is still") {
     Bench bench;
     std::vector<float> seen = bench.run(0.5);
     const auto go_on = [&](double seconds) {
@@ -143,11 +143,11 @@ TEST_CASE("seeking, another signal, pause and play make no click; a paused beam 
     CHECK(largest_step(seen) > 0.01f);
 }
 
-TEST_CASE("a device whose clock is not the picture's is followed without a gap") {
+TEST_CASE("a device with another clock than the picture is followed without a gap") {
     for (const int frames : {799, 801}) {
         Bench bench;
         bench.run(1.0, frames);
-        // No join: those of a gap are steeper than the signal itself.
+        // No join: a join after a gap is steeper than the signal.
         CHECK(largest_step(bench.run(30.0, frames)) <=
               0.8f * 2.0f * 3.15f * 180.0f / playout_rate * 1.02f);
         CHECK(bench.scope.queue.waiting() > playout_rate / 20);
@@ -155,7 +155,7 @@ TEST_CASE("a device whose clock is not the picture's is followed without a gap")
     }
 }
 
-TEST_CASE("time that a slow machine does not show is left out, as a scope waits for nobody") {
+TEST_CASE("time that a slow machine does not show is skipped, because a scope cannot wait") {
     Bench bench;
     bench.player.set_longest_frame(0.05);
     CHECK(bench.player.leaves_out());
@@ -166,7 +166,7 @@ TEST_CASE("time that a slow machine does not show is left out, as a scope waits 
     CHECK(std::abs(bench.player.time() - 2.0) < 1e-6);
 }
 
-TEST_CASE("a scope's device that is gone is told, and switching off lets go of it") {
+TEST_CASE("a lost scope device is reported, and switching off releases it") {
     Bench bench;
     CHECK(bench.scope.opened == 1);
     CHECK(bench.player.beam_device() == "Scope");
@@ -180,7 +180,7 @@ TEST_CASE("a scope's device that is gone is told, and switching off lets go of i
     REQUIRE(bench.player.advance(playout_frame).has_value());
 }
 
-TEST_CASE("without a device the switch goes back, it is told, and the picture goes on") {
+TEST_CASE("without a device the switch resets, this is reported and the picture continues") {
     const auto sound =
         std::make_shared<const Sound>(Sound{1000, 2, std::vector<float>(2000, 0.5f)});
     for (const char* signal : {"lissajous", "audio:a.wav"}) {

@@ -9,7 +9,7 @@
 namespace {
 constexpr double frame_seconds = 1.0 / 60.0;
 
-/// An input device in the hands of a test.
+/// A simulated input device.
 class FakeCapture : public SoundCapture {
 public:
     explicit FakeCapture(double& position, bool& has_stalled)
@@ -54,7 +54,7 @@ public:
     std::shared_ptr<LiveSound> live;
 };
 
-/// A player with devices that the test holds.
+/// A player with simulated devices.
 struct LivePlayer {
     LivePlayer() : LivePlayer(std::make_unique<FakeDevices>()) {}
     explicit LivePlayer(std::unique_ptr<FakeDevices> made)
@@ -69,7 +69,7 @@ PlayedSound second_of_sound() {
 }
 }  // namespace
 
-TEST_CASE("frames join without a gap, and their number counts from 1") {
+TEST_CASE("frames join without a gap, and their numbers start at 1") {
     Player player;
     double end = 0.0;
     for (int i = 1; i <= 100; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("speed scales time within 0.01 and 4") {
     CHECK(player.speed() == 0.01);
 }
 
-TEST_CASE("paused there is no frame; a step is a sixtieth of a second") {
+TEST_CASE("while paused there is no frame, and a step is 1/60 s") {
     Player player;
     player.advance(0.05);
     player.pause();
@@ -106,7 +106,7 @@ TEST_CASE("paused there is no frame; a step is a sixtieth of a second") {
     CHECK(player.advance(0.05).has_value());
 }
 
-TEST_CASE("restart begins with frame 1 at time 0 and no past; seeking keeps the count") {
+TEST_CASE("restart begins at frame 1 and time 0 without history, and seeking keeps the count") {
     Player player;
     player.advance(0.05);
     player.seek(7.0);
@@ -119,43 +119,43 @@ TEST_CASE("restart begins with frame 1 at time 0 and no past; seeking keeps the 
     CHECK(player.advance(0.05)->number == 1);
 }
 
-TEST_CASE("a window that was held up loses time rather than drawing it in one frame") {
+TEST_CASE("a delayed window drops time instead of drawing it in one frame") {
     Player player;
     CHECK(player.advance(100.0)->span.seconds() == doctest::Approx(0.25));
 }
 
-TEST_CASE("where a frame may cover only so much, time is shown more slowly, and it is told") {
+TEST_CASE("a limit per frame slows the shown time down, and the share is reported") {
     Player player;
     CHECK(player.shown_share() == 1.0);
     player.set_longest_frame(0.05);
     double end = 0.0;
     for (int i = 0; i < 60; ++i) {
-        const auto frame = player.advance(0.6);  // what a frame takes on a slow machine
-        CHECK(frame->span.start == end);         // nothing is left out
+        const auto frame = player.advance(0.6);  // duration of a frame on a slow machine
+        CHECK(frame->span.start == end);         // no time is skipped
         CHECK(frame->span.seconds() == doctest::Approx(0.05));
         end = frame->span.end;
     }
     CHECK(player.shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
-    player.set_longest_frame(1.0);  // no more than a quarter of a second in any case
+    player.set_longest_frame(1.0);  // at most a quarter of a second in any case
     CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
     for (int i = 0; i < 180; ++i)
         player.advance(frame_seconds);
     CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
 }
 
-TEST_CASE("how slowly time is shown is true from the second slow frame on, however long it takes") {
+TEST_CASE("the reported share is right from the second slow frame on, for any duration") {
     Player player;
     for (int i = 0; i < 60; ++i)
         player.advance(frame_seconds);
     player.advance(1.8);
-    CHECK(player.shown_share() == 1.0);  // one frame may have been held up by anything
+    CHECK(player.shown_share() == 1.0);  // a single frame may be delayed by anything
     player.advance(1.8);
     CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
     player.advance(1.8);
     CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
 }
 
-TEST_CASE("a frame that was held up once slows nothing down") {
+TEST_CASE("a single delayed frame does not slow time down") {
     Player player;
     for (const double seconds : {frame_seconds, 3.0, frame_seconds, frame_seconds}) {
         player.advance(seconds);
@@ -163,7 +163,7 @@ TEST_CASE("a frame that was held up once slows nothing down") {
     }
 }
 
-TEST_CASE("the fixed clock shows N/fps in frame N") {
+TEST_CASE("frame N of the fixed clock ends at N/fps") {
     Player player;
     for (int n = 1; n <= 3; ++n) {
         const PlayedFrame frame = player.advance_fixed(24.0);
@@ -173,7 +173,7 @@ TEST_CASE("the fixed clock shows N/fps in frame N") {
     }
 }
 
-TEST_CASE("a signal is set over its sound, and an unknown one leaves the last") {
+TEST_CASE("a signal is created over its sound, and an unknown one keeps the last one") {
     Player player;
     REQUIRE(player
                 .set_signal(Spec{"audio", {{"file", std::string("a.wav")}, {"start", 0.25}}},
@@ -191,12 +191,12 @@ TEST_CASE("a signal is set over its sound, and an unknown one leaves the last") 
     CHECK(player.trace({0.0, frame_seconds}).empty());
 }
 
-TEST_CASE("a live sound is the clock, and what came in is drawn at its time") {
+TEST_CASE("live sound is the clock, and input is drawn at its own time") {
     LivePlayer live;
     live.player.advance(0.1);
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
     CHECK(live.player.live_device() == "Line in");
-    CHECK_FALSE(live.player.advance(0.5).has_value());  // nothing has come in since
+    CHECK_FALSE(live.player.advance(0.5).has_value());  // no input since then
     live.devices.live->write(std::vector<float>(2 * 5000, 0.0f), 2);
     live.devices.live->write(std::vector<float>(2 * 100, 0.25f), 2);
     live.devices.position = 5.1;
@@ -210,7 +210,7 @@ TEST_CASE("a live sound is the clock, and what came in is drawn at its time") {
     CHECK(beam.back().y == 0.25f);
 }
 
-TEST_CASE("what came in during a pause is passed over, and a restart begins with now") {
+TEST_CASE("input during a pause is skipped, and a restart begins at the present") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     live.player.pause();
@@ -225,7 +225,7 @@ TEST_CASE("what came in during a pause is passed over, and a restart begins with
     CHECK(frame->span.end == doctest::Approx(0.1));
 }
 
-TEST_CASE("the picture of a live sound is late by the delay that was asked for") {
+TEST_CASE("the picture of a live sound is late by the chosen delay") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     SoundSettings late;
@@ -237,7 +237,7 @@ TEST_CASE("the picture of a live sound is late by the delay that was asked for")
     CHECK(frame->span.end == doctest::Approx(0.05));
 }
 
-TEST_CASE("another input, rate or buffer opens the input anew with it") {
+TEST_CASE("another input, rate or buffer reopens the input") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     SoundSettings other;
@@ -253,7 +253,7 @@ TEST_CASE("another input, rate or buffer opens the input anew with it") {
     CHECK(live.devices.captures == 4);
 }
 
-TEST_CASE("an input that is not there is told, and the last signal goes on") {
+TEST_CASE("a missing input is reported, and the last signal continues") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
     SoundSettings gone;
@@ -265,7 +265,7 @@ TEST_CASE("an input that is not there is told, and the last signal goes on") {
     CHECK_FALSE(live.player.trace(live.player.advance(0.1)->span).empty());
 }
 
-TEST_CASE("an input that goes away is told, and time goes on") {
+TEST_CASE("an input that stops is reported, and time continues") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     live.devices.has_stalled = true;
@@ -273,14 +273,14 @@ TEST_CASE("an input that goes away is told, and time goes on") {
     CHECK(live.player.silence() == "No input from \"Line in\"");
 }
 
-TEST_CASE("a muted live sound draws a resting beam, and its device stays closed") {
+TEST_CASE("a muted live sound draws a still beam, and its device stays closed") {
     LivePlayer live;
     REQUIRE(live.player.mute_input(true).has_value());
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
     CHECK(live.devices.captures == 0);
     CHECK(live.player.draws_muted_input());
     CHECK(live.player.silence() == "Live sound is muted");
-    const auto frame = live.player.advance(0.1);  // the machine's clock goes on
+    const auto frame = live.player.advance(0.1);  // the machine's clock continues
     REQUIRE(frame.has_value());
     for (const BeamPoint& point : live.player.trace(frame->span)) {
         CHECK(point.x == 0.0f);
@@ -294,7 +294,7 @@ TEST_CASE("a muted live sound draws a resting beam, and its device stays closed"
     CHECK(live.player.live_device().empty());
 }
 
-TEST_CASE("the input is open only while it is drawn, and not anew when a knob is turned") {
+TEST_CASE("the input is open only while it is drawn, and value changes do not reopen it") {
     LivePlayer live;
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"level", 2.0}}}).has_value());
@@ -304,7 +304,7 @@ TEST_CASE("the input is open only while it is drawn, and not anew when a knob is
 }
 
 namespace {
-/// A loudspeaker in the hands of a test.
+/// A simulated loudspeaker.
 struct Loudspeaker {
     double position = 0.0;
     bool has_stalled = false;
@@ -342,7 +342,7 @@ private:
 };
 }  // namespace
 
-TEST_CASE("a sound that is heard is the clock; when its device goes, it is told and time goes on") {
+TEST_CASE("an audible sound is the clock, and time continues when its device is lost") {
     Loudspeaker loudspeaker;
     Player player(std::make_unique<OutputDevices>(loudspeaker));
     REQUIRE(player.set_signal(parse_spec("audio:a.wav").value(), second_of_sound()).has_value());
@@ -354,7 +354,7 @@ TEST_CASE("a sound that is heard is the clock; when its device goes, it is told 
     CHECK(player.silence() == "Audio device \"Line out\" stopped. Playing silently.");
 }
 
-TEST_CASE("who comes back to a moment finds the frames before it, as if they had been shown") {
+TEST_CASE("seeking with a past fills the history as if the frames had been shown") {
     Player player;
     player.seek_with_past(2.0, 30);
     CHECK(player.time() == doctest::Approx(2.0));
@@ -365,14 +365,14 @@ TEST_CASE("who comes back to a moment finds the frames before it, as if they had
     CHECK(player.past().back().span.end == doctest::Approx(2.0));
     CHECK(player.past().back().span.seconds() == doctest::Approx(frame_seconds));
 
-    player.seek_with_past(0.1, 30);  // there were no more
+    player.seek_with_past(0.1, 30);  // there are no earlier frames
     CHECK(player.past().size() == 6);
     CHECK(player.past().front().number == 1);
     player.seek_with_past(0.0, 30);
     CHECK(player.past().empty());
 }
 
-TEST_CASE("textures follow a player's signal; without one there is nothing to follow") {
+TEST_CASE("sound textures follow the player's signal, and without a signal there are none") {
     Player player;
     CHECK_FALSE(player.sound_texels());
     REQUIRE(player.set_signal(parse_spec("lissajous:x=2,y=2,phase=0.25,amplitude=0.5").value())

@@ -9,12 +9,12 @@
 namespace fs = std::filesystem;
 
 namespace {
-/// The state folder of a run, and what a crash of it would leave behind.
+/// The state folder of a run, and the files that a crash would leave in it.
 class Run {
 public:
     Roots roots() const { return {m_folder.path(), m_folder.path(), m_folder.path()}; }
 
-    // The kernel ends the lock of a dead process; a copy was never locked.
+    // The kernel releases the lock of a dead process. A copy was never locked.
     void crash() const {
         const fs::path folder = m_folder.path() / "opening";
         for (const auto& entry : fs::directory_iterator(folder)) {
@@ -33,12 +33,12 @@ OpenRequest request_for(const fs::path& look) {
 }
 }  // namespace
 
-TEST_CASE("a crash leaves the name and place of the look that was compiled") {
+TEST_CASE("a crash leaves the name and location of the look that was compiled") {
     const Run run;
     OpeningMark mark(run.roots());
     CHECK_FALSE(find_unfinished_opening(run.roots()).has_value());
     mark.begin(request_for("/looks/bad.fs"), "/looks/part.glsl");
-    CHECK_FALSE(find_unfinished_opening(run.roots()).has_value());  // the run goes on
+    CHECK_FALSE(find_unfinished_opening(run.roots()).has_value());  // the run is still active
     run.crash();
     const auto left = find_unfinished_opening(run.roots());
     REQUIRE(left.has_value());
@@ -50,7 +50,7 @@ TEST_CASE("a crash leaves the name and place of the look that was compiled") {
     CHECK_FALSE(left->is_reset);
 }
 
-TEST_CASE("a look that was opened leaves nothing, also where it was opened several times") {
+TEST_CASE("an opened look leaves no mark, even after several openings") {
     const Run run;
     {
         OpeningMark mark(run.roots());
@@ -64,7 +64,7 @@ TEST_CASE("a look that was opened leaves nothing, also where it was opened sever
     CHECK(fs::is_empty(run.roots().state / "opening"));
 }
 
-TEST_CASE("what a crash left is forgotten once another look is opened") {
+TEST_CASE("the mark of a crash is removed when another look is opened") {
     const Run run;
     OpeningMark mark(run.roots());
     mark.begin(request_for("/looks/a.fs"), {});
@@ -76,7 +76,7 @@ TEST_CASE("what a crash left is forgotten once another look is opened") {
     CHECK_FALSE(find_unfinished_opening(run.roots()).has_value());
 }
 
-TEST_CASE("a reset of the driver is left behind although the program ends well") {
+TEST_CASE("a driver reset leaves a mark although the program exits normally") {
     const Run run;
     {
         OpeningMark mark(run.roots());
@@ -91,7 +91,7 @@ TEST_CASE("a reset of the driver is left behind although the program ends well")
     CHECK(left->has("/looks/b.fs"));
 }
 
-TEST_CASE("a damaged mark, or a state folder that cannot be written, is no crash") {
+TEST_CASE("a damaged mark or an unwritable state folder does not count as a crash") {
     const Run run;
     fs::create_directories(run.roots().state / "opening");
     TemporaryFolder folder;

@@ -1,18 +1,19 @@
-// While values rest the picture is drawn by programs that hold them as constants; nobody sees it.
+// While values are static the picture is drawn by specialised programs, without a visible
+// difference.
 #include "lab/small_lab.h"
 #include "model/tuning/modulation.h"
 
 #include <cmath>
 
 namespace {
-/// Its picture is the number of frames, times what `gain` is.
+/// Its picture is the frame number times `gain`.
 class SettlingLab : public SmallLab {
 public:
     bool is_settled() { return lab().renderer()->executor().is_settled(); }
     bool settles() {
         return turn_until([&] { return is_settled(); });
     }
-    /// The text with the picture times a number.
+    /// Saves the text with the picture multiplied by `factor`.
     void save_times(int factor) {
         write_by_rename("gain.glsl",
                         "uniform float gain = 1.0;  // @range 0 8\n#define gain (gain * " +
@@ -28,7 +29,7 @@ public:
 
 }  // namespace
 
-TEST_CASE("values that rest become constants, and a turn is seen in its own frame") {
+TEST_CASE("static values become constants, and a change is drawn in its own frame") {
     SettlingLab small;
     small.set("gain", 2.0);
     REQUIRE(small.settles());
@@ -50,7 +51,7 @@ TEST_CASE("values that rest become constants, and a turn is seen in its own fram
     CHECK(small.shown() == 3.0f * (before + 20.0f + small.frames() - before - 5.0f));
 }
 
-TEST_CASE("what is modulated goes on moving while the rest is constant") {
+TEST_CASE("a modulated parameter keeps moving while the others are constants") {
     SettlingLab small;
     const Modulation moving{.rate = 1.0};
     small.lab().edit([&](Document& document) { document.set_modulation("gain", moving); });
@@ -62,7 +63,7 @@ TEST_CASE("what is modulated goes on moving while the rest is constant") {
     CHECK(std::abs(static_cast<double>(small.shown() / small.frames()) - gain) < 1e-4);
 }
 
-TEST_CASE("an edit of a settled picture is drawn settled, and what is turned then is seen") {
+TEST_CASE("an edit of a specialised picture is drawn specialised, and later changes too") {
     SettlingLab small;
     REQUIRE(small.settles());
     bool was_settled = true;
@@ -80,7 +81,7 @@ TEST_CASE("an edit of a settled picture is drawn settled, and what is turned the
     CHECK(small.shown() == 10.0f * small.frames());
 }
 
-TEST_CASE("a text that comes back is drawn settled with the programs that it had") {
+TEST_CASE("a text that returns is drawn with its earlier specialised programs") {
     SettlingLab small;
     REQUIRE(small.settles());
     for (const int factor : {5, 3, 5, 3}) {
@@ -92,7 +93,7 @@ TEST_CASE("a text that comes back is drawn settled with the programs that it had
     }
 }
 
-TEST_CASE("an edit and a turn at the same time are both seen") {
+TEST_CASE("an edit and a simultaneous change are both drawn") {
     SettlingLab small;
     REQUIRE(small.settles());
     small.save_times(5);
@@ -104,7 +105,7 @@ TEST_CASE("an edit and a turn at the same time are both seen") {
     REQUIRE(small.turn_until([&] { return small.shown() == 21.0f * small.frames(); }));
 }
 
-TEST_CASE("what is turned behind an edit that fails is seen") {
+TEST_CASE("a change after a failed edit is drawn") {
     SettlingLab small;
     REQUIRE(small.settles());
     small.save_times(5);
@@ -126,7 +127,7 @@ TEST_CASE("an edit is drawn with programs that can be turned where it is compare
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
 
-TEST_CASE("an edit is drawn settled as before once nothing is compared any more") {
+TEST_CASE("an edit after the end of a comparison is drawn with specialised programs") {
     SettlingLab small;
     small.lab().keep_in_slot(0);
     small.set("gain", 2.0);
@@ -141,7 +142,7 @@ TEST_CASE("an edit is drawn settled as before once nothing is compared any more"
     CHECK(small.is_settled());
 }
 
-TEST_CASE("an edit of other passes is drawn by the plan that it has") {
+TEST_CASE("an edit that adds a pass is drawn with its own plan") {
     SettlingLab small;
     REQUIRE(small.settles());
     small.write("double.frag",
@@ -159,7 +160,7 @@ TEST_CASE("an edit of other passes is drawn by the plan that it has") {
     CHECK(gpu::read_pixel(executor.target(2), 3, 3)[0] == 2.0f * small.shown());
 }
 
-TEST_CASE("beside a settled picture others are drawn with values of their own") {
+TEST_CASE("another renderer with the same programs draws its own values") {
     SettlingLab small;
     small.set("gain", 2.0);
     REQUIRE(small.settles());
@@ -177,7 +178,7 @@ TEST_CASE("beside a settled picture others are drawn with values of their own") 
     CHECK(small.shown() == 4.0f * small.frames());
 }
 
-TEST_CASE("a picture that stands still is not settled") {
+TEST_CASE("a paused picture is not specialised") {
     SettlingLab small;
     small.lab().transport().pause();
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);

@@ -1,4 +1,4 @@
-// Knobs of MIDI devices, from the bytes that come on.
+// Knobs of MIDI devices, simulated by their bytes.
 #include "io/control/midi_inputs.h"
 #include "lab/remote/midi_control.h"
 #include "lab/small_lab.h"
@@ -9,7 +9,7 @@
 namespace {
 using Bytes = std::vector<std::uint8_t>;
 
-/// What a test plugs in and turns.
+/// Connected device names and their pending messages.
 struct FakeDevice {
     std::vector<std::string> plugged = {"nanoKONTROL"};
     std::deque<Bytes> messages;
@@ -38,7 +38,7 @@ private:
     std::vector<std::string> m_names;
 };
 
-/// A lab with a device on which knobs are turned.
+/// A lab with a simulated device.
 class Turning : public SmallLab {
 public:
     Turning() { begin(); }
@@ -62,17 +62,17 @@ bool is_at(double a, double b) {
 }
 }  // namespace
 
-TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and is kept") {
+TEST_CASE("a learnt knob covers the parameter's range in one undo step and is stored") {
     Turning small;
     small.lab().remote().learn_midi({"gain"});
     REQUIRE(small.lab().remote().midi().learning());
     CHECK(small.lab().remote().midi().devices() == std::vector<std::string>{"nanoKONTROL"});
-    small.device.messages.push_back({0x90, 60, 100});  // a key of it is no knob
+    small.device.messages.push_back({0x90, 60, 100});  // a key is not a knob
     small.knob(21, 10);
     CHECK_FALSE(small.lab().remote().midi().learning());
     CHECK(small.lab().messages().notice()->text == "CC 21, channel 1 now controls \"Gain\"");
-    CHECK(small.gain() == 1.0);  // learning turns nothing
-    // The range is 0 to 8, so 1 is at 15.875 of 127: there the knob takes hold.
+    CHECK(small.gain() == 1.0);  // learning changes no value
+    // The range is 0 to 8, so 1 is at 15.875 of 127. The knob takes effect there.
     small.knob(21, 12);
     CHECK(small.gain() == 1.0);
     small.knob(21, 16);
@@ -89,37 +89,37 @@ TEST_CASE("a knob is learnt, turns the parameter over its range as one step, and
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.gain() == 1.0);
 
-    small.begin();  // the program is started again
+    small.begin();  // the program is restarted
     CHECK(small.lab().remote().midi().is_listening());
     CHECK(small.lab().remote().settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 21}});
     RemoteSettings settings = small.lab().remote().settings();
     settings.picks_up = false;
     small.lab().remote().set_settings(settings);
     small.knob(21, 127);
-    CHECK(small.gain() == 8.0);  // it jumps, as was asked for
+    CHECK(small.gain() == 8.0);  // it jumps, because soft takeover is off
     settings.unbind({"gain"});
     small.lab().remote().set_settings(settings);
     small.knob(21, 0);
     CHECK(small.gain() == 8.0);
 }
 
-TEST_CASE("a device of 14 bits is learnt by its pair, and is as fine as that") {
+TEST_CASE("a 14-bit knob is learnt as a pair and has 14-bit resolution") {
     Turning small;
     small.lab().remote().learn_midi({"gain"});
     small.device.messages.push_back({0xb0, 7, 16});
-    small.knob(39, 0);  // right behind
+    small.knob(39, 0);  // directly after the first half
     CHECK(small.lab().remote().settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 7, true}});
     small.device.messages.push_back({0xb0, 7, 16});
     small.knob(39, 1);
     CHECK(is_at(small.gain(), 8.0 * 2049 / 16383));
     small.lab().remote().learn_midi({"gain"});
     small.knob(7, 16);
-    small.knob(39, 0, 0.5);  // much later: another knob
+    small.knob(39, 0, 0.5);  // much later, so it is a separate knob
     CHECK(small.lab().remote().settings().midi ==
           std::vector<MidiBinding>{{{"gain"}, 1, 7, false}});
 }
 
-TEST_CASE("what is locked is refused, and what another look has is left alone") {
+TEST_CASE("changes to locked parameters are refused, and unknown parameters are ignored") {
     Turning small;
     RemoteSettings settings;
     settings.listens_to_midi = true;
@@ -136,7 +136,7 @@ TEST_CASE("what is locked is refused, and what another look has is left alone") 
     CHECK(small.document().history().past().empty());
 }
 
-TEST_CASE("a switch has no place to be picked up at: a knob turns it at once") {
+TEST_CASE("a switch has no soft takeover, so a knob changes it at once") {
     Turning small;
     small.write_by_rename("gain.glsl",
                           "uniform float gain = 1.0;\nuniform bool is_dark = false;\n");
@@ -154,7 +154,7 @@ TEST_CASE("a switch has no place to be picked up at: a knob turns it at once") {
           1.0);
 }
 
-TEST_CASE("nothing is turned while another stack is being read") {
+TEST_CASE("knobs change nothing while another stack is being loaded") {
     Turning small;
     RemoteSettings settings;
     settings.listens_to_midi = true;
@@ -172,7 +172,7 @@ TEST_CASE("nothing is turned while another stack is being read") {
     CHECK(small.lab().remote().midi().turned() == 0);
 }
 
-TEST_CASE("without a device one message says so, and one that is plugged in later is found") {
+TEST_CASE("a missing device is reported once, and a later one is found") {
     Turning small;
     small.device.plugged.clear();
     small.lab().remote().learn_midi({"gain"});
@@ -191,7 +191,7 @@ TEST_CASE("without a device one message says so, and one that is plugged in late
     CHECK(small.lab().remote().settings().midi.empty());
 }
 
-TEST_CASE("this machine's devices are opened or a reason is given") {
+TEST_CASE("the MIDI devices of this machine open, or a reason is given") {
     const auto inputs = machine_midi_inputs();
     CHECK(inputs->descriptor() >= 0);
     if (const auto opened = inputs->open()) {

@@ -39,7 +39,7 @@ std::string packet_of(const std::string& name, float number) {
     return packet + std::string(",f\0\0", 4) + big_endian(std::bit_cast<std::uint32_t>(number));
 }
 
-/// A bundle of that message so many times, the number rising to 1.
+/// A bundle of `count` such messages, with values rising to 1.
 std::string bundle_of(const std::string& name, int count) {
     std::string bundle = std::string("#bundle\0", 8) + big_endian(0) + big_endian(1);
     for (int i = 1; i <= count; ++i) {
@@ -50,7 +50,7 @@ std::string bundle_of(const std::string& name, int count) {
     return bundle;
 }
 
-/// Sends bytes to a port of this machine.
+/// Sends bytes to a local port.
 void send_packet(int port, const std::string& packet) {
     const int sender = ::socket(AF_INET, SOCK_DGRAM, 0);
     sockaddr_in to{};
@@ -72,7 +72,7 @@ int free_port() {
 }
 }  // namespace
 
-TEST_CASE("an address names a parameter, its arguments are the value within its limit") {
+TEST_CASE("an address names a parameter, and its arguments are the clamped value") {
     CHECK(asked("decay", {0.5}) == Value(0.5));
     CHECK(asked("decay", {7.0}) == Value(1.0));
     CHECK(asked("points", {5.4}) == Value(5.0));
@@ -89,7 +89,7 @@ TEST_CASE("an address names a parameter, its arguments are the value within its 
     CHECK(refusal_of(message("noise", {0.5})) == "'/afterglow/noise' must be a text");
 }
 
-TEST_CASE("half a second without a turn ends a step; two knobs that are turned at once share one") {
+TEST_CASE("half a second without a change ends a step, and simultaneous changes share one") {
     RemoteGesture gesture;
     CHECK_FALSE(gesture.goes_on("decay", 10.0));
     CHECK(gesture.goes_on("decay", 10.49));
@@ -102,7 +102,7 @@ TEST_CASE("half a second without a turn ends a step; two knobs that are turned a
     CHECK_FALSE(gesture.goes_on("decay", 11.47));
 }
 
-TEST_CASE("a drag from another program is one step of undo; what is malformed is counted") {
+TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     OscControl osc;
     RemoteHand hand;
     Document document(sample_look());
@@ -144,7 +144,7 @@ TEST_CASE("a drag from another program is one step of undo; what is malformed is
     CHECK_FALSE(other.listen(port).has_value());
 }
 
-TEST_CASE("of a flood of bundles a thousand messages are taken at a time, in their order") {
+TEST_CASE("at most a thousand messages are processed per update, in order") {
     OscControl osc;
     RemoteHand hand;
     Document document(sample_look());
@@ -165,11 +165,11 @@ TEST_CASE("of a flood of bundles a thousand messages are taken at a time, in the
     CHECK_FALSE(osc.has_more());
     send_packet(port, bundle_of("decay", 1600));
     osc.update(&document, hand, 0.4);
-    REQUIRE(osc.listen(port).has_value());  // anew: what is left of a packet is dropped
+    REQUIRE(osc.listen(port).has_value());  // reopened, which drops the rest of a packet
     CHECK_FALSE(osc.has_more());
 }
 
-TEST_CASE("remote settings come back; a port that is none is told at its line") {
+TEST_CASE("remote settings are restored, and an invalid port is reported at its line") {
     const RemoteSettings settings{true, 57120, true, false, {{{"decay", 2}, 16, 31, true}}};
     CHECK(parse_remote_settings(remote_settings_to_json(settings), "a.json") == settings);
     const auto bad = parse_remote_settings(

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a picture is slow once no frame has come within 1/30 s for two seconds") {
+TEST_CASE("a picture is slow after two seconds without a frame within 1/30 s") {
     Pace pace;
     for (int frame = 0; frame < 39; ++frame)
         pace.expect(0.05, true);
@@ -16,7 +16,7 @@ TEST_CASE("a picture is slow once no frame has come within 1/30 s for two second
     CHECK_FALSE(pace.is_slow());
 }
 
-TEST_CASE("what rests, is capped, or waited once is not slow") {
+TEST_CASE("a static or capped picture, or a single wait, is not slow") {
     Pace pace;
     for (int frame = 0; frame < 100; ++frame)
         pace.expect(0.05, false);
@@ -27,25 +27,24 @@ TEST_CASE("what rests, is capped, or waited once is not slow") {
     CHECK_FALSE(FrameRate{.cap = 0.0}.wants_30(24.0));
 }
 
-TEST_CASE("half the size is offered only where the passes take half of a slow frame") {
+TEST_CASE("half the size is offered only if the passes take half of a slow frame") {
     Pace pace;
     for (int frame = 0; frame < 39; ++frame)
         pace.expect(0.05, true);
-    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // not yet two seconds
+    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // less than two seconds
     for (int frame = 0; frame < 3; ++frame)
         pace.expect(0.05, true);
     CHECK(pace.is_slow_by_passes(45.0));
     CHECK(pace.is_slow_by_passes(25.1));  // of 50 ms
     CHECK_FALSE(pace.is_slow_by_passes(24.9));
-    CHECK_FALSE(pace.is_slow_by_passes(0.0));  // the driver tells no times
+    CHECK_FALSE(pace.is_slow_by_passes(0.0));  // the driver has no timings
     for (int frame = 0; frame < 40; ++frame)
         pace.expect(0.2, true);
-    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // now the rest takes more
+    CHECK_FALSE(pace.is_slow_by_passes(45.0));  // now the rest of the frame takes more
     CHECK(pace.is_slow_by_passes(120.0));
 }
 
-TEST_CASE(
-    "a frame that was drawn for longer than a second counts at once, a rest of that length never") {
+TEST_CASE("a gap above one second counts only if it was spent drawing") {
     Pace pace;
     for (int frame = 0; frame < 100; ++frame)
         pace.add(1.0 / 60.0);

@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("the times of the latest 120 frames are kept, the oldest first") {
+TEST_CASE("the times of the latest 120 frames are stored, oldest first") {
     PassTimes times;
     CHECK(times.frames() == 0);
     CHECK(times.present_total() == 0.0);
@@ -14,10 +14,10 @@ TEST_CASE("the times of the latest 120 frames are kept, the oldest first") {
     CHECK(times.milliseconds(0, 119) == 150.0);
     CHECK(times.total(119) == 150.5);
     CHECK(times.longest_total() == 150.5);
-    CHECK(times.present_total() == 141.0);  // of frames 131 to 150: 140.5 in the mean, and 0.5
+    CHECK(times.present_total() == 141.0);  // of frames 131 to 150: 140.5 on average, plus 0.5
 }
 
-TEST_CASE("another number of passes begins anew") {
+TEST_CASE("another number of passes clears the times") {
     PassTimes times;
     times.add({1.0, 2.0});
     times.add({3.0});

@@ -2,8 +2,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE(
-    "a period is told as moiré, as too fine, or not at all, with the nearest value that is even") {
+TEST_CASE("a period is reported as moiré, too fine or neither, with the nearest even value") {
     Parameter parameter;
     parameter.name = "size";
     parameter.unit = "px a period";

@@ -1,9 +1,8 @@
-// Which frames are drawn in slices, and what is known of them meanwhile.
+// Frames that are drawn in slices, and their state until they are complete.
 #include "graph/looks.h"
 #include "lab/rendering/renderer.h"
 
-TEST_CASE(
-    "frames are whole without a slice; with one the first is not, until it is known as light") {
+TEST_CASE("without a slice frames are whole; with one they are sliced until known as light") {
     Slicing slicing;
     CHECK_FALSE(slicing.is_due());
     slicing.set_slice(0.02);
@@ -15,7 +14,7 @@ TEST_CASE(
     CHECK(slicing.is_due());
 }
 
-TEST_CASE("a look goes from whole to sliced above one and a half slices, and back below one") {
+TEST_CASE("slicing starts above one and a half slices and ends below one") {
     Slicing slicing;
     slicing.set_slice(0.02);
     for (const auto& [seconds, is_heavy] :
@@ -26,7 +25,7 @@ TEST_CASE("a look goes from whole to sliced above one and a half slices, and bac
     }
 }
 
-TEST_CASE_FIXTURE(Headless, "a first frame in slices is no picture until it is whole") {
+TEST_CASE_FIXTURE(Headless, "a sliced first frame is not a picture until it is complete") {
     const Look look = look_of({counter()});
     Renderer renderer(look, programs_of(look));
     REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
@@ -42,7 +41,7 @@ TEST_CASE_FIXTURE(Headless, "a first frame in slices is no picture until it is w
     CHECK(renderer.has_whole_picture());
     CHECK_FALSE(renderer.is_amid_frame());
     CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
-    CHECK(renderer.continue_frame());  // there is nothing left
+    CHECK(renderer.continue_frame());  // nothing is left to draw
 }
 
 TEST_CASE_FIXTURE(Headless,
@@ -53,7 +52,7 @@ TEST_CASE_FIXTURE(Headless,
     REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
     REQUIRE(renderer.start_variant({{"k", 5.0}}).has_value());
     Player player;
-    renderer.replay_variant(player, 0);  // it has no past: both are drawn from here on
+    renderer.replay_variant(player, 0);  // without a history, so both are drawn from here on
     renderer.set_slice(1e-9);
     renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
     int slices = 1;

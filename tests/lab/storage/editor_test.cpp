@@ -22,35 +22,35 @@ Words command_with(const char* visual, const char* editor, const Location& place
 const Location place{"/looks/a b.frag", 12};
 }  // namespace
 
-TEST_CASE("an editor is started at the line in the way that it understands") {
+TEST_CASE("an editor is started at the line with its own syntax") {
     CHECK(command_with("gvim", nullptr, place) == Words{"gvim", "+12", "/looks/a b.frag"});
     CHECK(command_with("/usr/bin/code --wait", nullptr, place) ==
           Words{"/usr/bin/code", "--wait", "--goto", "/looks/a b.frag:12"});
     CHECK(command_with("subl", nullptr, place) == Words{"subl", "/looks/a b.frag:12"});
 }
 
-TEST_CASE("an editor of the terminal gets a terminal") {
+TEST_CASE("a terminal editor is started in a terminal") {
     CHECK(command_with("vim", nullptr, place) ==
           Words{"x-terminal-emulator", "-e", "vim", "+12", "/looks/a b.frag"});
     CHECK(command_with("hx", nullptr, place) ==
           Words{"x-terminal-emulator", "-e", "hx", "/looks/a b.frag:12"});
 }
 
-TEST_CASE("a pass that lies in a JSON file is shown by that file") {
+TEST_CASE("a pass inside a JSON file opens that file") {
     const TemporaryFolder folder;
     const auto file = folder.write("waves.json", "{}");
     CHECK(command_with("gvim", nullptr, {file / "Buffer A", 12}) ==
           Words{"gvim", "+1", file.string()});
 }
 
-TEST_CASE("$VISUAL goes before $EDITOR, and the desktop's own choice is last") {
+TEST_CASE("$VISUAL precedes $EDITOR, and the default of the desktop is last") {
     CHECK(command_with("kate", "gvim", place).front() == "kate");
     CHECK(command_with(nullptr, "gvim", place).front() == "gvim");
     CHECK(command_with("  ", "gvim", place).front() == "gvim");
     CHECK(command_with(nullptr, nullptr, place) == Words{"xdg-open", "/looks/a b.frag"});
 }
 
-TEST_CASE("a file name never becomes an editor's command or option") {
+TEST_CASE("a file name never becomes an editor command or option") {
     const std::string here = std::filesystem::current_path().string();
     for (const char* name : {"+!touch X .glsl", "-c !touch X.glsl", "--cmd=x.glsl", ":q.glsl"}) {
         CHECK(command_with("vim", nullptr, {name, 3}).back() == here + "/" + name);
@@ -59,7 +59,7 @@ TEST_CASE("a file name never becomes an editor's command or option") {
     }
 }
 
-TEST_CASE("an editor's command is quoted as in a shell") {
+TEST_CASE("an editor command is quoted as in a shell") {
     CHECK(command_with("\"/opt/My Editor/ed\" -w", nullptr, place) ==
           Words{"/opt/My Editor/ed", "-w", "+12", "/looks/a b.frag"});
     CHECK(command_with("'/opt/My Editor/code' --wait", nullptr, place) ==
@@ -70,7 +70,7 @@ TEST_CASE("an editor's command is quoted as in a shell") {
     CHECK(command_with(editor.c_str(), nullptr, place).front() == editor.string());
 }
 
-TEST_CASE("an editor whose quote never ends is told") {
+TEST_CASE("an editor command with an unclosed quote is reported") {
     for (const char* wrong : {"\"ed -w", "'ed", "ed \\", "\"\""}) {
         setenv("VISUAL", wrong, 1);
         const auto command = editor_command(place);
@@ -79,13 +79,13 @@ TEST_CASE("an editor whose quote never ends is told") {
     }
 }
 
-TEST_CASE("what has no file or no line") {
+TEST_CASE("without a file there is no command, and without a line it is line 1") {
     CHECK_FALSE(editor_command({{}, 3}).has_value());
     CHECK(command_with("gvim", nullptr, {"/looks/look.json", 0}) ==
           Words{"gvim", "+1", "/looks/look.json"});
 }
 
-TEST_CASE("an editor that is not there is told by its name") {
+TEST_CASE("a missing editor is reported by its name") {
     setenv("VISUAL", "/no/such/editor", 1);
     const auto opened = open_in_editor(place);
     REQUIRE_FALSE(opened.has_value());

@@ -5,7 +5,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-/// A second run of the program: how many programs of the small look it had to compile.
+/// A second run of the program: the number of programs of the small look that it compiled.
 std::size_t compiled_programs(const Roots& roots) {
     auto prepared = prepare({.look = "small"}, Library(roots));
     REQUIRE(prepared.has_value());
@@ -19,17 +19,17 @@ std::size_t compiled_programs(const Roots& roots) {
 }
 }  // namespace
 
-TEST_CASE("a look that was drawn before is not compiled again, also by another start") {
+TEST_CASE("a look that was drawn before is not compiled again, even after a restart") {
     SmallLab small;
     Roots roots = small.roots();
     roots.cache = small.folder() / "cache";
     CHECK(compiled_programs(roots) == 2);
     CHECK(compiled_programs(roots) == 0);
-    small.write("gain.glsl", "uniform float gain = 1.0;  // @range 0 4\n");  // of the second pass
+    small.write("gain.glsl", "uniform float gain = 1.0;  // @range 0 4\n");  // in the second pass
     CHECK(compiled_programs(roots) == 1);
 }
 
-TEST_CASE("without a cache folder all is compiled, and nothing is written") {
+TEST_CASE("without a cache folder everything is compiled and nothing is written") {
     SmallLab small;
     const Roots& roots = small.roots();
     REQUIRE(roots.cache.empty());

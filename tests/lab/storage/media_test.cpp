@@ -22,7 +22,7 @@ std::string file_in(const Preset& preset) {
     return std::get<std::string>(preset.signal->settings.at("file"));
 }
 
-/// A home with a folder of music and one of presets.
+/// A user's folder with music and presets.
 struct Home {
     TemporaryFolder folder;
     fs::path music = folder.path() / "music";
@@ -50,7 +50,7 @@ TEST_CASE("a digest is the CRC-32 of the bytes") {
     CHECK_FALSE(file_digest(home.song, &stopped).has_value());
 }
 
-TEST_CASE("a saved preset names a person's file by its name and digest, not by where it lies") {
+TEST_CASE("a saved preset contains a file's name and digest, not its location") {
     const Home home;
     const Preset saved = with_portable_media(preset_with(home.song), home.presets, home.recent);
     CHECK(file_in(saved) == "song.wav");
@@ -60,9 +60,7 @@ TEST_CASE("a saved preset names a person's file by its name and digest, not by w
     CHECK(file_in(beside) == "music/song.wav");
 }
 
-TEST_CASE(
-    "a source is named by its file alone and keeps its settings; of a sequence there is no "
-    "digest") {
+TEST_CASE("a source is saved by its file name with its settings, and a sequence has no digest") {
     const Home home;
     Preset preset;
     preset.source = home.song.string() + ",fit=whole,rate=25";
@@ -81,7 +79,7 @@ TEST_CASE(
     CHECK(with_portable_media(preset, home.presets, home.recent).source == preset.source);
 }
 
-TEST_CASE("the digest of a file that changed since it was opened is made anew") {
+TEST_CASE("the digest of a file that changed after it was opened is computed again") {
     const Home home;
     home.recent.remember(home.song, "00000001");
     CHECK(home.recent.digest_of(home.song) == "00000001");
@@ -92,14 +90,14 @@ TEST_CASE("the digest of a file that changed since it was opened is made anew") 
     CHECK(saved.media_digest == "cbf43926");
 }
 
-TEST_CASE("a file is found beside the preset") {
+TEST_CASE("a file is found in the folder of the preset") {
     const Home home;
     Preset preset = preset_with("song.wav");
     CHECK(file_in(with_found_media(preset, home.music, home.recent)) == home.song.string());
     CHECK(file_in(with_found_media(preset, home.presets, home.recent)) == "song.wav");
 }
 
-TEST_CASE("a file that lies elsewhere is found among those opened lately, by digest first") {
+TEST_CASE("a file elsewhere is found among recent files, first by digest") {
     const Home home;
     const fs::path other = home.folder.path() / "song.wav";
     Home::write(other, "another song");
@@ -114,7 +112,7 @@ TEST_CASE("a file that lies elsewhere is found among those opened lately, by dig
     CHECK(file_in(with_found_media(preset, home.presets, home.recent)) == "song.wav");
 }
 
-TEST_CASE("a file that is not the one of the preset is told") {
+TEST_CASE("a file that differs from the file of the preset is reported") {
     const Home home;
     Preset preset = preset_with(home.song);
     CHECK(compare_with_media(preset).empty());
@@ -125,7 +123,7 @@ TEST_CASE("a file that is not the one of the preset is told") {
     CHECK(compare_with_media(preset).front().severity == Severity::warning);
 }
 
-TEST_CASE("a damaged list of lately opened files finds nothing and is begun anew") {
+TEST_CASE("a damaged list of recent files finds nothing and is rebuilt") {
     const Home home;
     fs::create_directories(home.folder.path() / "state");
     Home::write(home.folder.path() / "state/media.json", "{ \"format\": ");
@@ -134,7 +132,7 @@ TEST_CASE("a damaged list of lately opened files finds nothing and is begun anew
     CHECK(home.recent.find("song.wav", "") == home.song);
 }
 
-TEST_CASE("patterns and generated signals name no file") {
+TEST_CASE("patterns and generated signals reference no file") {
     const Home home;
     Preset preset;
     preset.source = "pattern:smpte";
@@ -146,7 +144,7 @@ TEST_CASE("patterns and generated signals name no file") {
     CHECK(with_found_media(preset, home.presets, home.recent) == preset);
 }
 
-TEST_CASE("a file that a value chooses is saved by its path below the preset's folder") {
+TEST_CASE("a file in a value is saved by its path relative to the preset's folder") {
     const Home home;
     Preset preset;
     preset.values = {{"near", Value::of_path(home.song.string())},

@@ -4,14 +4,14 @@
 
 #include <cstdlib>
 
-TEST_CASE("a look's manifest is told with its folder, any other file by its name") {
+TEST_CASE("a look's manifest is shown with its folder, and any other file by its name") {
     CHECK(told_name("/home/ann/looks/crt/look.json") == "crt/look.json");
     CHECK(told_name("look.json") == "look.json");
     CHECK(told_name("/home/ann/looks/crt/beam.frag") == "beam.frag");
     CHECK(told_name({}).empty());
 }
 
-TEST_CASE("a folder below the user's home is told with a tilde") {
+TEST_CASE("a folder in the user's home is shown with a tilde") {
     const std::string home = std::getenv("HOME");
     CHECK(told_folder(home + "/.local/share") == "~/.local/share");
     CHECK(told_folder(home + "x/a") == home + "x/a");

@@ -1,11 +1,12 @@
-// What one step of a slider changes, found beside the picture.
+// The effect of one slider step, computed in the background.
 #include "lab/small_lab.h"
 #include "lab/trials/tryouts.h"
 
 #include <cmath>
 
 namespace {
-// kept counts `light` up over the frames; show adds `level`, and `hidden` only where `opens` is on.
+// `sum` accumulates `light` over the frames. `show` adds `level`, and `hidden` only if `opens` is
+// on.
 constexpr const char* counting_text = R"(#version 410 core
 uniform sampler2D previous;
 uniform float light = 0.0;   // @range 0 1
@@ -53,16 +54,16 @@ bool is_near_step(double a, double b, double tolerance = 1e-6) {
 }
 }  // namespace
 
-TEST_CASE("a step is shown as what it adds to the picture, and each pass by what it changes") {
+TEST_CASE("a step is shown as its change of the picture and of each pass") {
     Probing small;
     const StepProbe& up = small.ask("level");
     REQUIRE(up.effect().has_value());
     CHECK(up.effect()->kind == StepEffect::Kind::seen);
     REQUIRE(up.changes().size() == 2);
     CHECK_FALSE(up.changes()[0]->has_changed());
-    CHECK(is_near_step(up.changes()[1]->mean, 0.01));  // a hundredth of the slider
+    CHECK(is_near_step(up.changes()[1]->mean, 0.01));  // 1/100 of the slider
     CHECK(is_near_step(up.changes()[1]->level, 0.25));
-    CHECK(up.gain() == 32.0);  // the power of two at most 0.5 / 0.01
+    CHECK(up.gain() == 32.0);  // the largest power of two up to 0.5 / 0.01
     CHECK(is_near_step(small.seen(), 0.5 + 32.0 * 0.01, 1e-5));
     CHECK(up.words() ==
           "Level 0.25 → 0.26: changes the picture by up to 3 of 255 levels, 3 on "
@@ -75,16 +76,16 @@ TEST_CASE("a step is shown as what it adds to the picture, and each pass by what
     CHECK_FALSE(small.probe().question().has_value());
 }
 
-TEST_CASE("a step counts over the frames of the past") {
+TEST_CASE("a step includes its effect through the history") {
     Probing small;
     const StepProbe& up = small.ask("light");
     REQUIRE(up.effect().has_value());
-    // 0.01 a frame, halved in each: 0.02 in the end, all but 2^-20 of it after twenty frames.
+    // 0.01 per frame, halved each frame: 0.02 in total, all but 2^-20 of it after twenty frames.
     CHECK(is_near_step(up.changes()[1]->mean, 0.02, 1e-4));
     CHECK(is_near_step(up.changes()[0]->mean, 0.02 / 3.0, 1e-4));  // red, one of three channels
 }
 
-TEST_CASE("a slider that changes nothing says so, and in which pass its effect ends") {
+TEST_CASE("a slider without effect reports the pass in which its effect ends") {
     Probing small;
     const StepProbe& hidden = small.ask("hidden");
     REQUIRE(hidden.effect().has_value());
@@ -101,24 +102,24 @@ TEST_CASE("a slider that changes nothing says so, and in which pass its effect e
     CHECK(small.ask("hidden").effect()->kind == StepEffect::Kind::seen);
 }
 
-TEST_CASE("asking for a step leaves clock, history and values as they are") {
+TEST_CASE("probing a step leaves clock, history and values unchanged") {
     Probing small;
     small.lab().edit([](Document& document) { document.set_value("light", Value(0.125)); });
-    small.turn(60);  // to 0.25 + 0.25
+    small.turn(60);  // reaches 0.25 + 0.25
     const double time = small.lab().player().time();
     const DocumentState before = small.document().state();
     small.lab().ask_for_step({"light", 0, true});
     int turns = 0;
     for (; small.probe().is_busy() && turns < 2000; ++turns)
         small.lab().update(1.0 / 60.0);
-    CHECK(is_near_step(small.lab().player().time(), time + turns / 60.0, 1e-6));  // it went on
+    CHECK(is_near_step(small.lab().player().time(), time + turns / 60.0, 1e-6));  // time continued
     CHECK(small.document().state() == before);
     CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
     small.turn(1);
     CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
 }
 
-TEST_CASE("at a slider's end the answer says so, and it follows what is turned meanwhile") {
+TEST_CASE("the end of a slider is reported, and the probe follows later changes") {
     Probing small;
     small.lab().edit([](Document& document) { document.set_value("level", Value(1.0)); });
     const StepProbe& end = small.ask("level");

@@ -1,4 +1,4 @@
-// Filmstrips and contact sheets, drawn beside the picture.
+// Filmstrips and contact sheets, drawn in the background.
 #include "lab/small_lab.h"
 #include "lab/trials/tryouts.h"
 
@@ -35,7 +35,7 @@ public:
     }
 };
 
-// Of a picture in bytes; stored numbers are shown as light.
+// The sRGB encoding of light, as stored in an 8-bit picture.
 double encoded(double light) {
     return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
 }
@@ -45,7 +45,7 @@ bool is_near_cell(float a, double b) {
 }
 }  // namespace
 
-TEST_CASE("a filmstrip shows the look along a slider; a click takes one of its values") {
+TEST_CASE("a filmstrip shows the look along a slider, and a click applies a value") {
     Laying small;
     const bool is_linear = small.document().look().output == Encoding::linear;
     const VariantSheet& strip = small.lay_out({.across = "red", .columns = 5});
@@ -61,16 +61,16 @@ TEST_CASE("a filmstrip shows the look along a slider; a click takes one of its v
     CHECK(small.document().history().undo_name() == "Apply Red 0.75");
     CHECK(strip.present(small.document()) == 3);
     small.turn(2);
-    CHECK_FALSE(small.sheet().is_running());  // what a cell turned needs no new sheet
+    CHECK_FALSE(small.sheet().is_running());  // applying a cell needs no new sheet
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().empty());
 }
 
-TEST_CASE("a contact sheet has a slider across and one down, and is drawn anew for others") {
+TEST_CASE("a contact sheet varies two parameters and is redrawn when others change") {
     Laying small;
     const VariantSheet& sheet =
         small.lay_out({.across = "red", .columns = 3, .down = "kind", .rows = 2});
-    REQUIRE(sheet.cells().size() == 9);  // all items of a list
+    REQUIRE(sheet.cells().size() == 9);  // all items of a list are used
     CHECK(sheet.columns() == 3);
     CHECK(is_near_cell(small.color(0)[1], 0.0));
     CHECK(is_near_cell(small.color(7)[0], small.color(1)[0]));
@@ -87,7 +87,7 @@ TEST_CASE("a contact sheet has a slider across and one down, and is drawn anew f
     CHECK(is_near_cell(small.color(8)[1], 0.0));
 }
 
-TEST_CASE("the stops of an axis lie along its slider, and what has none says so") {
+TEST_CASE("the stops of an axis lie along its slider, and an invalid axis is reported") {
     Laying small;
     const Look& look = small.document().look();
     const auto axis = axis_along(look, *find_parameter(look, "size"), 3);

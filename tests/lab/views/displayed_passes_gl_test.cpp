@@ -1,4 +1,4 @@
-// The window tells which passes somebody looks at; the others may be drawn onto a shared target.
+// The window reports the displayed passes. Other passes may be drawn into a shared target.
 #include "lab/small_lab.h"
 #include "lab/views/displayed_passes.h"
 #include "lab/window/window_state.h"
@@ -13,7 +13,7 @@ const char* const glowing = R"({
   ]
 })";
 
-/// Its glow gains one with every frame.
+/// Its glow increases by 1 per frame.
 class GlowingLab : public SmallLab {
 public:
     GlowingLab() {
@@ -32,7 +32,7 @@ public:
     float at(int pass) { return gpu::read_pixel(executor().target(pass), 3, 3)[0]; }
     const Executor& executor() { return lab().renderer()->executor(); }
     bool is_shared() { return executor().plan().targets[0].onto.has_value(); }
-    /// All the light of all frames so far.
+    /// Whether the light of all frames is present.
     bool has_all_light() { return at(2) == frames() + m_before && at(1) == at(2); }
 
 private:
@@ -42,7 +42,7 @@ private:
 const SeenPasses picture_alone{.are_all = false};
 }  // namespace
 
-TEST_CASE("no light is lost or doubled when somebody begins and ends looking at passes") {
+TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
     GlowingLab small;
     CHECK(small.has_all_light());
     for (int n = 0; n < 6; ++n) {
@@ -60,7 +60,7 @@ TEST_CASE("no light is lost or doubled when somebody begins and ends looking at 
     CHECK_FALSE(small.is_shared());
 }
 
-TEST_CASE("a picture that rests shows its passes as soon as somebody looks at them") {
+TEST_CASE("a static picture draws its passes as soon as they are displayed") {
     GlowingLab small;
     small.lab().look_at(picture_alone);
     small.turn(1);
@@ -79,7 +79,7 @@ TEST_CASE("a picture that rests shows its passes as soon as somebody looks at th
     CHECK(small.frames() == frames);
 }
 
-TEST_CASE("programs that hold the values know who is drawn onto whom") {
+TEST_CASE("specialised programs follow changes of shared targets") {
     GlowingLab small;
     REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
     small.lab().look_at(picture_alone);
@@ -101,7 +101,7 @@ TEST_CASE("programs that hold the values know who is drawn onto whom") {
     CHECK(small.has_all_light());
 }
 
-TEST_CASE("a window looks at its picture and at what is looked into; its strip asks for others") {
+TEST_CASE("the picture, inspected and probed passes are displayed, but not the strip's") {
     GlowingLab small;
     const Look& look = small.document().look();
     const auto seen = [&](const WindowState& window) {

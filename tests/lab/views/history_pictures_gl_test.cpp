@@ -1,7 +1,7 @@
 #include "lab/small_lab.h"
 #include "lab/views/history_pictures.h"
 
-TEST_CASE("a state's picture is copied at once and ever more seldom, then no more") {
+TEST_CASE("a state's picture is copied at frames 1, 2, 4 ... 128 and then no more") {
     std::vector<int> due;
     for (int frame = -1; frame <= 1000; ++frame)
         if (is_copy_due(frame))
@@ -9,13 +9,13 @@ TEST_CASE("a state's picture is copied at once and ever more seldom, then no mor
     CHECK(due == std::vector<int>{1, 2, 4, 8, 16, 32, 64, 128});
 }
 
-TEST_CASE("what is forgotten first is farthest from the present") {
+TEST_CASE("the picture farthest from the current state is dropped first") {
     CHECK(farthest_place({3, 4, 9}, 4) == 9);
     CHECK(farthest_place({3, 4, 9}, 9) == 3);
     CHECK(farthest_place({7}, 7) == 7);
 }
 
-TEST_CASE("each state in the history has a picture of its own, until another takes its place") {
+TEST_CASE("each state of the history has its own picture until another state replaces it") {
     SmallLab small;
     auto views = Views::make();
     REQUIRE(views.has_value());
@@ -44,7 +44,7 @@ TEST_CASE("each state in the history has a picture of its own, until another tak
     small.lab().edit([](Document& document) { document.undo(); });
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     CHECK(handle(1) != 0);
-    CHECK(handle(2) == 0);  // what stood there was another state
+    CHECK(handle(2) == 0);  // its previous picture was of another state
     small.lab().update(1.0 / 60.0);
     look();
     CHECK(handle(2) != 0);

@@ -1,9 +1,9 @@
-// Where a look is drawn, the driver has met all that is looked at before it is seen.
+// The viewers of a look are warmed up in its context before it is displayed.
 #include "graph/warm_up/first_views.h"
 #include "lab/small_lab.h"
 
 namespace {
-/// Whether each kind of picture that the open look draws has been looked at in its home.
+/// Whether the viewers are warmed up in the look's context for each kind of its targets.
 bool has_met_all(Lab& lab) {
     const Executor& executor = lab.renderer()->executor();
     const auto views = executor.programs().first_views;
@@ -20,11 +20,11 @@ bool is_open(SmallLab& small, const std::string& look) {
 }
 }  // namespace
 
-TEST_CASE("a look that is opened has been looked at, beside the one that is seen until then") {
+TEST_CASE("the viewers of an opening look are warmed up while the previous look is displayed") {
     SmallLab small;
     small.lab().new_look("other");
     REQUIRE(is_open(small, "other"));
-    bool has_met = false;  // what is opened before the reader has had a rest is not looked at
+    bool has_met = false;  // a look that opens before the reader was idle is not warmed up
     for (int rests = 0; !has_met && rests < 10; ++rests) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
         small.turn_until([end] { return std::chrono::steady_clock::now() > end; });
@@ -38,10 +38,10 @@ TEST_CASE("a look that is opened has been looked at, beside the one that is seen
     CHECK(has_met_all(small.lab()));
 }
 
-TEST_CASE("an edit that draws another kind of picture is not seen before that has been looked at") {
+TEST_CASE("a reload that changes a target's format is shown after its viewers are warmed up") {
     SmallLab small;
     const auto now = small.lab().renderer()->executor().programs().first_views;
-    has_met_all(small.lab());  // what is owed by now is met with the edit
+    has_met_all(small.lab());  // the warm-ups that are due now are done with the edit
     small.write_by_rename("look.json", replaced(small_look::manifest, "rgba32f", "rg16f"));
     REQUIRE(small.turn_until(
         [&] { return small.document().look().passes[0].format == Format::rg16f; }));

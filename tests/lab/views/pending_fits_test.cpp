@@ -14,15 +14,15 @@ std::optional<double> gain_for(double largest, DifferenceMeasure measure) {
 }
 }  // namespace
 
-TEST_CASE("the fitting gain brings the largest difference to 1") {
+TEST_CASE("the fitting gain scales the largest difference to 1") {
     // 2^gain * difference = 1, or 2^gain * difference^2 = 1
     CHECK(gain_for(0.25, DifferenceMeasure::absolute) == 2.0);
     CHECK(gain_for(0.25, DifferenceMeasure::squared) == 4.0);
     CHECK(gain_for(4.0, DifferenceMeasure::absolute) == -2.0);
-    CHECK(gain_for(1e-9, DifferenceMeasure::absolute) == 16.0);  // as far as it goes
+    CHECK(gain_for(1e-9, DifferenceMeasure::absolute) == 16.0);  // the maximum
 }
 
-TEST_CASE("there is no fitting gain for no difference, nor before one is measured") {
+TEST_CASE("without a measured difference there is no fitting gain") {
     CHECK_FALSE(gain_for(0.0, DifferenceMeasure::absolute).has_value());
     CHECK_FALSE(
         gain_for(std::numeric_limits<double>::infinity(), DifferenceMeasure::absolute).has_value());

@@ -1,4 +1,4 @@
-// Small pictures of presets, drawn beside the window and kept.
+// Small pictures of presets, drawn in the background and cached.
 #include "formats/preset/preset_format.h"
 #include "io/pictures/picture_file.h"
 #include "lab/offline/preset_painter.h"
@@ -10,7 +10,7 @@
 #include <future>
 
 namespace {
-// A look whose second pass shows `gain` hundredths, as it stands in a picture of 8 bits.
+// A look whose second pass shows `gain` / 100, as an 8-bit picture stores it.
 class Painting : public SmallLab {
 public:
     Painting() {
@@ -27,7 +27,7 @@ public:
         REQUIRE(save_preset(file, preset).has_value());
         return file;
     }
-    /// Turns until every picture is there; "": the look as it is.
+    /// Updates until every picture is available. "": the look's defaults.
     void look_at(PresetPictures& pictures, const std::vector<std::filesystem::path>& files) {
         REQUIRE(turn_until([&] {
             pictures.update(lab(), true, 1.0);
@@ -37,20 +37,20 @@ public:
     }
 };
 
-// A look that shows the picture it works on.
+// A look that shows its source.
 const std::string showing_a_source = R"({
   "format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
   "default_source": "pattern:white", "source_encoding": "linear", "settle_frames": 1,
   "passes": [{ "name": "show", "fragment": "show.frag", "format": "rgba32f", "inputs": { "image": "source" } }]
 })";
 
-// As an editor saves it: another file takes its place.
+// Saves like an editor: another file replaces it.
 void save_grey(const std::filesystem::path& file, float level) {
     const Picture grey{{4, 4}, 3, Encoding::linear, std::vector<float>(48, level)};
     REQUIRE(save_picture(grey, file).has_value());
 }
 
-// On a thread of its own, as each has one current context.
+// On its own thread, because each thread has one current context.
 Result<Picture> painted(const SmallLab& small, const std::filesystem::path& file, int* drawn) {
     return std::async(std::launch::async,
                       [&] {
@@ -63,7 +63,7 @@ Result<Picture> painted(const SmallLab& small, const std::filesystem::path& file
 }
 }  // namespace
 
-TEST_CASE("a preset's picture shows its values, and is drawn again only when something changed") {
+TEST_CASE("a preset's picture shows its values and is redrawn only after a change") {
     Painting small;
     const auto bright = small.preset("bright", 8.0);
     int drawn = 0;
@@ -71,13 +71,13 @@ TEST_CASE("a preset's picture shows its values, and is drawn again only when som
     REQUIRE(picture.has_value());
     CHECK(picture->extent == Extent{240, 135});
     CHECK(picture->encoding == Encoding::display);
-    // 8 hundredths are 20.4 of 255.
+    // 0.08 is 20.4 of 255.
     CHECK(std::abs(picture->pixels[0] * 255.0f - 20.4f) <= 0.5f);
     CHECK(drawn == 1);
     picture = painted(small, bright, &drawn);
     REQUIRE(picture.has_value());
     CHECK(std::abs(picture->pixels[0] * 255.0f - 20.4f) <= 0.5f);
-    CHECK(drawn == 1);  // it was kept
+    CHECK(drawn == 1);  // from the cache
     small.preset("bright", 4.0);
     picture = painted(small, bright, &drawn);
     CHECK(std::abs(picture->pixels[0] * 255.0f - 10.2f) <= 0.5f);
@@ -87,7 +87,7 @@ TEST_CASE("a preset's picture shows its values, and is drawn again only when som
     CHECK(drawn == 3);
 }
 
-TEST_CASE("what is kept of a preset is taken as it is, and what is damaged is drawn") {
+TEST_CASE("cached pictures are used, and damaged ones are drawn again") {
     Painting small;
     const auto bright = small.preset("bright", 8.0);
     int drawn = 0;
@@ -105,7 +105,7 @@ TEST_CASE("what is kept of a preset is taken as it is, and what is damaged is dr
     CHECK(drawn == 3);
 }
 
-TEST_CASE("pictures come while somebody looks; a broken preset says why it has none") {
+TEST_CASE("pictures are drawn only while displayed, and a broken preset reports its error") {
     Painting small;
     const auto bright = small.preset("bright", 8.0);
     const auto broken = small.folder() / "presets" / "small" / "broken.json";
@@ -123,18 +123,18 @@ TEST_CASE("pictures come while somebody looks; a broken preset says why it has n
     CHECK(pictures.drawn() == 2);
 
     const auto handle = pictures.of({}).image.handle;
-    small.preset("broken", 2.0);  // mended
+    small.preset("broken", 2.0);  // repaired
     std::filesystem::last_write_time(
         broken, std::filesystem::last_write_time(broken) + std::chrono::seconds(2));
     pictures.update(small.lab(), true, 1.0);
     small.look_at(pictures, {{}, bright, broken});
     CHECK(pictures.of(broken).image.handle != 0);
     CHECK(pictures.of(broken).problem.empty());
-    CHECK(pictures.of({}).image.handle == handle);  // the others stayed
+    CHECK(pictures.of({}).image.handle == handle);  // the others are unchanged
     CHECK(pictures.drawn() == 3);
 }
 
-TEST_CASE("a preset's picture follows the file that the preset names") {
+TEST_CASE("a preset's picture follows the file that the preset references") {
     SmallLab small(showing_a_source);
     const auto grey = small.folder() / "presets" / "small" / "grey.exr";
     save_grey(grey, 0.08f);
@@ -156,7 +156,7 @@ TEST_CASE("a preset's picture follows the file that the preset names") {
         }));
     };
     look();
-    CHECK(pictures.drawn() == 1);  // the look as it is
+    CHECK(pictures.drawn() == 1);  // the look's defaults
     save_grey(grey, 0.5f);
     std::filesystem::last_write_time(
         grey, std::filesystem::last_write_time(grey) + std::chrono::seconds(2));
@@ -166,5 +166,5 @@ TEST_CASE("a preset's picture follows the file that the preset names") {
     look();
     CHECK(pictures.drawn() == 2);
     CHECK(std::abs(painted(small, file, &drawn)->pixels[0] * 255.0f - 127.5f) <= 0.5f);
-    CHECK(drawn == 1);  // it was kept
+    CHECK(drawn == 1);  // from the cache
 }

@@ -19,7 +19,7 @@ Picture saved(SmallLab& small, const PassView& view, const char* name) {
 }
 }  // namespace
 
-TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
+TEST_CASE("a pass is saved with its values as EXR, and as displayed as PNG") {
     SmallLab small;
     small.lab().transport().pause();
     small.turn(2);
@@ -28,7 +28,7 @@ TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
     CHECK(saved(small, view, "sum.exr").pixels == std::vector<float>(8 * 8 * 4, frames));
     CHECK(small.lab().messages().notice()->text == "Saved \"sum\" to \"sum.exr\"");
 
-    // Of what is linear, sRGB's half lies at 0.214041.
+    // In linear light, the sRGB value 0.5 is 0.214041.
     view.levels = {frames - 0.214041, frames + 1 - 0.214041};
     const Picture seen = saved(small, view, "sum.png");
     CHECK(seen.extent == Extent{8, 8});
@@ -39,7 +39,7 @@ TEST_CASE("a pass is saved with its numbers as EXR, as it is seen as PNG") {
     CHECK(std::abs(saved(small, view, "dark.png").pixels[1] - 0.25f) <= 0.6f / 255.0f);
 }
 
-TEST_CASE("what cannot be saved is told, and a name without an ending becomes an EXR") {
+TEST_CASE("a failed save is reported, and a name without an extension becomes an EXR") {
     SmallLab small;
     save_target(small.lab(), view_of("show"), small.folder() / "show.bmp");
     CHECK(small.lab().messages().notice()->is_problem);

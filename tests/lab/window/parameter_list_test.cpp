@@ -26,7 +26,7 @@ Look look() {
     return made;
 }
 
-// "Beam: focus gain; Screen: glow"
+// Example: "Beam: focus gain; Screen: glow".
 std::string text(const Document& document, const ParameterQuery& query) {
     std::string all;
     for (const ParameterGroup& group : listed_parameters(document, query)) {
@@ -38,18 +38,18 @@ std::string text(const Document& document, const ParameterQuery& query) {
 }
 }  // namespace
 
-TEST_CASE("parameters are listed under their headings, or those of their passes") {
+TEST_CASE("parameters are listed under their groups, or under their passes") {
     CHECK(text(Document(look()), {}) == "Beam: focus gain; Screen: glow tint");
 }
 
-TEST_CASE("a search finds every word somewhere in name, heading or help") {
+TEST_CASE("a search finds every word in the name, heading or help") {
     const Document document(look());
     CHECK(text(document, {.words = "GLASS light"}) == "Screen: glow");
     CHECK(text(document, {.words = "beam ga"}) == "Beam: gain");
     CHECK(text(document, {.words = "glass beam"}).empty());
 }
 
-TEST_CASE("the list is cut to what is changed, starred or used by a pass") {
+TEST_CASE("the list is filtered to changed, favourite or used parameters") {
     Document document(look());
     CHECK(text(document, {.filter = ParameterFilter::changed}).empty());
     document.set_value("glow", Value(0.5));
@@ -63,7 +63,7 @@ TEST_CASE("the list is cut to what is changed, starred or used by a pass") {
     CHECK(text(document, {.filter = ParameterFilter::of_pass, .pass = "gone"}).empty());
 }
 
-TEST_CASE("an empty list says why") {
+TEST_CASE("an empty list shows the reason") {
     CHECK(why_nothing_is_listed({.words = "x"}) == "No matches.");
     CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) ==
           "No parameters are changed.");
@@ -71,8 +71,7 @@ TEST_CASE("an empty list says why") {
           "The pass \"beam\" uses no parameters.");
 }
 
-TEST_CASE(
-    "keys go from line to line of the list, parts of vectors included, and stop at its ends") {
+TEST_CASE("keys move through the list, including components, and stop at its ends") {
     Look made = look();
     made.parameters[2].type = {Scalar::floating, 2};  // gain
     const Document document(made);

@@ -36,10 +36,10 @@ std::string listed_names(const PresetBrowsing& wanted, const PresetStars& stars 
 }
 }  // namespace
 
-TEST_CASE("the presets of the open look are listed, and first the look as it is") {
+TEST_CASE("the presets of the open look are listed after the look's defaults") {
     CHECK(listed_names({}) == "[][amber][blue]");
     CHECK(listed_names({.search = "p11"}) == "[blue]");
-    CHECK(listed_names({.search = "WARM  slow"}) == "[amber]");  // in what it says of itself
+    CHECK(listed_names({.search = "WARM  slow"}) == "[amber]");  // in its description
     CHECK(listed_names({.search = "warm fast"}).empty());
     CHECK(listed_names({.search = {}, .only_starred = true}).empty());
     const PresetStars stars{"phosphor/blue", "crt/amber"};
@@ -47,7 +47,7 @@ TEST_CASE("the presets of the open look are listed, and first the look as it is"
     CHECK(listed_names({.search = "amber", .only_starred = true}, stars).empty());
 }
 
-TEST_CASE("of the listed ones one is open, and modified when something was turned") {
+TEST_CASE("one listed preset is open, and it is modified after a change") {
     Document document = phosphor_document();
     const auto opens = [&] {
         std::string all;

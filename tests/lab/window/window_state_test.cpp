@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("a picture is shown in whole pixels, and all of it where it is larger than its view") {
+TEST_CASE("a picture is shown at a whole-number zoom, or completely if larger than its view") {
     const PictureView view;
     CHECK(view.zoom_for({480, 270}, {1000, 600}) == 2.0);
     CHECK(view.zoom_for({480, 270}, {480, 270}) == 1.0);
@@ -14,10 +14,10 @@ TEST_CASE("a picture is shown in whole pixels, and all of it where it is larger 
     CHECK(view.zoom_for({2000, 1000}, {1000, 500}) == 0.5);  // twice the view's size
     const PicturePlace place = place_of(view, {480, 270}, {240, 400});
     CHECK(place.left == 0.0);
-    CHECK(place.top == (400 - 135) / 2.0 + 0.5);  // on a whole pixel of the screen
+    CHECK(place.top == (400 - 135) / 2.0 + 0.5);  // on a whole screen pixel
 }
 
-TEST_CASE("zooming keeps the point under the pointer where it is") {
+TEST_CASE("zooming keeps the point under the pointer in place") {
     const Extent picture{400, 200};
     const Extent room{200, 100};
     PictureView view{PictureView::Fit::free, 2.0, 0.5, 0.5};
@@ -25,12 +25,12 @@ TEST_CASE("zooming keeps the point under the pointer where it is") {
     const auto before = place_of(view, picture, room).pixel_at(pointer[0], pointer[1]);
     view.zoom_about(before[0] / picture.width, before[1] / picture.height, 2.0, 4.0);
     const auto after = place_of(view, picture, room).pixel_at(pointer[0], pointer[1]);
-    CHECK(std::abs(after[0] - before[0]) <= 0.5 / 4.0);  // places are whole pixels of the screen
+    CHECK(std::abs(after[0] - before[0]) <= 0.5 / 4.0);  // places are whole screen pixels
     CHECK(std::abs(after[1] - before[1]) <= 0.5 / 4.0);
     CHECK(view.zoom == 4.0);
 }
 
-TEST_CASE("the picture's size follows the view or is fixed, and either is scaled") {
+TEST_CASE("the render size follows the view or is fixed, and both can be scaled") {
     CHECK(PictureSize{}.room({801, 600}) == Extent{801, 600});
     CHECK(PictureSize{true, {320, 240}}.room({801, 600}) == Extent{801, 600});
     CHECK(PictureSize{false, {320, 240}}.room({801, 600}) == Extent{320, 240});
@@ -39,19 +39,19 @@ TEST_CASE("the picture's size follows the view or is fixed, and either is scaled
     CHECK(PictureSize{false, {320, 240}, 2.0}.scaled({320, 240}) == Extent{640, 480});
 }
 
-TEST_CASE("a new picture's size is to be chosen, and once chosen it does not follow the view") {
+TEST_CASE("a new render size is to be chosen, and a chosen one does not follow the view") {
     CHECK(PictureSize{}.is_to_be_chosen());
     const PictureSize chosen = fixed_in(PictureSize{true, {}, 0.5}, {801, 600});
     CHECK_FALSE(chosen.is_to_be_chosen());
     CHECK_FALSE(chosen.follows_view);
-    CHECK(chosen.has_shape());  // another program's look keeps its source's shape in it
+    CHECK(chosen.has_shape());  // a look from another program keeps its source's shape in it
     CHECK(chosen.room({100, 100}) == Extent{801, 600});
     CHECK(chosen.scaled(chosen.room({100, 100})) == Extent{401, 300});
     const PictureSize exact{false, {320, 240}};
     CHECK_FALSE(exact.has_shape());
 }
 
-TEST_CASE("what was used of the palette and the files opened lately come back in their order") {
+TEST_CASE("recent palette entries and recent files are restored in order") {
     WindowState window;
     window.used = {"Undo", "preset:/a: b.json", "Open…"};
     CHECK(restored_window(remembered(window)).used == window.used);
@@ -61,14 +61,14 @@ TEST_CASE("what was used of the palette and the files opened lately come back in
     CHECK(restored_window(remembered(window)).used == window.used);
 }
 
-TEST_CASE("where the line of a wipe stands comes back, and only within the picture") {
+TEST_CASE("the wipe position is restored if it is within the picture") {
     WindowState window;
     window.wipe_share = 0.25;
     CHECK(restored_window(remembered(window)).wipe_share == 0.25);
     CHECK(restored_window({{"wipe_share", 7.0}}).wipe_share == 0.5);
 }
 
-TEST_CASE("fitting shows every number of a pass, resetting shows it as it is") {
+TEST_CASE("fitting shows every value of a pass, and resetting restores the defaults") {
     PassView view;
     view.exposure = 3.0;
     view.channels = Channels::green;
@@ -90,7 +90,7 @@ TEST_CASE("a pinned pixel is the same point in targets of every size") {
     CHECK(Pin{1.0, 1.0}.texel({400, 60}) == std::array{399, 59});
 }
 
-TEST_CASE("what the pane at the bottom holds comes back") {
+TEST_CASE("the part in the bottom pane is restored") {
     WindowState window;
     window.bottom_part = BottomPart::graph;
     CHECK(restored_window(remembered(window)).bottom_part == BottomPart::graph);
@@ -99,7 +99,7 @@ TEST_CASE("what the pane at the bottom holds comes back") {
     CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
 }
 
-TEST_CASE("pins, the line of the waveform and how numbers are seen come back") {
+TEST_CASE("pins, the waveform line and the inspector's settings are restored") {
     WindowState window;
     window.pins = {{0.25, 0.75}, {1.0, 0.0}};
     window.scan_line = {{0.1, 0.2}, {0.3, 0.4}};
@@ -114,7 +114,7 @@ TEST_CASE("pins, the line of the waveform and how numbers are seen come back") {
     CHECK(back.inspected == window.inspected);
 }
 
-TEST_CASE("what a session cannot mean is as at first") {
+TEST_CASE("invalid session values become defaults") {
     const WindowState back = restored_window({{"black", 2.0},
                                               {"white", 1.0},
                                               {"exposure", 1e6},
@@ -128,7 +128,7 @@ TEST_CASE("what a session cannot mean is as at first") {
     CHECK(back.scan_line == ScanLine{});
 }
 
-TEST_CASE("to look into another pass is to look into its present picture") {
+TEST_CASE("inspecting another pass shows its current picture") {
     PassView view;
     view.look_into({Input::From::pass, "persistence", 1});
     CHECK(view.pass == "persistence");
@@ -142,22 +142,22 @@ TEST_CASE("to look into another pass is to look into its present picture") {
     CHECK_FALSE(view.other.has_value());
 }
 
-TEST_CASE("how many frames are drawn comes back") {
+TEST_CASE("the frame rate setting is restored") {
     WindowState window;
     window.frame_rate = {false, 60.0};
     CHECK(restored_window(remembered(window)).frame_rate == window.frame_rate);
     CHECK(restored_window({{"frame_cap", -3.0}, {"vsync", 7.0}}).frame_rate == FrameRate{});
     CHECK(FrameRate{}.frame_seconds(144.0) == 1.0 / 144.0);
     CHECK(FrameRate{.cap = 30.0}.frame_seconds(144.0) == 1.0 / 30.0);
-    CHECK(FrameRate{}.frame_seconds(0.0) == 1.0 / 24.0);  // a display that does not tell
+    CHECK(FrameRate{}.frame_seconds(0.0) == 1.0 / 24.0);  // a display without a reported rate
 }
 
-TEST_CASE("the output window leaves the panels their display where there is another") {
+TEST_CASE("the output window prefers a display without the panels") {
     CHECK(OutputState{}.monitor_for(1, 0) == 0);
     CHECK(OutputState{}.monitor_for(2, 0) == 1);
     CHECK(OutputState{}.monitor_for(2, 1) == 0);
-    CHECK(OutputState{.monitor = 1}.monitor_for(2, 1) == 1);  // a person may want it so
-    CHECK(OutputState{.monitor = 2}.monitor_for(2, 0) == 1);  // it is no longer there
+    CHECK(OutputState{.monitor = 1}.monitor_for(2, 1) == 1);  // the user's choice
+    CHECK(OutputState{.monitor = 2}.monitor_for(2, 0) == 1);  // this display is gone
     WindowState window;
     window.output = {true, false, 3};
     const OutputState restored = restored_window(remembered(window)).output;
@@ -165,7 +165,7 @@ TEST_CASE("the output window leaves the panels their display where there is anot
     CHECK_FALSE(restored.is_open);
 }
 
-TEST_CASE("a person's clamp comes back at the next start, and a rate beyond the limits does not") {
+TEST_CASE("the flash limiter is restored, and a rate beyond the limits becomes the default") {
     WindowState window;
     CHECK_FALSE(restored_window(remembered(window)).comfort.is_on);
     window.comfort = {true, 0.45};

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-TEST_CASE("keys have the numbers that browsers give them") {
+TEST_CASE("keys have the codes of browsers") {
     CHECK(browser_key('A') == 65);
     CHECK(browser_key('Z') == 90);
     CHECK(browser_key('7') == 55);

@@ -10,7 +10,7 @@ constexpr AskedWidth pyramid{
     .least = 60.0f, .wanted = 300.0f, .best = 300.0f, .is_pass = false};  // of six levels
 }  // namespace
 
-TEST_CASE("the strip has its passes' words in full before a pyramid has more than the least") {
+TEST_CASE("the strip shows full pass labels before a pyramid exceeds its minimum") {
     const std::vector<AskedWidth> asked{pass, pyramid, pass};
     const StripRoom room = share_strip(asked, 260.0f);
     CHECK_FALSE(room.is_narrow);
@@ -21,14 +21,14 @@ TEST_CASE("the strip has its passes' words in full before a pyramid has more tha
     CHECK(share_strip(asked, 900.0f).widths == Widths{160.0f, 300.0f, 160.0f});
 }
 
-TEST_CASE("a strip without room for all words gives each the same share of its way to them") {
+TEST_CASE("a strip without room for all labels gives each the same share of the missing width") {
     const std::vector<AskedWidth> asked{pass, pyramid, pass};
-    const StripRoom room = share_strip(asked, 230.0f);  // 30 of 300 more than the least
+    const StripRoom room = share_strip(asked, 230.0f);  // 30 of 300 above the minimum
     CHECK(room.is_narrow);
     CHECK(room.widths == Widths{73.0f, 84.0f, 73.0f});
 }
 
-TEST_CASE("a strip that is too short for the least goes on beyond its end") {
+TEST_CASE("a strip that is shorter than the minimum extends beyond its end") {
     const std::vector<AskedWidth> asked{pass, pass, pass};
     const StripRoom room = share_strip(asked, 150.0f);
     CHECK(room.is_narrow);

@@ -7,14 +7,14 @@
 #include <algorithm>
 
 namespace {
-// Every character is one wide, the mark included.
+// Every character is one unit wide, including the ellipsis.
 float letters(const std::string& text) {
     return static_cast<float>(std::ranges::count_if(
         text, [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }));
 }
 }  // namespace
 
-TEST_CASE("a text that fits stays, one that does not is cut with a mark") {
+TEST_CASE("a text that fits stays, and another one is cut with an ellipsis") {
     CHECK(cut_at_width("", 3.0f, letters) == "");
     CHECK(cut_at_width("abc", 3.0f, letters) == "abc");
     CHECK(cut_at_width("abcd", 3.0f, letters) == "ab…");
@@ -27,7 +27,7 @@ TEST_CASE("a text that fits stays, one that does not is cut with a mark") {
     CHECK(cut_at_width(times(200, "x"), 200.0f, letters) == times(200, "x"));
 }
 
-TEST_CASE("of a very long line little more than what fits is measured") {
+TEST_CASE("of a very long line little more than the fitting part is measured") {
     const std::string line = times(1'000'000, "+1.0");
     double measured = 0.0;
     const auto width_of = [&measured](const std::string& text) {

@@ -8,39 +8,37 @@
 
 namespace {}  // namespace
 
-TEST_CASE("a fine hand goes a tenth as far, a coarse one ten times, and none beyond the ends") {
+TEST_CASE("a fine drag moves a tenth as far, a coarse one ten times, both within the ends") {
     CHECK(is_near(hand_after(0.5, 0.1, DragPace::fine), 0.51, 1e-9));
     CHECK(is_near(hand_after(0.5, 0.01, DragPace::coarse), 0.6, 1e-9));
     CHECK(hand_after(0.5, -0.2, DragPace::coarse) == 0.0);
 }
 
-TEST_CASE("a drag stops at numbers that read well, ten times finer or coarser ones as it is") {
+TEST_CASE("a drag rounds to readable numbers, ten times finer or coarser by its pace") {
     const SliderFacts facts{.low = 0.0, .high = 1.0};
     CHECK(is_near(dragged_value(0.123456, facts, DragPace::direct), 0.123, 1e-9));
     CHECK(is_near(dragged_value(0.123456, facts, DragPace::fine), 0.1235, 1e-9));
     CHECK(is_near(dragged_value(0.123456, facts, DragPace::coarse), 0.12, 1e-9));
 }
 
-TEST_CASE(
-    "a slider with steps stops at them, however the hand is; they are counted from the low "
-    "end that the look says") {
+TEST_CASE("a slider with steps uses only these at any pace, counted from the look's low end") {
     SliderFacts odd{.low = 3.0, .high = 25.0, .step = 2.0};
     for (const DragPace pace : {DragPace::direct, DragPace::fine, DragPace::coarse})
-        CHECK(dragged_value(0.2, odd, pace) == 7.0);  // 7.4
+        CHECK(dragged_value(0.2, odd, pace) == 7.0);  // rounded from 7.4
     odd.low = 4.0;
     odd.steps_from = 3.0;
     CHECK(dragged_value(0.0, odd, DragPace::direct) == 5.0);
 }
 
-TEST_CASE("notches stand at the steps between the ends, where all of them have room") {
+TEST_CASE("notches mark the steps between the ends if there is room for all of them") {
     const SliderFacts facts{.low = 0.0, .high = 4.0, .step = 1.0};
     const auto places = notch_places(facts, 100.0);
     REQUIRE(places.size() == 3);
     CHECK(is_near(places[0], 0.25, 1e-9));
     CHECK(is_near(places[2], 0.75, 1e-9));
-    CHECK(notch_places(facts, 20.0).size() == 3);  // five pixels each
+    CHECK(notch_places(facts, 20.0).size() == 3);  // five pixels apart
     CHECK(notch_places(facts, 19.0).empty());
-    CHECK(notch_places({.low = 0.0, .high = 4.0}, 100.0).empty());  // any value
+    CHECK(notch_places({.low = 0.0, .high = 4.0}, 100.0).empty());  // no steps
     CHECK(notch_places({.low = 0.0, .high = 1e9, .step = 1e-3}, 100.0).empty());
     // 1, 2 .. 8 over three octaves: 7 and 8 are log2(8/7)/3 apart, 6.4 pixels of 100.
     const SliderFacts ratios{.low = 1.0, .high = 8.0, .step = 1.0, .is_logarithmic = true};
@@ -48,7 +46,7 @@ TEST_CASE("notches stand at the steps between the ends, where all of them have r
     CHECK(notch_places(ratios, 75.0).empty());
 }
 
-TEST_CASE("safe values are marked where they have room") {
+TEST_CASE("safe values are marked where there is room") {
     const SliderFacts facts{.low = 2.0, .high = 12.0, .safe = {2.0, 3.0, 4.0, 12.0}};
     const auto places = safe_places(facts, 100.0);
     REQUIRE(places.size() == 4);

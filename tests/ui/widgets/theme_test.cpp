@@ -19,7 +19,7 @@ double contrast(const theme::Color& one, const theme::Color& other) {
 }
 }  // namespace
 
-TEST_CASE("all that is written to be read has a contrast of 4.5 at least") {
+TEST_CASE("all text colours have a contrast of at least 4.5") {
     const theme::Color white{1.0f, 1.0f, 1.0f, 1.0f};
     const theme::Color black{0.0f, 0.0f, 0.0f, 1.0f};
     CHECK(contrast(white, black) == doctest::Approx(21.0));

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace {
-// Every character is one wide.
+// Every character is one unit wide.
 float length_of(const std::string& text) {
     return static_cast<float>(std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
@@ -21,12 +21,12 @@ std::string told(const std::string& name, float most) {
 }
 }  // namespace
 
-TEST_CASE("a name with room is told whole") {
+TEST_CASE("a name that fits is shown completely") {
     CHECK(told("bloom_down_2", 12.0f) == "bloom_down_2");
     CHECK(told("beam", 4.0f) == "beam");
 }
 
-TEST_CASE("of names that begin alike what differs is kept") {
+TEST_CASE("the difference of names with equal beginnings is kept") {
     CHECK(told("bloom_down_1", 10.0f) == "bloom_do…1");
     CHECK(told("bloom_down_2", 10.0f) == "bloom_do…2");
     CHECK(told("bloom_up_1", 7.0f) == "bl…up_1");
@@ -35,13 +35,13 @@ TEST_CASE("of names that begin alike what differs is kept") {
     CHECK(told("größe 2", 5.0f) == "grö…2");  // "ö" has two bytes
 }
 
-TEST_CASE("an end that does not fit is cut at its own end, as is a name that is like no other") {
+TEST_CASE("an end that does not fit is cut, and so is a unique name") {
     CHECK(told("mask-horizontal-last", 9.0f) == "…horizon…");
     CHECK(told("persistence", 6.0f) == "persi…");
     CHECK(told("beam", 3.0f) == "be…");
 }
 
-TEST_CASE("names are parted between words alone") {
+TEST_CASE("names are split only between words") {
     const std::vector<std::string> others{"brightness", "red", "red_2"};
     CHECK(told_apart("brim", others).front.empty());
     CHECK(told_apart("red_2", others).front.empty());
@@ -49,7 +49,7 @@ TEST_CASE("names are parted between words alone") {
     CHECK(told_apart("red_3", others).end == "3");
 }
 
-TEST_CASE("numbered passes are told together, by what differs from others and their numbers") {
+TEST_CASE("numbered passes are shown together, with their difference and their numbers") {
     const auto told_levels = [](float most, const std::vector<std::string>& others) {
         return cut_to_tell(told_apart("bloom_down_", "1", "6", others), most, length_of);
     };

@@ -13,11 +13,11 @@ TEST_CASE("a typed number may have a point, a comma, a sign, an exponent and its
     CHECK(read_typed_number("1e3", facts).value == 1000.0);
     CHECK(read_typed_number(" 2 px", facts).value == 2.0);
     CHECK(read_typed_number("2px", facts).value == 2.0);
-    CHECK(read_typed_number("0,125", facts).value == 0.125);  // no thousands begin with nought
+    CHECK(read_typed_number("0,125", facts).value == 0.125);  // thousands do not start with 0
     CHECK(read_typed_number("0,5", facts).complaint.empty());
 }
 
-TEST_CASE("what is no number, or may be two, changes nothing and is told") {
+TEST_CASE("an invalid or ambiguous number changes nothing and is reported") {
     for (const char* text : {"abc", "1x", "1,2,3", "1.2,3", "1,000.5", "--1", "inf", "nan", "1e999",
                              "4,096", "12,500", "-1,000"}) {
         const TypedNumber typed = read_typed_number(text, {});
@@ -29,7 +29,7 @@ TEST_CASE("what is no number, or may be two, changes nothing and is told") {
     CHECK(nothing.complaint.empty());
 }
 
-TEST_CASE("a typed number stops at the hard limit, and that is told with the limit") {
+TEST_CASE("a typed number is clamped to the hard limit, and the limit is reported") {
     const NumberFacts facts{.unit = "s", .limit = Limit{0.0, 10.0}};
     CHECK(read_typed_number("11", facts).value == 10.0);
     CHECK(read_typed_number("11", facts).complaint.find("Limited to 10 s") != std::string::npos);
@@ -38,14 +38,14 @@ TEST_CASE("a typed number stops at the hard limit, and that is told with the lim
     CHECK(read_typed_number("10", facts).complaint.empty());
 }
 
-TEST_CASE("where whole numbers count, the nearest is taken and told") {
+TEST_CASE("for integers the nearest one is used and reported") {
     const TypedNumber typed = read_typed_number("2.7", {.is_whole = true});
     CHECK(typed.value == 3.0);
     CHECK_FALSE(typed.complaint.empty());
     CHECK(read_typed_number("2", {.is_whole = true}).complaint.empty());
 }
 
-TEST_CASE("a decay may be typed as a time; elsewhere a time is no number") {
+TEST_CASE("a decay may be typed as a time, and elsewhere a time is not a number") {
     const NumberFacts facts{.unit = "per 1/60 s", .limit = Limit{0.0, 1.0}, .is_decay = true};
     const auto is_near = [](const TypedNumber& typed, double wanted) {
         return typed.value && typed.complaint.empty() && std::abs(*typed.value - wanted) < 1e-12;

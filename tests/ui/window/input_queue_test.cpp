@@ -26,7 +26,7 @@ void add(InputQueue& queue, const std::vector<std::vector<gpu::InputEvent>>& par
         queue.add(part);
 }
 
-// The number of frames that it takes, or 100 when it never ends.
+// The number of frames until the queue is empty, or 100 if it never is.
 int frames(InputQueue& queue, bool is_typing = false) {
     int count = 0;
     for (; !queue.is_empty() && count < 100; ++count)
@@ -34,7 +34,7 @@ int frames(InputQueue& queue, bool is_typing = false) {
     return count;
 }
 
-// What a widget of ImGui sees of one key: how often it was up and is down now.
+// The key presses that an ImGui widget sees: the key was up and is down now.
 int presses_seen(InputQueue& queue, int key) {
     int presses = 0;
     bool was_down = false;
@@ -49,7 +49,7 @@ int presses_seen(InputQueue& queue, int key) {
 }
 }  // namespace
 
-TEST_CASE("Keys that were pressed and released within one frame are each seen") {
+TEST_CASE("keys pressed and released within one frame are each seen") {
     InputQueue queue;
     add(queue, {tap('A'), tap('A'), tap('A')});
     CHECK(presses_seen(queue, 'A') == 3);
@@ -57,7 +57,7 @@ TEST_CASE("Keys that were pressed and released within one frame are each seen") 
     CHECK(presses_seen(queue, gpu::key::enter) == 2);
 }
 
-TEST_CASE("A key with Control is seen while Control is down, whichever is released first") {
+TEST_CASE("a key with Control is seen while Control is down, for any order of release") {
     bool is_modifier_first = false;
     SUBCASE("the letter") {}
     SUBCASE("Control") {
@@ -74,7 +74,7 @@ TEST_CASE("A key with Control is seen while Control is down, whichever is releas
     CHECK(frames(queue) < 5);
 }
 
-TEST_CASE("A letter with Shift is seen while Shift is down, wherever frames cut the keys apart") {
+TEST_CASE("a letter with Shift is seen while Shift is down, for any split into frames") {
     constexpr int shift = gpu::key::left_shift;
     const std::vector<gpu::InputEvent> keys{KeyEvent{shift, true}, KeyEvent{'M', true},
                                             TextEvent{'M'}, KeyEvent{shift, false},
@@ -99,10 +99,10 @@ TEST_CASE("A letter with Shift is seen while Shift is down, wherever frames cut 
     }
 }
 
-TEST_CASE("Each of two clicks is pressed and released where it was made") {
+TEST_CASE("each of two clicks is pressed and released at its own position") {
     InputQueue queue;
     add(queue, {click(10, 10), click(50, 50)});
-    std::vector<std::pair<float, bool>> seen;  // where the button was, and whether down
+    std::vector<std::pair<float, bool>> seen;  // position of the button, and whether it is down
     float x = -1;
     for (int i = 0; !queue.is_empty() && i < 20; ++i) {
         bool has_button = false;
@@ -124,7 +124,7 @@ TEST_CASE("Each of two clicks is pressed and released where it was made") {
     CHECK(seen == made);
 }
 
-TEST_CASE("A widget is hovered for a frame before it is pressed") {
+TEST_CASE("a widget is hovered for one frame before it is pressed") {
     InputQueue queue;
     queue.add(click(5, 5));
     const auto first = queue.take_frame(false);
@@ -132,7 +132,7 @@ TEST_CASE("A widget is hovered for a frame before it is pressed") {
     CHECK(std::holds_alternative<PointerEvent>(first[0]));
 }
 
-TEST_CASE("A drag of many moves shows its last place for a frame before the release") {
+TEST_CASE("a drag of many moves shows its last position for one frame before the release") {
     InputQueue queue;
     queue.add({ButtonEvent{0, true}});
     for (int i = 0; i < 50; ++i)
@@ -142,12 +142,12 @@ TEST_CASE("A drag of many moves shows its last place for a frame before the rele
     const auto moved = queue.take_frame(false);
     REQUIRE(moved.size() == 50);
     CHECK(std::get<PointerEvent>(moved[49]).x == 49);
-    const auto released = queue.take_frame(false);  // a widget turns only while it is held
+    const auto released = queue.take_frame(false);  // a widget changes only while it is held
     REQUIRE(released.size() == 1);
     CHECK_FALSE(std::get<ButtonEvent>(released[0]).is_down);
 }
 
-TEST_CASE("A word goes into a text field within one frame, in its order") {
+TEST_CASE("a word is typed into a text field within one frame, in order") {
     InputQueue queue;
     for (const char sign : std::string("BOOM")) {
         queue.add(
@@ -161,7 +161,7 @@ TEST_CASE("A word goes into a text field within one frame, in its order") {
     CHECK(queue.is_empty());
 }
 
-TEST_CASE("What is typed right after a shortcut waits until the field that it asked for listens") {
+TEST_CASE("text typed right after a shortcut waits until its text field is active") {
     InputQueue queue;
     queue.add({KeyEvent{control, true}, KeyEvent{'F', true}, KeyEvent{'F', false},
                KeyEvent{control, false}, KeyEvent{'R', true}, TextEvent{'r'}});
@@ -172,14 +172,14 @@ TEST_CASE("What is typed right after a shortcut waits until the field that it as
     CHECK(queue.take_frame(true).size() == 2);
 }
 
-TEST_CASE("Return after a word comes a frame later than the word") {
+TEST_CASE("Return after a word is processed one frame after the word") {
     InputQueue queue;
     queue.add({TextEvent{'x'}, KeyEvent{gpu::key::enter, true}});
     CHECK(queue.take_frame(true).size() == 1);
     CHECK(queue.take_frame(true).size() == 1);
 }
 
-TEST_CASE("A wheel that is turned by a trembling hand does not fall behind") {
+TEST_CASE("a wheel with small pointer moves is not delayed") {
     InputQueue queue;
     for (int i = 0; i < 30; ++i)
         queue.add({WheelEvent{0, 1}, PointerEvent{100.0f + static_cast<float>(i % 3), 100}});
@@ -187,7 +187,7 @@ TEST_CASE("A wheel that is turned by a trembling hand does not fall behind") {
     CHECK(frames(queue) <= 2);
 }
 
-TEST_CASE("A wheel stays with the place where it was turned") {
+TEST_CASE("a wheel event stays at its position") {
     InputQueue queue;
     queue.add({PointerEvent{10, 10}, WheelEvent{0, 1}, PointerEvent{400, 10}});
     CHECK(queue.take_frame(false).size() == 2);
