@@ -115,7 +115,7 @@ def is_function(header):
 
 
 def check_functions(code):
-    """Checks the lines of functions, lambdas and test cases, from the name to the closing brace."""
+    """Checks the lengths of functions, lambdas and test cases, from the name to the closing brace."""
     code = re.sub(r"^[ \t]*#[^\n]*", "", code, flags=re.MULTILINE)
     stack = []
     begin = 0  # of the current statement

@@ -1,4 +1,4 @@
-"""Runs ./run in a copy of its files, with stand-ins for apt, sudo, CMake, Ninja and CTest."""
+"""Runs ./run in a copy of its files, with substitutes for apt, sudo, CMake, Ninja and CTest."""
 
 import json
 import os
@@ -12,7 +12,7 @@ from pathlib import Path
 SOURCE = Path(__file__).resolve().parent.parent
 TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id basename".split()
 
-# The packages of the stand-in system are files in $BOX/installed. Calls are logged in $BOX/log.
+# The packages of the simulated system are files in $BOX/installed. Calls are logged in $BOX/log.
 STAND_INS = {
     "dpkg-query": '[ -e "$BOX/installed/${!#}" ] && echo installed',
     "apt-cache": """
@@ -87,7 +87,7 @@ class RunTest(unittest.TestCase):
         )
 
     def run_at_terminal(self, answer, *arguments):
-        """Exit code of ./run with a terminal as stdin, where this answer is typed."""
+        """Exit code of ./run with a terminal as stdin, where `answer` is typed."""
         try:
             terminal, stdin = pty.openpty()
         except OSError as reason:

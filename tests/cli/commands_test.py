@@ -1,4 +1,4 @@
-"""The command line as scripts use it."""
+"""The command line as used by scripts."""
 
 import json
 import math

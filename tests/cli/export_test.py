@@ -1,4 +1,4 @@
-"""Image sequences and videos, as players and other programs read them."""
+"""Image sequences and videos as read by players and other programs."""
 
 import json
 import os
@@ -160,7 +160,7 @@ class Sequences(ExportTest):
         self.assertEqual(self.leftovers(), [])
 
     def limited(self, most, *arguments):
-        """A run that can write at most `most` bytes per file, as on a full disk."""
+        """A run with at most `most` bytes per file, like on a full disk."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
@@ -279,7 +279,7 @@ class Films(ExportTest):
             self.assertEqual([picture.get(f"color_{of}") for of in ("space", "primaries", "transfer", "range")],
                              ["bt709", "bt709", "bt709", "tv"])
         start = (self.folder / "film.mp4").read_bytes()[:4096]
-        self.assertIn(b"moov", start)  # players need it first
+        self.assertIn(b"moov", start)  # players need the index at the start
 
     def test_colours_are_those_of_the_look(self):
         look = self.look("plain", "color = vec4(uv.x < 0.5 ? vec3(200, 30, 60) / 255.0 : vec3(20, 160, 240) / 255.0, 1.0);")

@@ -1,4 +1,4 @@
-"""Real-world files: those in tests/inputs open with their values, or are refused with a reason."""
+"""Real-world files: the files in tests/inputs open with their values, or are refused with a reason."""
 
 import json
 import os

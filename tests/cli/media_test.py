@@ -54,7 +54,7 @@ def exr(row):
 
 
 def manifest(driven_by, **more):
-    """The look.json of a look with a single pass."""
+    """The look.json of a look with one pass."""
     only = {"name": "only", "fragment": "only.frag", "format": "rgba32f"}
     if driven_by == "picture":
         only["inputs"] = {"image": "source"}

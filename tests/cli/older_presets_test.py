@@ -9,7 +9,7 @@ LABELS = SOURCE / "tests/inputs/labels"
 
 
 class OlderPresets(ProgramTest):
-    """The version that wrote the presets drew the pictures. Content did not keep its shape then."""
+    """The pictures were drawn by the version that wrote the presets. Content did not keep its shape then."""
 
     def test_presets_without_a_fit_keep_their_meaning(self):
         names = sorted(file.stem for file in PRESETS.glob("*.json"))
@@ -54,7 +54,7 @@ class OlderPresets(ProgramTest):
 
 
 def items_of(described, names):
-    """The selected item of each of these lists, as a number, in the output of `describe`."""
+    """The selected item of each list in `names`, as a number, from the output of `describe`."""
     lists = {entry["name"]: entry for entry in described["parameters"] if entry["name"] in names}
     return {name: next(item["value"] for item in entry["items"] if entry["value"] in (item["label"], item["value"]))
             for name, entry in lists.items()}

@@ -1,4 +1,4 @@
-"""Runs the program for the tests, and makes and reads the files that they need."""
+"""Runs the program for the tests, and writes and reads their files."""
 
 import os
 import struct
@@ -14,7 +14,7 @@ SOURCE = Path(__file__).resolve().parents[2]
 
 
 def run(*arguments, cwd=None, timeout=120, **environment):
-    """The finished program, with stdout and stderr as text. A GL error always fails the test."""
+    """The finished process, with stdout and stderr as text. A GL error always fails the test."""
     settings = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
     settings.update(MESA_DEBUG="1", **environment)  # Mesa prints each GL error to stderr
     done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=cwd, env=settings, timeout=timeout,

@@ -1,4 +1,4 @@
-"""Stacks of looks on the command line: one look after the other."""
+"""Stacks of looks on the command line: looks in series."""
 
 import json
 

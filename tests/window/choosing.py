@@ -5,7 +5,7 @@ from person import Person
 
 class Choosing(Person):
     def ask(self, words, entry):
-        """Types words into the palette, and chooses the first entry."""
+        """Types words into the palette and chooses the first entry."""
         program = self.program
         program.key("ctrl+p")
         program.place("palette_query")
@@ -16,27 +16,27 @@ class Choosing(Person):
     def test_a_signal_and_its_frequency_are_chosen_by_keys(self):
         program = self.program
         self.ask("signal two", "Signal: Two-channel waveform")
-        program.wait("it draws", lambda s: s["signal"].startswith("waveform:") and s["undo"] == "Signal")
+        program.wait("the waveform is drawn", lambda s: s["signal"].startswith("waveform:") and s["undo"] == "Signal")
         self.ask("wave 2 freq", "Signal: Wave 2 · Frequency…")
         program.place("asked")
         self.snapshot("asked")
         program.type("4.5")
         program.key("Return")
-        program.wait("its number is taken", lambda s: "f2=4.5" in s["signal"] and s["dialog"] == 0)
+        program.wait("the number is set", lambda s: "f2=4.5" in s["signal"] and s["dialog"] == 0)
         self.ask("wave 2 freq", "Signal: Wave 2 · Frequency…")
         program.place("asked")
         program.type("7")
         program.key("Escape")
-        program.wait("Escape leaves it", lambda s: s["dialog"] == 0 and "f2=4.5" in s["signal"])
+        program.wait("Escape keeps the value", lambda s: s["dialog"] == 0 and "f2=4.5" in s["signal"])
         program.key("ctrl+z", "ctrl+z")
-        program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+        program.wait("undo restores the figure", lambda s: s["signal"].startswith("lissajous:"))
         program.key("ctrl+shift+z")
-        program.wait("and redo the waves", lambda s: s["signal"].startswith("waveform:"))
+        program.wait("redo restores the waveform", lambda s: s["signal"].startswith("waveform:"))
         self.ask("look crt", "Look: CRT")
-        program.wait("the look opens at once", lambda s: s["look"] == "crt" and s["dialog"] == 0)
-        program.wait("the other signal is kept", lambda s: s["notice"].startswith("Your unsaved changes are kept"))
+        program.wait("the look opens", lambda s: s["look"] == "crt" and s["dialog"] == 0)
+        program.wait("changes are stored", lambda s: s["notice"].startswith("Your unsaved changes are kept"))
         self.ask("unsaved phosphor", "Unsaved changes: phosphor")
-        program.wait("and comes back", lambda s: s["look"] == "phosphor" and s["signal"].startswith("waveform:"))
+        program.wait("changes return", lambda s: s["look"] == "phosphor" and s["signal"].startswith("waveform:"))
 
     def test_the_menus_are_walked_by_keys(self):
         program = self.program
@@ -45,43 +45,43 @@ class Choosing(Person):
         program.key("Right")
         program.place("menu:Morph: To Amber P3")
         program.key("Down", "Return")
-        program.wait("a preset is gone to", lambda s: s["preset"] == "Amber P3")
+        program.wait("the morph reaches the preset", lambda s: s["preset"] == "Amber P3")
         program.key("F10")
         program.place("menu:Open…")
         program.key("Down", "Right", "Right", "Down")
         program.place("menu:Undo")
         program.key("Escape", "Escape", "Right")
-        program.wait("and left, with the keys as before", lambda s: "menu:Undo" not in s["widgets"])
+        program.wait("the menus are closed", lambda s: "menu:Undo" not in s["widgets"])
 
     def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
         program = self.program
         self.ask("pass persist", "Pass: persistence")
-        program.wait("it is looked into", lambda s: s["inspected"] == "persistence")
+        program.wait("the pass is inspected", lambda s: s["inspected"] == "persistence")
         self.ask("inspect ago", "Inspect: persistence, 1 frame ago")
-        program.wait("a frame ago, too", lambda s: s["looks_into"] == "persistence@1")
+        program.wait("the previous frame is inspected", lambda s: s["looks_into"] == "persistence@1")
         self.ask("green grey", "Channels: Green as grey")
-        program.wait("one channel is seen", lambda s: s["channels"] == 2)
+        program.wait("one channel is shown", lambda s: s["channels"] == 2)
         self.ask("channels red green", "Channels: Red, green and blue")
         self.ask("inspect white", "Inspect: White point…")
         program.place("asked")
         program.type("4")
         program.key("Return")
-        program.wait("white is four", lambda s: s["levels"][1] == 4 and s["channels"] == 0)
+        program.wait("white is 4", lambda s: s["levels"][1] == 4 and s["channels"] == 0)
         program.key("shift+a")
         self.ask("pass persist", "Pass: persistence")
         self.ask("add crt", "Stack: Add CRT")
-        program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and s["undo"] == "Add CRT")
+        program.wait("both looks are drawn", lambda s: s["look"] == "phosphor+crt" and s["undo"] == "Add CRT")
         self.ask("remove phos", "Stack: Remove Phosphor")
-        program.wait("the look behind works on a picture alone", lambda s: s["look"] == "crt")
+        program.wait("the remaining look is open", lambda s: s["look"] == "crt")
         self.ask("source smpte", "Source: SMPTE bars")
-        program.wait("it gets bars", lambda s: s["driving_source"] == "pattern:smpte")
+        program.wait("the source is SMPTE bars", lambda s: s["driving_source"] == "pattern:smpte")
         program.key(*["ctrl+z"] * 3)
-        program.wait("undo gives the look back", lambda s: s["look"] == "phosphor" and not s["is_loading"])
+        program.wait("undo restores the look", lambda s: s["look"] == "phosphor" and not s["is_loading"])
 
     def test_every_menu_and_all_that_asks_in_a_window_of_its_own_opens(self):
         program = self.program
         program.click("preset:overdriven")
-        program.wait("it is open, and can be renamed", lambda s: s["preset"])
+        program.wait("the preset is open", lambda s: s["preset"])
         for menu, item in {"File": "Quit", "Edit": "Undo", "View": "Zoom 1:1", "Compare": "Wipe",
                            "Pass": "Next pass", "Playback": "Restart", "Help": "Keyboard shortcuts"}.items():
             program.click("menu:" + menu)
@@ -98,7 +98,7 @@ class Choosing(Person):
 
     def leave_dialog(self):
         program = self.program
-        turn = program.wait("it asks", lambda s: s["dialog"])["turn"]
-        program.wait("it is drawn", lambda s: s["turn"] > turn + 1)
+        turn = program.wait("the dialog is open", lambda s: s["dialog"])["turn"]
+        program.wait("the dialog is drawn", lambda s: s["turn"] > turn + 1)
         program.key("Escape")
-        program.wait("Escape leaves it", lambda s: s["dialog"] == 0)
+        program.wait("Escape closes the dialog", lambda s: s["dialog"] == 0)

@@ -78,7 +78,7 @@ class Drag:
         self.x.XFlush(self.display)
 
     def wait(self, message):
-        """The data of the next message of this type. Answers selection requests meanwhile."""
+        """The data of the next message of this type. Answers selection requests while waiting."""
         end = time.monotonic() + 30
         event = Event()
         while time.monotonic() < end:

@@ -12,7 +12,7 @@ class Driving(Person):
         program = self.program
         self.hover("picture")
         program.key("space")
-        program.wait("time stands", lambda s: not s["is_playing"])
+        program.wait("playback stops", lambda s: not s["is_playing"])
         turns = []
 
         def rests():
@@ -20,37 +20,37 @@ class Driving(Person):
             time.sleep(0.3)
             return len(turns) > 1 and turns[-1] == turns[-2]
 
-        program.wait_for("no more is drawn", rests)
+        program.wait_for("no more updates are drawn", rests)
         program.key("space")
 
     def test_time_stops_steps_and_starts_again(self):
         program = self.program
         self.hover("picture")
         program.key("space")
-        state = program.wait("it stops", lambda s: not s["is_playing"])
+        state = program.wait("playback stops", lambda s: not s["is_playing"])
         frame = program.state()["frame"]
         program.key("period")
-        program.wait("one frame on", lambda s: s["frame"] == frame + 1)
+        program.wait("one frame is stepped", lambda s: s["frame"] == frame + 1)
         program.click("play")
-        program.wait("it runs again", lambda s: s["is_playing"] and s["frame"] > state["frame"] + 5)
+        program.wait("playback continues", lambda s: s["is_playing"] and s["frame"] > state["frame"] + 5)
         program.key("r")
-        program.wait("it starts anew", lambda s: s["frame"] < 60)
+        program.wait("playback restarts", lambda s: s["frame"] < 60)
 
     def test_a_sound_is_opened_plays_and_can_be_sought(self):
         program = self.program
         song = program.folder / "two tones.wav"
         write_tones(song, seconds=20)
         self.open_by_name(song)
-        program.wait("it draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.wait("the sound is drawn", lambda s: s["signal"].startswith("audio:") and not s["reading"])
         program.place("seek")
         self.snapshot("sound")
         left, top, right, bottom = program.place("seek")
         self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", 1)
-        program.wait("its middle plays", lambda s: 9.5 < s["time"] < 15)
+        program.wait("playback is at the middle of the sound", lambda s: 9.5 < s["time"] < 15)
         program.key("r")
-        program.wait("it begins again", lambda s: s["time"] < 3)
+        program.wait("playback restarts", lambda s: s["time"] < 3)
         program.key("ctrl+z")
-        program.wait("undo gives the figure back", lambda s: s["signal"].startswith("lissajous:"))
+        program.wait("undo restores the figure", lambda s: s["signal"].startswith("lissajous:"))
 
     def test_the_beam_goes_to_the_sound_output_or_says_why_not(self):
         program = self.program
@@ -58,13 +58,13 @@ class Driving(Person):
         program.click("sound:beam")
         before = program.state()["frame"]
         missing = "The beam is only shown on the screen."
-        state = program.wait("it is on, or there is no device, which is told", lambda s:
+        state = program.wait("the beam output is on, or a missing device is reported", lambda s:
                              missing in s["notice"] or
                              ("sound:beam_level" in s["widgets"] and s["frame"] > before + 5))
         self.snapshot("beam_output")
         if missing not in state["notice"]:
             program.click("sound:beam")
-        program.wait("it is off and the picture runs on", lambda s:
+        program.wait("the beam output is off and frames continue", lambda s:
                      "sound:beam_level" not in s["widgets"] and s["frame"] > state["frame"] + 3)
         self.leave()  # the layout of the panel has changed
 
@@ -73,7 +73,7 @@ class Driving(Person):
         gone = program.folder / "gone.wav"
         before = program.state()["signal"]
         self.open_by_name(gone)
-        state = program.wait("the message names it", lambda s: "gone.wav" in s["notice"])
+        state = program.wait("the message names the file", lambda s: "gone.wav" in s["notice"])
         self.assertEqual((state["signal"], state["problems"], state["is_content_locked"]), (before, [], False))
         program.key("ctrl+o")
         program.place("dialog_file")
@@ -83,7 +83,7 @@ class Driving(Person):
         lost.write_text(json.dumps({"format": "afterglow-preset", "version": 1, "look": "phosphor", "name": "Lost",
                                     "signal": {"kind": "audio", "file": "gone.wav"}}))
         self.open_by_name(lost)
-        program.wait("a file that a preset names is listed and marked at the signal", lambda s:
+        program.wait("the missing file of a preset is listed and marked at the signal", lambda s:
                      "gone.wav" in s["notice"] and "media_problem" in s["widgets"] and
                      [problem["file"] for problem in s["problems"]] == ["gone.wav"])
         self.snapshot("missing")
@@ -92,11 +92,11 @@ class Driving(Person):
         write_tones(cut, seconds=4)
         os.truncate(cut, 8044)
         self.open_by_name(cut)
-        program.wait("what is there draws, and how much that is is told", lambda s: not s["reading"] and
+        program.wait("the start of the sound is drawn, and its length is reported", lambda s: not s["reading"] and
                      ["the file ends early: only 0.25 of 4.00 s were read"] ==
                      [problem["message"] for problem in s["problems"]])
         program.key("ctrl+z", "ctrl+z")
-        program.wait("without the file there is no mark", lambda s: not s["problems"] and
+        program.wait("the mark is gone with the file", lambda s: not s["problems"] and
                      "media_problem" not in s["widgets"])
 
     def test_what_is_dropped_on_the_window_opens(self):
@@ -106,12 +106,12 @@ class Driving(Person):
         program.set("decay", "0.61")
         program.key("ctrl+s")
         program.answer("Mine")
-        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.wait("the preset is saved", lambda s: not s["is_modified"])
         program.set("decay", "0.62")
         self.drop(song)
-        program.wait("the sound draws", lambda s: s["signal"].startswith("audio:") and not s["reading"])
+        program.wait("the sound is drawn", lambda s: s["signal"].startswith("audio:") and not s["reading"])
         program.key("ctrl+s")
-        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.wait("the preset is saved", lambda s: not s["is_modified"])
         program.click("preset:overdriven")
         program.wait("another preset opens", lambda s: s["preset"] not in ("", "Mine"))
         self.drop(self.own / "presets/phosphor/Mine.json")
@@ -124,18 +124,18 @@ class Driving(Person):
         panels = screen.brightness(edge)
         self.assertGreater(panels, 0)
         program.key("F12")
-        program.wait_for("there is nothing beside the picture", lambda: screen.brightness(edge) == 0)
+        program.wait_for("there are no panels around the picture", lambda: screen.brightness(edge) == 0)
         middle = (340, 180, 940, 680)
-        program.wait_for("the picture is there", lambda: screen.brightness(middle) > 1)
+        program.wait_for("the picture is visible", lambda: screen.brightness(middle) > 1)
         self.snapshot("output")
-        program.wait("the display's size is offered", lambda s: s["notice"] ==
+        program.wait("the render size of the display is offered", lambda s: s["notice"] ==
                      "The render size is 240 × 180 px, the display 1280 × 860 px")
         program.key("ctrl+Next")
-        program.wait("its keys are the panels'", lambda s: s["preset"] and s["output"] == "on")
+        program.wait("its keys work as in the main window", lambda s: s["preset"] and s["output"] == "on")
         program.key("ctrl+b")
-        program.wait_for("it is black", lambda: screen.brightness(middle) == 0)
+        program.wait_for("the picture is black", lambda: screen.brightness(middle) == 0)
         program.key("ctrl+b")
-        program.wait_for("the picture is back", lambda: screen.brightness(middle) > 1)
+        program.wait_for("the picture is visible again", lambda: screen.brightness(middle) > 1)
         program.key("Escape")
-        program.wait("it is closed", lambda s: s["output"] == "off")
-        program.wait_for("the panels are seen again", lambda: abs(screen.brightness(edge) - panels) < 1)
+        program.wait("the output window is closed", lambda s: s["output"] == "off")
+        program.wait_for("the panels are visible again", lambda: abs(screen.brightness(edge) - panels) < 1)

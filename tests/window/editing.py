@@ -18,26 +18,26 @@ class Editing(Person):
         beside = shader.with_suffix(".new")
         beside.write_text(white)
         os.replace(beside, shader)
-        program.wait_for("an edit by rename is seen", lambda: self.brightness() > 250)
+        program.wait_for("an edit by rename is drawn", lambda: self.brightness() > 250)
         shader.write_text(text)
-        program.wait_for("an edit in place is seen", lambda: self.brightness() < before + 20)
+        program.wait_for("an edit in place is drawn", lambda: self.brightness() < before + 20)
 
         broken = text.replace("void main() {", "void main() {\n    colour = 1.0;", 1)
         line = 1 + broken[:broken.index("colour = 1.0")].count("\n")
         shader.write_text(broken)
-        state = program.wait("the mistake is shown", lambda s: s["problems"])
+        state = program.wait("the error is listed", lambda s: s["problems"])
         problem = state["problems"][0]
         self.assertEqual((Path(problem["file"]).name, problem["line"]), ("composite.frag", line))
         self.assertIn("colour", problem["message"])
         self.assertEqual(problem["source"].strip(), "colour = 1.0;")
-        program.wait("the last good picture runs on", lambda s: s["frame"] > state["frame"] + 3)
+        program.wait("the last good picture continues", lambda s: s["frame"] > state["frame"] + 3)
         self.assertGreater(self.brightness(), 0.5)
         self.snapshot("broken")
         program.click("problem:composite.frag:%d" % line)
         program.wait_for("a click opens the editor at the line",
                          lambda: "+%d" % line in program.edited_files())
         shader.write_text(text)
-        program.wait("mending it clears the message", lambda s: not s["problems"])
+        program.wait("a corrected shader clears the error", lambda s: not s["problems"])
 
     def test_a_folder_for_includes_is_named_in_the_menu(self):
         program = self.program
@@ -55,9 +55,9 @@ class Editing(Person):
         program.place("asked")
         program.type(str(library))
         program.key("Return")
-        program.wait("it is found in the named folder", lambda s: not s["problems"])
+        program.wait("the include is found in the folder", lambda s: not s["problems"])
         shader.write_text(text)
-        program.wait("the look is as it was", lambda s: not s["problems"] and not s["is_loading"])
+        program.wait("the look is as before", lambda s: not s["problems"] and not s["is_loading"])
 
     def test_a_number_that_is_not_finite_stops_the_clock(self):
         program = self.program
@@ -65,33 +65,33 @@ class Editing(Person):
         text = shader.read_text()
         shader.write_text(text[:text.rindex("}")] + "    if (ivec2(gl_FragCoord.xy) == ivec2(9, 29))\n"
                           "        color.r = sqrt(-u_time_delta);\n}\n")
-        state = program.wait("pass and pixel are named", lambda s: s["trip"])
+        state = program.wait("the NaN is reported with pass and pixel", lambda s: s["trip"])
         self.assertEqual(state["trip"][:3], [3, 9, self.size[1] - 1 - 29])
         self.assertFalse(state["is_playing"])
         self.assertEqual(state["frame"], state["trip"][3])
         program.click("trip_show")
-        program.wait("the pass is looked into", lambda s: s["inspected"] == "persistence")
+        program.wait("the pass is inspected", lambda s: s["inspected"] == "persistence")
         self.snapshot("trip")
         program.click("trip_clamp")
-        program.wait("time goes on, and nothing is asked again", lambda s: not s["trip"] and
+        program.wait("time continues without another report", lambda s: not s["trip"] and
                      s["is_playing"] and s["frame"] > state["frame"] + 3)
         shader.write_text(text)
-        program.wait("mended, it is watched again", lambda s: not s["is_loading"])
+        program.wait("the corrected look is loaded", lambda s: not s["is_loading"])
 
     def test_a_pass_is_changed_and_written_back(self):
         program = self.program
         manifest = self.looks / "phosphor/look.json"
         before = json.loads(manifest.read_text())
         program.click("pass:bloom_down_1")
-        program.wait("it is inspected", lambda s: s["inspected"] == "bloom_down_1")
+        program.wait("the pass is inspected", lambda s: s["inspected"] == "bloom_down_1")
         program.click("pass_format")
         program.place("format:rgba16f")
         other = next(name for name in program.state()["widgets"]
                      if name.startswith("format:") and name.endswith("f") and name != "format:rgba16f")
         program.click(other)
-        program.wait("the change can be taken back", lambda s: s["undo"] == "Pass bloom_down_1")
+        program.wait("the override is one undo step", lambda s: s["undo"] == "Pass bloom_down_1")
         program.click("write_overrides")
-        program.wait("it is written", lambda s: "Saved to look.json" in s["notice"])
+        program.wait("look.json is written", lambda s: "Saved to look.json" in s["notice"])
         after = json.loads(manifest.read_text())
         bloom = [one["name"] for one in before["passes"]].index("bloom_down_1")
         self.assertEqual(after["passes"][bloom]["format"], other.removeprefix("format:"))
@@ -102,7 +102,7 @@ class Editing(Person):
         program = self.program
         program.click("pass:persistence")
         program.click("edit_pass")
-        program.wait_for("the pass opens", lambda: "persistence.frag" in program.edited_files())
+        program.wait_for("the pass opens in the editor", lambda: "persistence.frag" in program.edited_files())
         program.reveal("exposure")
         program.click("label:exposure")
         program.click("open_declared")
@@ -126,10 +126,10 @@ class Editing(Person):
         self.assertEqual(state["problems"], [])
         self.snapshot("new_look")
         program.choose("File", "Restore unsaved changes")
-        program.wait("what was not saved comes back",
+        program.wait("the unsaved changes are restored",
                      lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])
         program.click("look:phosphor")
-        program.wait("a look opens without a question", lambda s: s["look"] == "phosphor")
+        program.wait("the look opens without a question", lambda s: s["look"] == "phosphor")
         program.key("ctrl+shift+o")
-        program.wait("and what was left comes back again",
+        program.wait("the unsaved changes are restored again",
                      lambda s: s["look"] == "my-phosphor" and s["values"]["decay"] == [0.61])

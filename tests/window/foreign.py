@@ -82,19 +82,19 @@ class Foreign(Person):
         self.looks.parent.joinpath("reads.slang").write_text(READS_IT)
         x, y = self.open_text("signed.slangp", "shaders = 2\nshader0 = below.slang\nshader1 = reads.slang\n")
         program.click("pass:Below")
-        state = program.wait("its ends are measured", lambda s: s["inspected"] == "Below" and s["measured"])
+        state = program.wait("the range is measured", lambda s: s["inspected"] == "Below" and s["measured"])
         self.assertEqual((state["measured"]["minimum"], state["measured"]["maximum"]), (-128, 127))
         program.key("p")
         program.place("back_to_picture")
         self.hover("picture")
-        program.wait("its numbers are told", lambda s: s["probe"] and s["probe"]["pass"] == "Below" and
+        program.wait("the values are reported", lambda s: s["probe"] and s["probe"]["pass"] == "Below" and
                      s["probe"]["rgba"] == ["-1", "-128", "127", "-32768"])
         program.click("channels:R")
         program.click("fit_levels")
-        program.wait("black and white are the ends of red", lambda s: s["levels"] == [-5, 2])
+        program.wait("black and white are the range of red", lambda s: s["levels"] == [-5, 2])
         self.snapshot("below_zero")
         program.click("mark_flaws")
-        self.wait_for_color("what is below zero is blue", (x - 100, y), (0, 0, 255))
+        self.wait_for_color("a negative value is blue", (x - 100, y), (0, 0, 255))
         self.snapshot("below_zero_marked")
         program.click("mark_flaws")
         program.click("reset_levels")
@@ -105,25 +105,25 @@ class Foreign(Person):
         x, y = self.open_text("mouse.glsl", FOLLOWS_THE_MOUSE)
         start, end = (x - 80, y + 40), (x + 60, y - 50)
         self.screen.do("mousemove", *start, "mousedown", 1)
-        self.wait_for_color("it is pressed", start, WHITE)
+        self.wait_for_color("the button is down", start, WHITE)
         self.screen.do("mousemove", *end)
-        self.wait_for_color("it is dragged", end, WHITE)
-        self.wait_for_color("where it went down is known", start, RED)
+        self.wait_for_color("the pointer is dragged", end, WHITE)
+        self.wait_for_color("the start of the drag is known", start, RED)
         self.snapshot("mouse")
         self.screen.do("mouseup", 1)
-        self.wait_for_color("it is let go", end, GREEN)
+        self.wait_for_color("the button is up", end, GREEN)
         self.screen.do("mousemove", x, y)
         self.program.place("picture")
         self.assertEqual((self.color_at(*start), self.color_at(*end)), (RED, GREEN))
 
         self.screen.do("mousemove", *end)
-        self.program.wait("the pointer is on the green",
+        self.program.wait("the pointer is on green",
                           lambda s: s["probe"] and s["probe"]["rgba"] == ["0", "1", "0", "1"])
         self.screen.do("click", "--repeat", 4, "--delay", 60, 4)
-        self.wait_for_color("the wheel zooms about the pointer", (end[0] + 55, end[1] + 30), GREEN)
+        self.wait_for_color("the wheel zooms around the pointer", (end[0] + 55, end[1] + 30), GREEN)
         by = (-70, 60)
         self.program.drag(end, (end[0] + by[0], end[1] + by[1]), button=2)
-        self.wait_for_color("the view moves", (end[0] + by[0], end[1] + by[1]), GREEN)
+        self.wait_for_color("the view is moved", (end[0] + by[0], end[1] + by[1]), GREEN)
         self.program.key("f")
 
     def test_keys_over_the_picture_are_the_looks_but_with_ctrl_the_programs(self):
@@ -136,23 +136,23 @@ class Foreign(Person):
         self.screen.do("mousemove", x, y)
         program.wait("the pointer is over the picture", lambda s: s["probe"])
         self.screen.do("keydown", "d")
-        self.wait_for_color("a key is held", left, (255, 51, 51))
+        self.wait_for_color("the key is down", left, (255, 51, 51))
         self.screen.do("keyup", "d")
-        self.wait_for_color("and let go", left, (0, 51, 51))
+        self.wait_for_color("the key is up", left, (0, 51, 51))
         program.key("p")
-        self.wait_for_color("another one stays on", right, (51, 255, 51))
+        self.wait_for_color("the toggle is on", right, (51, 255, 51))
         self.snapshot("keys")
         program.key("p")
-        self.wait_for_color("until it is pressed again", right, resting)
+        self.wait_for_color("the toggle is off again", right, resting)
         self.assertEqual(program.state()["pins"], [])
 
         program.key("ctrl+p")
         program.place("palette_query")
         program.key("Escape")
-        program.wait("Ctrl makes it the program's", lambda s: s["dialog"] == 0)
+        program.wait("the key with Ctrl opened the palette", lambda s: s["dialog"] == 0)
         self.assertEqual(self.color_at(*right), resting)
         self.hover("search")
-        program.wait("the pointer is elsewhere", lambda s: not s["probe"])
+        program.wait("the pointer is outside the picture", lambda s: not s["probe"])
         self.assertEqual(self.color_at(*right), resting)
 
     def test_a_constant_of_a_text_is_turned_undone_and_kept_in_a_preset(self):
@@ -163,28 +163,28 @@ class Foreign(Person):
             return lambda: self.color_at(*place)[:2] == (shown, shown)
 
         place = self.open_text("constants.frag", TURNED_CONSTANTS)
-        program.wait_for("it is as in the text", is_level(0.2))
+        program.wait_for("the picture shows the value of the text", is_level(0.2))
         program.reveal("LEVEL")
         low, high, y = program.slider("LEVEL")
         program.drag(((low + high) // 2, y), (high + 40, y))
-        program.wait("its slider is at the end, in one step", lambda s:
+        program.wait("the slider is at its end in one step", lambda s:
                      s["values"]["LEVEL"] == [1] and s["undo"] == "Level")
-        program.wait_for("the picture follows", is_level(1.0))
+        program.wait_for("the picture shows the new value", is_level(1.0))
         program.key("ctrl+z")
-        program.wait("it is undone", lambda s: s["values"]["LEVEL"] == [0.2])
-        program.wait_for("in the picture, too", is_level(0.2))
+        program.wait("the value is undone", lambda s: s["values"]["LEVEL"] == [0.2])
+        program.wait_for("the picture shows the undone value", is_level(0.2))
 
         program.set("LEVEL", "0.6")
         program.set("BARS", "12")
         program.key("ctrl+s")
         program.answer("Lighter")
-        program.wait("it is saved", lambda s: s["preset"] == "Lighter" and not s["is_modified"])
+        program.wait("the preset is saved", lambda s: s["preset"] == "Lighter" and not s["is_modified"])
         kept = json.loads(next(self.own.rglob("Lighter.json")).read_text())
         self.assertEqual(kept["values"], {"BARS": 12, "LEVEL": 0.6})
         program.click("preset:")
-        program.wait_for("the look's own value is back", is_level(0.2))
+        program.wait_for("the look's default is drawn", is_level(0.2))
         program.click("preset:Lighter")
-        program.wait_for("and the preset's", is_level(0.6))
+        program.wait_for("the preset's value is drawn", is_level(0.6))
         self.snapshot("constants")
 
     def test_a_pass_that_takes_seconds_is_told_with_what_may_be_done_about_it(self):
@@ -203,30 +203,30 @@ class Foreign(Person):
         program.key("ctrl+p")
         program.place("palette_query")
         program.type("heavy halve")
-        program.wait("keys reach it, too", lambda s: "palette:Heavy pass: Halve render size" in s["widgets"])
+        program.wait("the palette lists it too", lambda s: "palette:Heavy pass: Halve render size" in s["widgets"])
         program.key("Escape")
         program.wait("the palette is closed", lambda s: s["dialog"] == 0)
         program.click("offer:Bypass picture")
-        program.wait("it is bypassed, and all is quick again", lambda s:
+        program.wait("the pass is bypassed and the notice is gone", lambda s:
                      s["switches"]["bypassed"] == ["picture"] and "offer_leave" not in s["widgets"] and
                      "Bypassed" in s["notice"])
 
     def test_a_look_that_the_driver_is_stuck_with_is_left_and_the_program_ends(self):
         program = self.program
         lines = "".join("    x = sin(x * %d.5 + y); y = cos(y + x * 0.%d1);\n" % (i % 7 + 1, i % 9)
-                        for i in range(6000))  # Mesa compiles it for minutes
+                        for i in range(6000))  # Mesa needs minutes to compile it
         file = self.looks.parent / "stuck.frag"
         file.write_text("#version 330\nuniform float u_time;\nout vec4 color;\nvoid main() {\n"
                         "    float x = gl_FragCoord.x + u_time, y = gl_FragCoord.y;\n" + lines +
                         "    color = vec4(x, y, 0.0, 1.0);\n}\n")
         self.open_by_name(file)
-        before = program.wait("it is being opened", lambda s: s["opening"] != "")
-        program.wait("what is open goes on", lambda s:
+        before = program.wait("the look is being opened", lambda s: s["opening"] != "")
+        program.wait("the open look continues", lambda s:
                      s["opening"] != "" and s["frame"] > before["frame"] + 5 and s["look"] == "phosphor")
         self.snapshot("stuck")
         program.key("Escape")
-        state = program.wait("it is opened no more", lambda s:
+        state = program.wait("opening is cancelled", lambda s:
                              s["opening"] == "" and s["notice"] == 'Cancelled opening "stuck.frag"')
-        program.wait("what is open goes on", lambda s: s["frame"] > state["frame"] + 5)
+        program.wait("the open look continues", lambda s: s["frame"] > state["frame"] + 5)
         program.quit()
         program.start()

@@ -14,7 +14,7 @@ class Keeping(Person):
         program.type("Mine")
         self.snapshot("saving")
         program.key("Return")
-        program.wait("it is saved", lambda s: s["preset"] == "Mine" and not s["is_modified"])
+        program.wait("the preset is saved", lambda s: s["preset"] == "Mine" and not s["is_modified"])
         saved = self.own / "presets/phosphor/Mine.json"
         self.assertIn('"decay": 0.61', saved.read_text())
 
@@ -28,10 +28,10 @@ class Keeping(Person):
         program.place("dialog_taken")
         self.snapshot("taken")
         program.click("dialog_cancel")
-        program.wait("nothing is replaced without being asked", lambda s: s["dialog"] == 0)
+        program.wait("the dialog is closed and nothing is overwritten", lambda s: s["dialog"] == 0)
         self.assertIn('"decay": 0.61', saved.read_text())
         program.click("preset:Mine")
-        program.wait("the saved values are back",
+        program.wait("the saved values are restored",
                      lambda s: s["preset"] == "Mine" and s["values"]["decay"][0] == 0.61)
 
     def test_presets_are_renamed_duplicated_and_deleted(self):
@@ -40,82 +40,82 @@ class Keeping(Person):
         program.set("decay", "0.61")
         program.choose("File", "Save preset as…")
         program.answer("First")
-        program.wait("it is saved", lambda s: s["preset"] == "First" and not s["is_modified"])
+        program.wait("the preset is saved", lambda s: s["preset"] == "First" and not s["is_modified"])
         program.choose("File", "Rename preset…")
         program.answer("Second")
-        program.wait("it is renamed", lambda s: s["preset"] == "Second")
+        program.wait("the preset is renamed", lambda s: s["preset"] == "Second")
         self.assertFalse((folder / "First.json").exists())
         (folder / "Taken.json").write_text((folder / "Second.json").read_text())
-        program.wait("another one is listed", lambda s: "preset:Taken" in s["widgets"])
+        program.wait("the other preset is listed", lambda s: "preset:Taken" in s["widgets"])
         program.key("F2")
         program.place("dialog_name")
         program.key("ctrl+a")
         program.type("Taken")
         program.place("dialog_taken")
         program.key("Return", "Escape")
-        program.wait("a name that is taken is refused",
+        program.wait("an existing name is refused",
                      lambda s: s["dialog"] == 0 and s["preset"] == "Second")
         program.set("decay", "0.62")
         program.key("ctrl+d")
         state = program.wait("the copy is open", lambda s: s["preset"] == "Second 2")
         self.assertTrue(state["is_modified"])  # the copy has the unsaved changes
         program.key("ctrl+s")
-        program.wait("it is saved", lambda s: not s["is_modified"])
+        program.wait("the preset is saved", lambda s: not s["is_modified"])
         self.assertIn('"decay": 0.61', (folder / "Second.json").read_text())
         self.assertIn('"decay": 0.62', (folder / "Second 2.json").read_text())
         program.choose("File", "Delete preset")
-        state = program.wait("it is gone, its values stay",
+        state = program.wait("the preset is deleted and its values stay",
                              lambda s: s["preset"] == "" and s["values"]["decay"][0] == 0.62)
         self.assertIn('Deleted "Second 2"', state["notice"])
         self.assertEqual([file.name for file in folder.glob("Second*")], ["Second.json"])
         self.snapshot("deleted")
         program.click("offer:Undo")
-        program.wait("the notice brings it back", lambda s: s["preset"] == "Second 2")
+        program.wait("the notice restores the preset", lambda s: s["preset"] == "Second 2")
         self.assertTrue((folder / "Second 2.json").exists())
         program.key("shift+Delete")
-        program.wait("the key deletes it, too", lambda s: s["preset"] == "")
+        program.wait("the key deletes the preset too", lambda s: s["preset"] == "")
         program.key("ctrl+z")
-        program.wait("undo brings it back", lambda s: s["preset"] == "Second 2")
+        program.wait("undo restores the preset", lambda s: s["preset"] == "Second 2")
 
     def test_a_preset_travels_as_a_line_of_text(self):
         program = self.program
         program.set("decay", "0.61")
         self.hover("picture")
         program.key("ctrl+c")
-        program.wait("it is copied", lambda s: "Copied" in s["notice"])
+        program.wait("the preset is copied", lambda s: "Copied" in s["notice"])
         program.key("ctrl+z")
-        program.wait("the value is gone", lambda s: s["values"]["decay"][0] != 0.61)
+        program.wait("the value is undone", lambda s: s["values"]["decay"][0] != 0.61)
         program.key("ctrl+v")
-        program.wait("the line brings it back, as one step",
+        program.wait("pasting restores the value in one step",
                      lambda s: s["values"]["decay"][0] == 0.61 and s["undo"] == "Paste")
 
     def test_a_preset_opens_in_one_step_and_nothing_unsaved_is_lost(self):
         program = self.program
         program.set("decay", "0.61")
         program.click("preset:overdriven")
-        program.wait("it opens at once", lambda s: s["preset"] == "Overdriven" and
+        program.wait("the preset opens at once", lambda s: s["preset"] == "Overdriven" and
                      s["undo"] == "Open Overdriven" and "Ctrl+Z" in s["notice"])
         program.key("ctrl+z")
-        program.wait("one step back are the values before, still unsaved",
+        program.wait("one undo restores the unsaved values",
                      lambda s: s["preset"] == "" and s["is_modified"] and
                      s["values"]["decay"] == [0.61])
 
     def test_a_preset_of_a_stack_is_opened_bypassed_reordered_and_undone(self):
         program = self.program
         self.open_by_name(self.presets / "phosphor+crt/night-ward.json")
-        values = program.wait("both looks draw", lambda s: s["look"] == "phosphor+crt" and
+        values = program.wait("both looks are drawn", lambda s: s["look"] == "phosphor+crt" and
                               s["preset"] == "Night ward")["values"]
         program.click("stack_bypass:crt")
-        program.wait("the second look draws nothing", lambda s: (s["bypass"], s["undo"]) == ("crt", "Bypass CRT"))
+        program.wait("the look is bypassed", lambda s: (s["bypass"], s["undo"]) == ("crt", "Bypass CRT"))
         program.click("stack_up:crt")
-        program.wait("it comes first", lambda s: (s["look"], s["undo"]) == ("crt+phosphor", "Move CRT"))
+        program.wait("the look is first", lambda s: (s["look"], s["undo"]) == ("crt+phosphor", "Move CRT"))
         program.key("ctrl+z")
-        program.wait("it is last again", lambda s: (s["look"], s["undo"]) == ("phosphor+crt", "Bypass CRT"))
+        program.wait("the look is last again", lambda s: (s["look"], s["undo"]) == ("phosphor+crt", "Bypass CRT"))
         program.key("ctrl+z")
-        program.wait("all is as the preset has it",
+        program.wait("the preset is unmodified again",
                      lambda s: not s["bypass"] and not s["is_modified"] and s["values"] == values)
         program.key("ctrl+z")
-        program.wait("and then as it was before", lambda s: s["look"] == "phosphor" and not s["preset"])
+        program.wait("the previous look is open again", lambda s: s["look"] == "phosphor" and not s["preset"])
 
     def ask_for_export(self, name, seconds):
         program = self.program
@@ -144,12 +144,12 @@ class Keeping(Person):
         self.ask_for_export("long_%06d.png", "3600")
         program.key("Return")
         program.place("dialog_progress")
-        program.wait_for("some are there", lambda: len(list(program.folder.glob("long_*.png"))) > 2)
+        program.wait_for("some pictures are exported", lambda: len(list(program.folder.glob("long_*.png"))) > 2)
         self.snapshot("exporting")
         program.key("Escape")
         program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
         frame = program.state()["frame"]
-        program.wait("the picture goes on", lambda s: s["frame"] > frame + 2)
+        program.wait("the picture continues", lambda s: s["frame"] > frame + 2)
         count = len(list(program.folder.glob("long_*.png")))
         self.assertLess(count, 1000)
 
@@ -164,13 +164,13 @@ class Keeping(Person):
         program.quit()
         state = program.start()
         self.assertEqual((state["values"]["decay"], state["picture"]), ([0.61], PICTURE))
-        program.wait("the wipe stands where it stood", lambda s: s["wipe"] == line)
+        program.wait("the wipe position is restored", lambda s: s["wipe"] == line)
         program.key("w")
         self.assertTrue(state["is_modified"])
         program.key("ctrl+z")
-        program.wait("undo reaches back over the quit", lambda s: s["values"]["decay"] != [0.61])
+        program.wait("undo works across the restart", lambda s: s["values"]["decay"] != [0.61])
         program.key("ctrl+shift+z")
-        program.wait("it is there again", lambda s: s["values"]["decay"] == [0.61])
+        program.wait("redo restores the value", lambda s: s["values"]["decay"] == [0.61])
         program.kill()  # immediately: each change is saved when it is made
         self.assertEqual(program.start()["values"]["decay"], [0.61])
 
@@ -178,29 +178,29 @@ class Keeping(Person):
         program = self.program
         self.hover("picture")
         program.key("ctrl+Next")
-        state = program.wait("the first opens, and its name and place are told", lambda s:
+        state = program.wait("the first preset opens, and its name and position are reported", lambda s:
                              s["preset"] and "preset 1 of" in s["notice"])
         first = state["preset"]
         self.assertIn(first, state["notice"])
         program.set("decay", "0.61")
         program.key("ctrl+Prior")
-        program.wait("back at the look as it is, and nothing is lost", lambda s:
+        program.wait("the defaults open, and the changes can be restored", lambda s:
                      not s["preset"] and not s["is_modified"] and "Ctrl+Z" in s["notice"])
         program.key("ctrl+z")
-        program.wait("what was not saved is there again",
+        program.wait("the unsaved values are restored",
                      lambda s: s["preset"] == first and s["values"]["decay"] == [0.61])
-        program.key("ctrl+Next", "ctrl+Next")  # faster than presets are read
-        program.wait("no press is lost", lambda s: s["preset"] and "preset 3 of" in s["notice"])
+        program.key("ctrl+Next", "ctrl+Next")  # faster than presets are loaded
+        program.wait("every key press counts", lambda s: s["preset"] and "preset 3 of" in s["notice"])
 
     def test_a_preset_is_compared_with_what_is_open(self):
         program = self.program
         program.set("decay", "0.61")
         program.screen.do("mousemove", *program.middle("preset:overdriven"), "click", 3)
         program.click("compare:overdriven")
-        program.wait("what differs is listed", lambda s: "change:Decay" in s["widgets"])
+        program.wait("the differences are listed", lambda s: "change:Decay" in s["widgets"])
         self.snapshot("compared")
         program.key("Escape")
-        program.wait("it is closed", lambda s: s["dialog"] == 0)
+        program.wait("the comparison is closed", lambda s: s["dialog"] == 0)
 
     def test_the_first_start_shows_what_to_do_and_a_sound_can_be_its_argument(self):
         program = self.program
@@ -209,20 +209,20 @@ class Keeping(Person):
         program.quit()
         program.forget_look()
         program.start(str(song))
-        program.wait("the sound draws, in the look of a first start", lambda s: s["look"] == "phosphor" and
+        program.wait("the sound is drawn by the look of a first start", lambda s: s["look"] == "phosphor" and
                      s["signal"].startswith("audio:") and not s["reading"])
         self.snapshot("first_steps")
         program.click("first_steps:close")
-        program.wait("it is closed", lambda s: "first_steps" not in s["widgets"])
+        program.wait("the first steps are closed", lambda s: "first_steps" not in s["widgets"])
         self.open_by_name(self.presets / "phosphor/long-afterglow.json")
-        program.wait("the changes are asked for or the preset opens",
+        program.wait("the preset is open",
                      lambda s: not s["dialog"] and s["preset"])
         program.quit()
         again = program.start()
         self.assertNotIn("first_steps", again["widgets"])
         program.key("ctrl+o")
         program.click("recent:long-afterglow.json")
-        program.wait("what was opened lately is a click away", lambda s: not s["dialog"])
+        program.wait("the recent file opens", lambda s: not s["dialog"])
         program.key("ctrl+o")
         program.click("dialog_folder")
         program.key("ctrl+a")
@@ -235,5 +235,5 @@ class Keeping(Person):
         program.place("file:shaders")
         self.snapshot("open")
         program.key("Return")
-        program.wait("the arrows chose the second folder", lambda s: "file:phosphor" in s["widgets"])
+        program.wait("the arrow keys selected the second folder", lambda s: "file:phosphor" in s["widgets"])
         program.key("Escape")

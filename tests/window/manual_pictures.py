@@ -30,11 +30,11 @@ def main():
     from window_test import WindowTest
 
     class Manual(WindowTest):
-        """With a step that would take too long in the tests."""
+        """Adds a test that takes too long for the normal test run."""
 
         def test_all_presets_have_a_picture(self):
             self.program.key("space", "ctrl+l")
-            self.program.wait("all of them are drawn", lambda s: s["presets"]["listed"] and
+            self.program.wait("all preset pictures are drawn", lambda s: s["presets"]["listed"] and
                               s["presets"]["pictures"] == len(s["presets"]["listed"]))
             self.snapshot("presets")
             self.program.key("ctrl+l")

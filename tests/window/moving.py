@@ -22,17 +22,17 @@ class Moving(Person):
         self.screen.do("click", 3)
         program.click("modulation")
         program.click("modulation:lfo")
-        program.wait("it moves, in one step", lambda s: "exposure" in s["moving"] and
+        program.wait("the parameter is modulated in one step", lambda s: "exposure" in s["moving"] and
                      s["undo"] == "Modulation of Exposure" and s["is_modified"])
         seen = set()
-        program.wait("the value of now goes up and down", lambda s:
+        program.wait("the modulated value goes up and down", lambda s:
                      seen.add(s["moving"]["exposure"]) or max(seen) - min(seen) > 1)
         self.snapshot("modulation")
         state = program.state()
         self.assertEqual(state["values"]["exposure"], default)
         program.click("modulation")
         program.click("modulation:rests")
-        program.wait("it rests", lambda s: s["moving"] == {} and not s["is_modified"])
+        program.wait("the modulation is off", lambda s: s["moving"] == {} and not s["is_modified"])
 
     def test_moves_are_recorded_to_a_file(self):
         program = self.program
@@ -46,7 +46,7 @@ class Moving(Person):
         program.key("ctrl+a")
         program.type(str(file))
         program.key("Return")
-        program.wait("it is saved", lambda s: "Saved 2 parameter changes" in s["notice"])
+        program.wait("the automation is saved", lambda s: "Saved 2 parameter changes" in s["notice"])
         lines = [line.split() for line in file.read_text().splitlines()[1:]]
         self.assertEqual([line[1:] for line in lines], [["exposure", "0.75"], ["decay", "0.5"]])
         self.assertLess(float(lines[0][0]), float(lines[1][0]))
@@ -57,11 +57,11 @@ class Moving(Person):
         program.reveal("exposure")
         self.screen.do("mousemove", *program.middle("parameter:exposure"), "click", 3)
         program.click("midi_learn:0")
-        state = program.wait("it waits for a knob, or says that there is none", lambda s:
+        state = program.wait("the program waits for a knob, or a missing device is reported", lambda s:
                              s["midi"][1] == "exposure" or "MIDI: no device" in s["notice"])
         if state["midi"][0]:
             program.key("Escape")
-            program.wait("it waits no more", lambda s: s["midi"][1] == "")
+            program.wait("MIDI learning is off", lambda s: s["midi"][1] == "")
         self.assertEqual(program.state()["midi"][2], 0)
 
     def test_another_program_turns_a_parameter(self):
@@ -74,18 +74,18 @@ class Moving(Person):
         program.type(str(port))
         program.key("Return")
         program.click("osc_listen")
-        program.wait("it listens", lambda s: s["osc"] == port)
+        program.wait("OSC is on", lambda s: s["osc"] == port)
         sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.addCleanup(sender.close)
         for number in (2.0, 3.0, 4.0):
             sender.sendto(osc("/afterglow/exposure", number), ("127.0.0.1", port))
-        program.wait("it is turned, in one step", lambda s: s["values"]["exposure"] == [4] and
+        program.wait("the parameter changes in one step", lambda s: s["values"]["exposure"] == [4] and
                      s["undo"] == "Remote control")
         sender.sendto(b"/no", ("127.0.0.1", port))
-        program.wait("what is malformed is told", lambda s: "OSC" in s["notice"])
+        program.wait("an invalid message is reported", lambda s: "OSC" in s["notice"])
         self.snapshot("remote")
         program.click("osc_listen")
-        program.wait("it listens no more", lambda s: s["osc"] == 0)
+        program.wait("OSC is off", lambda s: s["osc"] == 0)
         program.click("dialog_cancel")
         program.key("ctrl+z")
-        program.wait("one step back is as before", lambda s: not s["is_modified"])
+        program.wait("one undo restores the defaults", lambda s: not s["is_modified"])

@@ -17,9 +17,9 @@ class OrbitTest(Person):
     def setUp(self):
         super().setUp()
         self.program.click("look:caffeine")
-        self.program.wait("its samples add up", lambda s: s["look"] == "caffeine" and s["samples"] > 12)
+        self.program.wait("the samples accumulate", lambda s: s["look"] == "caffeine" and s["samples"] > 12)
         self.program.set("converge", "12")
-        self.program.wait("they are enough", lambda s: s["has_converged"] and s["samples"] > 12)
+        self.program.wait("the look has converged", lambda s: s["has_converged"] and s["samples"] > 12)
 
     def drag(self, button, right, up):
         """Drags from the centre of the picture."""
@@ -33,7 +33,7 @@ class OrbitTest(Person):
         program = self.program
         rest = program.state()["values"]
         self.drag(1, 60, 0)
-        turned = self.values_after("the molecule turns", lambda v: v["orbit_turn"] != rest["orbit_turn"])
+        turned = self.values_after("the molecule rotates", lambda v: v["orbit_turn"] != rest["orbit_turn"])
         self.assertGreater(turned["orbit_turn"][1], rest["orbit_turn"][1])  # about the y axis
         self.assertEqual(turned["orbit_azimuth"], rest["orbit_azimuth"])
         self.drag(3, 40, -24)
@@ -44,9 +44,9 @@ class OrbitTest(Person):
         self.assertEqual(moved["orbit_turn"], turned["orbit_turn"])
         self.snapshot("orbit")
         self.screen.do("keydown", "ctrl", "click", 4, "keyup", "ctrl")
-        self.values_after("the wheel goes nearer", lambda v: 0.5 < v["orbit_distance"][0] < 1)
+        self.values_after("the wheel zooms in", lambda v: 0.5 < v["orbit_distance"][0] < 1)
         program.key("ctrl+z", "ctrl+z", "ctrl+z")
-        self.values_after("each of them is one step of undo", lambda v: v == rest)
+        self.values_after("each movement is one undo step", lambda v: v == rest)
 
     def test_what_changes_the_scene_begins_anew_and_enough_is_enough(self):
         program = self.program
@@ -54,13 +54,13 @@ class OrbitTest(Person):
         program.set("exposure", "2")
         self.assertEqual(program.state()["samples"], held)
         self.drag(1, 40, 0)
-        program.wait("a molecule that turns begins anew",
+        program.wait("a rotation restarts the samples",
                      lambda s: s["samples"] == 12 and s["has_converged"])
         program.set("converge", "30")
-        program.wait("there can be more", lambda s: s["samples"] == 30 and s["has_converged"])
+        program.wait("more samples are drawn", lambda s: s["samples"] == 30 and s["has_converged"])
         program.set("converge", "12")
         program.set("bounces", "0")
-        program.wait("a knob begins anew", lambda s: s["samples"] == 12 and s["has_converged"])
+        program.wait("a parameter restarts the samples", lambda s: s["samples"] == 12 and s["has_converged"])
 
 
 if __name__ == "__main__":

@@ -21,7 +21,7 @@ class Owning(Person):
         song = self.program.folder / "song.wav"
         write_tones(song, seconds=2)
         self.open_by_name(song)
-        self.program.wait("the sound draws and is locked", lambda s:
+        self.program.wait("the sound is drawn and locked", lambda s:
                           s["signal"].startswith("audio:") and s["is_content_locked"] and not s["reading"])
 
     def open_preset(self, widget, name):
@@ -37,16 +37,16 @@ class Owning(Person):
         self.assertFalse(state["is_modified"])
         self.snapshot("kept_signal")
         program.click("offer:Use the preset's signal")
-        program.wait("the preset's signal draws", lambda s:
+        program.wait("the preset's signal is drawn", lambda s:
                      not s["signal"].startswith("audio:") and not s["is_content_locked"])
         program.key("ctrl+z")
-        program.wait("one step of undo brings sound and lock back", lambda s:
+        program.wait("one undo restores sound and lock", lambda s:
                      s["signal"].startswith("audio:") and s["is_content_locked"] and s["preset"] == "Overdriven")
         program.key("ctrl+z")
-        program.wait("undo of the preset leaves the sound", lambda s:
+        program.wait("undo of the preset keeps the sound", lambda s:
                      s["signal"].startswith("audio:") and not s["preset"])
         program.key("ctrl+z")
-        program.wait("undo of the choice brings the first signal back", lambda s:
+        program.wait("undo of the choice restores the first signal", lambda s:
                      s["signal"] == self.fresh["signal"] and not s["is_content_locked"])
 
     def test_alt_and_a_click_open_a_preset_with_its_own_signal(self):
@@ -55,18 +55,18 @@ class Owning(Person):
         self.screen.do("keydown", "alt")
         program.click("preset:overdriven")
         self.screen.do("keyup", "alt")
-        program.wait("it opens with its own", lambda s: s["preset"] == "Overdriven" and
+        program.wait("the preset opens with its own signal", lambda s: s["preset"] == "Overdriven" and
                      not s["signal"].startswith("audio:") and not s["is_content_locked"])
         program.key("Escape")
 
     def test_a_generator_is_kept_once_it_is_locked_by_hand(self):
         program = self.program
         program.click("keep_content")
-        program.wait("it is locked", lambda s: s["is_content_locked"])
+        program.wait("the signal is locked", lambda s: s["is_content_locked"])
         state = self.open_preset("preset:overdriven", "Overdriven")
         self.assertEqual(state["signal"], self.fresh["signal"])
         program.click("keep_content")
-        program.wait("it is unlocked", lambda s: not s["is_content_locked"])
+        program.wait("the signal is unlocked", lambda s: not s["is_content_locked"])
         state = self.open_preset("preset:amber-p3", "Amber P3")
         self.assertTrue(state["signal"].startswith("fm:"))
 
@@ -74,17 +74,17 @@ class Owning(Person):
         program = self.program
         self.open_song()
         program.click("look:crt")
-        program.wait("a picture look opens", lambda s: s["look"] == "crt" and not s["is_loading"])
+        program.wait("the picture-driven look opens", lambda s: s["look"] == "crt" and not s["is_loading"])
         game = program.folder / "game.png"
         write_png(game)
         self.open_by_name(game)
-        program.wait("it is the source, and locked", lambda s:
+        program.wait("the picture is the locked source", lambda s:
                      s["driving_source"].startswith(str(game)) and s["is_content_locked"])
         program.click("look:phosphor")
-        program.wait("the sound draws again", lambda s: s["look"] == "phosphor" and
+        program.wait("the sound is drawn again", lambda s: s["look"] == "phosphor" and
                      s["signal"].startswith("audio:") and not s["is_loading"])
         program.click("look:crt")
-        program.wait("the picture is there again", lambda s: s["look"] == "crt" and
+        program.wait("the picture is the source again", lambda s: s["look"] == "crt" and
                      s["driving_source"].startswith(str(game)) and not s["is_loading"])
         program.click("keep_content")
 
@@ -93,7 +93,7 @@ class Owning(Person):
         self.open_song()
         program.stop()
         program.start()
-        program.wait("all is as it was left", lambda s:
+        program.wait("signal and lock are restored", lambda s:
                      s["signal"].startswith("audio:") and s["is_content_locked"] and not s["reading"])
 
     def test_a_session_of_an_older_version_opens_unchanged(self):
@@ -119,11 +119,11 @@ class Owning(Person):
             if preset.stem != "amber-p3":
                 preset.unlink()
         program.key("ctrl+l")
-        state = program.wait("the presets are drawn", lambda s: s["presets"]["pictures"] == 2)
+        state = program.wait("the preset pictures are drawn", lambda s: s["presets"]["pictures"] == 2)
         drawn = state["presets"]["drawn"]
         program.click("pictures_with")
         program.click("pictures_with:mine")
-        program.wait("and again with my signal", lambda s: s["presets"]["drawn"] == drawn + 2)
+        program.wait("the pictures are redrawn with the user's signal", lambda s: s["presets"]["drawn"] == drawn + 2)
         self.snapshot("presets_with_mine")
         program.key("ctrl+l")
 
@@ -154,12 +154,12 @@ class Owning(Person):
                      s["notice"].startswith("Your unsaved changes are kept"))
         program.click("menu:File")
         program.click("menu:Unsaved changes")
-        kept = program.wait("they are listed", lambda s: any(w.startswith("kept:") for w in s["widgets"]))
+        kept = program.wait("the changes are listed", lambda s: any(w.startswith("kept:") for w in s["widgets"]))
         entry = next(w for w in kept["widgets"] if w.startswith("kept:"))
         program.place(entry)
         self.snapshot("unsaved")
         program.click(entry)
-        program.wait("a click brings them back", lambda s: s["look"] == "phosphor" and
+        program.wait("a click restores them", lambda s: s["look"] == "phosphor" and
                      s["values"]["decay"] == [0.61])
 
     def pane(self):
@@ -176,7 +176,7 @@ class Owning(Person):
 
     def test_panes_and_comparing_leave_the_picture_its_size(self):
         program = self.program
-        self.restart_with_size(0, 0)  # as at the first start: the program chooses the size
+        self.restart_with_size(0, 0)  # like the first start, when the program chooses the size
         whole = self.pane()
         self.assertEqual(program.state()["picture"], whole)
         program.wait("the size is chosen", lambda s: s["fixed_size"] == whole)
@@ -185,15 +185,15 @@ class Owning(Person):
         small = self.pane()
         self.assertLess(small[1], whole[1])
         program.key("shift+F6", "w")
-        program.wait("two pictures are compared", lambda s: s["compare"]["mode"] != "off")
+        program.wait("a comparison is on", lambda s: s["compare"]["mode"] != "off")
         self.assertEqual(program.state()["picture"], whole)
         self.snapshot("fixed_size")
         program.click("compare_end")
         program.click("picture_size")
         program.click("shape:view")
-        program.wait("it follows its pane when asked to", lambda s: s["picture"] == small)
+        program.wait("the render size follows the pane on request", lambda s: s["picture"] == small)
         program.key("ctrl+7")
-        program.wait("it follows", lambda s: s["picture"] == whole)
+        program.wait("the render size follows the pane", lambda s: s["picture"] == whole)
         program.click("picture_size")
         program.click("size:pane_once")
         program.quit()

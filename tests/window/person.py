@@ -1,5 +1,5 @@
-"""The base of the window tests: a program that tests share, its reset between tests, and what the
-user sees of it."""
+"""The base class of the window tests: a shared program, its reset between tests, and checks of its
+screen."""
 
 import array
 import math
@@ -33,8 +33,8 @@ def write_tones(file, seconds):
 
 
 class Person(unittest.TestCase):
-    """A user with an own home folder, a small window and a small picture, as software GL is slow.
-    After a failed test, the next one starts a new program."""
+    """A user with a separate home folder, a small window and a small picture, because software GL is
+    slow. After a failed test, the next one starts a new program."""
 
     executable = None  # set by the scripts that run the tests
     size = PICTURE
@@ -99,7 +99,7 @@ class Person(unittest.TestCase):
             program.wait("the signal is unlocked", lambda s: not s["is_content_locked"])
         program.click("preset:")
         program.place("picture")  # waits until the click is processed
-        return program.wait("all is as the look has it", self.is_tidy)
+        return program.wait("the look has its defaults", self.is_tidy)
 
     def is_tidy(self, state):
         same = ("look", "preset", "values", "signal", "picture", "is_modified", "dialog")
@@ -122,10 +122,10 @@ class Person(unittest.TestCase):
         """The column of the picture's pixel that the probe reports with the pointer there."""
         self.screen.do("mousemove", x + 1, y)
         turn = self.program.state()["turn"]
-        self.program.wait("it is drawn there", lambda s: s["turn"] > turn + 1)
+        self.program.wait("the pointer is processed", lambda s: s["turn"] > turn + 1)
         self.screen.do("mousemove", x, y)
         turn = self.program.state()["turn"]
-        probe = self.program.wait("its value is told", lambda s: s["turn"] > turn + 2)["probe"]
+        probe = self.program.wait("the value is reported", lambda s: s["turn"] > turn + 2)["probe"]
         return probe["x"]
 
     def open_by_name(self, file):

@@ -1,4 +1,4 @@
-"""The program on a virtual screen, driven as by a user."""
+"""The program on a virtual screen, controlled like by a user."""
 
 import json
 import os
@@ -27,7 +27,7 @@ class Program:
         editor.chmod(0o755)
 
     def arrange(self, width, height, picture):
-        """Writes a session as after a first use: a window of this size and a small picture. The look's
+        """Writes a session like after a first use: a window of this size and a small picture. The look's
         figure gets few points, because software GL is slow."""
         manifest = self.folder / "data/shaders/phosphor/look.json"
         look = json.loads(manifest.read_text())
@@ -85,7 +85,7 @@ class Program:
         raise AssertionError("never happened: %s\nlast state: %s" % (what, shown))
 
     def wait_for(self, what, is_true):
-        """Like wait, for conditions outside the state."""
+        """Like `wait`, for conditions outside the state."""
         self.wait(what, lambda _: is_true())
 
     def place(self, widget):

@@ -62,7 +62,7 @@ class SafeStartTest(unittest.TestCase):
         self.assertTrue(state["is_modified"])
         program.quit()
         program.begin()
-        program.wait("it opens by itself again", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
+        program.wait("the look opens without an offer", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
 
     def test_a_look_that_crashed_the_program_is_offered_and_the_session_survives(self):
         self.crash()
@@ -81,8 +81,8 @@ class SafeStartTest(unittest.TestCase):
 
     def test_a_look_whose_compiling_never_ended_is_offered(self):
         for end in (self.program.kill, self.program.quit):
-            self.program.begin("phosphor", fault="hang")  # named: the second start without a name only offers it
-            self.program.wait("it is being opened", lambda s: s["is_loading"])
+            self.program.begin("phosphor", fault="hang")  # named: a second start without a name only offers it
+            self.program.wait("the look is being opened", lambda s: s["is_loading"])
             end()
             self.program.begin()
             self.assertFalse(self.program.wait_for_offer().get("look"))
@@ -101,16 +101,16 @@ class SafeStartTest(unittest.TestCase):
     def test_another_look_that_crashed_leaves_the_session_as_it_was(self):
         self.crash("crt")
         self.program.begin()
-        state = self.program.wait("the session is back", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
+        state = self.program.wait("the session is restored", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
         self.assertEqual(state["values"], self.values)
         self.assertIn('"crt"', state["notice"])
         self.program.click("offer:Try again")
-        self.program.wait("it is open", lambda s: s["look"] == "crt" and s["frame"] > 2)
+        self.program.wait("the look is open", lambda s: s["look"] == "crt" and s["frame"] > 2)
 
     def test_a_look_that_is_named_is_opened_after_a_crash(self):
         self.crash()
         self.program.begin("phosphor")
-        self.program.wait("it is open", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
+        self.program.wait("the look is open", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
 
     def test_a_session_whose_look_is_missing_says_so_and_opens_phosphor(self):
         gone = self.folder / "gone/look.json"
@@ -125,13 +125,13 @@ class SafeStartTest(unittest.TestCase):
 
     def test_a_program_that_still_runs_is_no_crash(self):
         self.program.begin(fault="hang")
-        self.program.wait("it is being opened", lambda s: s["is_loading"])
+        self.program.wait("the look is being opened", lambda s: s["is_loading"])
         other = FaultyProgram.__new__(FaultyProgram)
         other.__dict__.update(self.program.__dict__)
         other.state_file = self.folder / "other.json"
         self.addCleanup(other.stop)
         other.begin()
-        other.wait("the other one opens the look", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
+        other.wait("the other program opens the look", lambda s: s.get("look") == "phosphor" and s["frame"] > 2)
 
 
 if __name__ == "__main__":

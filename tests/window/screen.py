@@ -48,7 +48,7 @@ class Screen:
         return int(found.stdout.split()[0])
 
     def resize(self, width, height):
-        """Resizes the program's window, as by dragging its corner."""
+        """Resizes the program's window, like a drag of its corner."""
         self.do("windowsize", self.window(), width, height)
 
     def rows(self, left, top, right, bottom):

@@ -13,42 +13,42 @@ class Tuning(Person):
         program.reveal("exposure")
         low, high, y = program.slider("exposure")
         program.drag(((low + high) // 2, y), (high, y))
-        program.wait("the exposure is turned up, in one step",
+        program.wait("the exposure is increased in one step",
                      lambda s: s["values"]["exposure"][0] > 4 * default and
                      s["undo"] == "Exposure" and s["is_modified"])
         program.wait_for("the picture is brighter", lambda: self.brightness() > dark + 3)
         self.snapshot("turned")
 
         program.key("ctrl+z")
-        program.wait("one step back is the default again",
+        program.wait("undo restores the default",
                      lambda s: s["values"]["exposure"][0] == default and
                      s["undo"] == state["undo"])
         program.wait_for("the picture is as dark as before", lambda: self.brightness() < dark + 2)
         program.key("ctrl+shift+z")
-        program.wait("redo turns it up again",
+        program.wait("redo increases the exposure again",
                      lambda s: s["values"]["exposure"][0] > 4 * default and s["redo"] == "")
         program.click("reset:exposure")
-        program.wait("its reset button gives the default",
+        program.wait("the reset button sets the default",
                      lambda s: s["values"]["exposure"][0] == default)
 
     def test_a_number_is_typed(self):
         program = self.program
         program.set("exposure", "20.5")  # outside the range of the slider
         program.retype("exposure", "0,75")
-        program.wait("a comma is a point", lambda s: s["values"]["exposure"] == [0.75])
+        program.wait("a decimal comma is accepted", lambda s: s["values"]["exposure"] == [0.75])
         program.retype("exposure", "much")
-        program.wait("what is no number is told", lambda s: '"much" isn\'t a number' in s["notice"])
+        program.wait("an invalid number is reported", lambda s: '"much" isn\'t a number' in s["notice"])
         program.retype("exposure", "4,096")
-        program.wait("what may be two numbers is told", lambda s: "is ambiguous" in s["notice"])
+        program.wait("an ambiguous number is reported", lambda s: "is ambiguous" in s["notice"])
         self.assertEqual(program.state()["values"]["exposure"], [0.75])
         program.set("decay", "0.5")
         program.retype("decay", "7")
-        program.wait("it stops at the hard limit, which is told", lambda s:
+        program.wait("the value is clamped to the hard limit, and the limit is reported", lambda s:
                      s["values"]["decay"] == [1] and "Limited to 1 " in s["notice"])
         program.click("number:decay")
         program.type("0.25")
         program.click("label:decay")
-        program.wait("leaving the field takes it too", lambda s: s["values"]["decay"] == [0.25])
+        program.wait("leaving the field sets the value too", lambda s: s["values"]["decay"] == [0.25])
 
     def test_a_parameter_is_turned_by_keys_alone(self):
         program = self.program
@@ -57,56 +57,56 @@ class Tuning(Person):
         program.key("Down")
         program.place("revealed:exposure")
         program.key("Right")
-        state = program.wait("it is a hundredth of its slider further", lambda s:
+        state = program.wait("the value is 1/100 of the slider higher", lambda s:
                              abs(s["values"]["exposure"][0] - 1.5 * 160 ** 0.01) < 1e-5)
         self.assertEqual(state["undo"], "Exposure")
         program.key("Left", "Left")
-        program.wait("and back, beyond where it was", lambda s:
+        program.wait("the value is below its start", lambda s:
                      abs(s["values"]["exposure"][0] - 1.5 / 160 ** 0.01) < 1e-5)
         program.key("Return")
         program.place("picture")  # waits until the number has the keyboard focus
         program.type("4")
         program.key("Return")
-        program.wait("it is typed", lambda s: s["values"]["exposure"] == [4])
+        program.wait("the typed value is set", lambda s: s["values"]["exposure"] == [4])
         program.key("BackSpace")
-        program.wait("it is reset", lambda s: s["values"]["exposure"] == [1.5])
+        program.wait("the value is reset", lambda s: s["values"]["exposure"] == [1.5])
         program.key("Down", "Right")
-        program.wait("the next one is a list", lambda s: s["values"]["tone_map"] == [2])
+        program.wait("the next parameter is a list", lambda s: s["values"]["tone_map"] == [2])
         program.key("Left")
-        program.wait("nothing is changed", lambda s: not s["is_modified"])
+        program.wait("all values are the defaults", lambda s: not s["is_modified"])
 
     def test_a_decay_is_a_time_and_is_compared_at_other_frame_rates(self):
         program = self.program
         program.set("decay", "0.5")
         program.retype("decay", "100 ms")
-        program.wait("a half-life is taken",
+        program.wait("a half-life is accepted",
                      lambda s: abs(s["values"]["decay"][0] - 0.5 ** (1 / 6)) < 1e-4)
         program.retype("decay", "10% 0,5 s")
-        program.wait("so is a time to a tenth",
+        program.wait("a time to a tenth is accepted",
                      lambda s: abs(s["values"]["decay"][0] - 0.1 ** (1 / 30)) < 1e-4)
         program.click("label:decay")
-        program.wait("its help is open", lambda s: "compare_rates" in s["widgets"])
+        program.wait("the help is open", lambda s: "compare_rates" in s["widgets"])
         self.snapshot("decay")
         program.click("compare_rates")
         program.wait("the rates are being drawn", lambda s: "dialog_progress" in s["widgets"])
         self.snapshot("rates_under_way")
         program.click("dialog_cancel")
-        program.wait("no longer", lambda s: s["dialog"] == 0)
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
         program.choose("Playback", "Compare frame rates…")
         program.place("rates_difference")
         program.click("rates:24-30")
         program.place("rates_difference")
         self.snapshot("rates")
         program.key("Escape")
-        program.wait("it is closed", lambda s: s["dialog"] == 0)
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
 
     def test_a_period_that_pixels_cannot_draw_evenly_is_told(self):
         program = self.program
         program.set("scanline_period", "4.1")
-        program.wait("bands every 164 px are told", lambda s: "moire:scanline_period" in s["widgets"])
+        program.wait("bands every 164 px are reported", lambda s: "moire:scanline_period" in s["widgets"])
         self.snapshot("moire")
         program.retype("scanline_period", "5")
-        program.wait("a whole number is safe",
+        program.wait("a whole number is not reported",
                      lambda s: "moire:scanline_period" not in s["widgets"])
 
     def test_a_period_in_source_lines_is_told_by_the_pixels_that_it_comes_to(self):
@@ -114,16 +114,16 @@ class Tuning(Person):
         program.click("look:crt")
         program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
         program.set("scanline_period", "4.1")  # bands of 164 px, which fit into 180 px
-        program.wait("px are told", lambda s: "moire:scanline_period" in s["widgets"])
+        program.wait("the period in px is reported", lambda s: "moire:scanline_period" in s["widgets"])
         program.reveal("scanline_unit")
         program.place("picture")  # waits until the search box has lost the keyboard focus
         program.key("Down")
         program.place("revealed:scanline_unit")
         program.key("Right")
-        program.wait("lines of the source count", lambda s: s["values"]["scanline_unit"] == [1])
+        program.wait("the unit is lines of the source", lambda s: s["values"]["scanline_unit"] == [1])
         program.key("ctrl+f", "ctrl+a")
         program.type("scanline")
-        program.wait("the period in px counts no more, that in lines does", lambda s:
+        program.wait("the period in lines is reported instead of the one in px", lambda s:
                      "number:scanline_period" in s["widgets"] and
                      "moire:scanline_period" not in s["widgets"] and
                      "moire:scanline_lines" in s["widgets"])
@@ -134,20 +134,20 @@ class Tuning(Person):
         program.reveal("exposure")
         self.assertNotIn("help:exposure", program.state()["widgets"])
         self.hover("label:exposure")
-        program.wait("its help is shown", lambda s: "help:exposure" in s["widgets"])
+        program.wait("the help is shown", lambda s: "help:exposure" in s["widgets"])
         self.snapshot("help")
         self.hover("picture")
-        program.wait("and goes", lambda s: "help:exposure" not in s["widgets"])
+        program.wait("the help is hidden", lambda s: "help:exposure" not in s["widgets"])
 
     def test_a_paused_picture_follows_a_knob(self):
         program = self.program
         program.reveal("exposure")
         program.click("play")
-        program.wait("it stops", lambda s: not s["is_playing"])
+        program.wait("playback stops", lambda s: not s["is_playing"])
         dark = self.brightness()
         low, high, y = program.slider("exposure")
         program.drag(((low + high) // 2, y), (high, y))
-        program.wait_for("the resting picture is brighter", lambda: self.brightness() > dark + 3)
+        program.wait_for("the paused picture is brighter", lambda: self.brightness() > dark + 3)
 
     def test_one_group_and_all_are_reset(self):
         program = self.program
@@ -156,10 +156,10 @@ class Tuning(Person):
             program.set(name, "0.61")
         program.reveal("decay")
         program.click("reset_group:Phosphor")
-        program.wait("the group is reset, another is not", lambda s: s["undo"] == "Reset group" and
+        program.wait("the group is reset and another one is not", lambda s: s["undo"] == "Reset group" and
                      s["values"]["decay"] == default["decay"] and s["values"]["exposure"] == [0.61])
         program.choose("Edit", "Reset all parameters")
-        program.wait("all are reset", lambda s: s["values"] == default)
+        program.wait("all parameters are reset", lambda s: s["values"] == default)
 
     def test_dice_turn_all_but_what_is_locked_in_one_step(self):
         program = self.program
@@ -170,27 +170,27 @@ class Tuning(Person):
         self.hover("lock:exposure")
         self.snapshot("lock")
         program.click("lock:exposure")
-        program.wait("it is locked", lambda s: s["locked"] == ["exposure"])
+        program.wait("the parameter is locked", lambda s: s["locked"] == ["exposure"])
         self.hover("picture")
-        program.wait("its padlock stays, the star goes", lambda s: "lock:exposure" in s["widgets"]
+        program.wait("the padlock is visible and the star is not", lambda s: "lock:exposure" in s["widgets"]
                      and "star:exposure" not in s["widgets"])
         program.key("ctrl+r")
-        state = program.wait("the dice are thrown", lambda s: s["undo"] == "Randomise")
+        state = program.wait("the values are randomised", lambda s: s["undo"] == "Randomise")
         self.assertEqual(state["values"]["exposure"], default["exposure"])
         self.assertGreater(sum(state["values"][name] != default[name] for name in default),
                            len(default) // 2)
         self.snapshot("randomised")
         program.key("ctrl+z")
-        program.wait("one step back is as before", lambda s: s["values"] == default)
+        program.wait("one undo restores the defaults", lambda s: s["values"] == default)
         program.click("lock:exposure")
-        program.wait("it is free again", lambda s: s["locked"] == [])
+        program.wait("the parameter is unlocked", lambda s: s["locked"] == [])
 
     def test_the_list_is_cut_to_favourites_changes_or_a_pass(self):
         program = self.program
         program.set("exposure", "0.61")
         self.hover("label:exposure")
         program.click("star:exposure")
-        program.wait("it has a star", lambda s: s["favourites"] == ["exposure"])
+        program.wait("the parameter is a favourite", lambda s: s["favourites"] == ["exposure"])
         program.key("ctrl+f", "ctrl+a", "BackSpace", "Return")
 
         def listed(s):
@@ -200,22 +200,22 @@ class Tuning(Person):
             program.click("filter")
             program.click("filter:" + name)
         choose("Favourites")
-        program.wait("it stands alone", lambda s: listed(s) == ["exposure"])
+        program.wait("only the favourite is listed", lambda s: listed(s) == ["exposure"])
         self.snapshot("favourites")
         choose("Changed")
-        program.wait("it is the one that is changed", lambda s: listed(s) == ["exposure"])
+        program.wait("only the changed parameter is listed", lambda s: listed(s) == ["exposure"])
         program.click("pass:bloom_down_1")
         choose("This pass")
-        program.wait("what another pass uses is not there",
+        program.wait("the pass does not use the parameter",
                      lambda s: "exposure" not in listed(s) and len(listed(s)) > 0)
         self.snapshot("this_pass")
         program.choose("Edit", "Show only favourites")
         self.hover("label:exposure")
         program.click("star:exposure")
-        program.wait("no star, nothing to list", lambda s: listed(s) == [] and
+        program.wait("the list of favourites is empty", lambda s: listed(s) == [] and
                      s["favourites"] == [])
         program.click("show_all")
-        program.wait("all is listed", lambda s: len(listed(s)) > 3)
+        program.wait("all parameters are listed", lambda s: len(listed(s)) > 3)
 
     def test_a_slider_runs_between_ends_that_are_typed(self):
         program = self.program
@@ -229,19 +229,19 @@ class Tuning(Person):
         self.snapshot("ends")
         program.key("Escape")
         program.drag(((low + high) // 2, y), (high + 20, y))
-        program.wait("its end is four", lambda s: s["values"]["exposure"] == [4])
+        program.wait("the drag ends at 4", lambda s: s["values"]["exposure"] == [4])
         program.click("label:exposure")
         program.click("slider_low")
         program.type("7")
         program.key("Return")
-        program.wait("a low end above the high one is told", lambda s:
+        program.wait("a minimum above the maximum is reported", lambda s:
                      "got 7 and 4" in s["notice"])
         program.click("reset_slider_ends")
-        program.wait("the look's own ends are back", lambda s:
+        program.wait("the slider range of the look is restored", lambda s:
                      "reset_slider_ends" not in s["widgets"])
         program.key("Escape")
         program.drag(((low + high) // 2, y), (high + 20, y))
-        program.wait("they are further apart", lambda s: s["values"]["exposure"][0] > 8)
+        program.wait("the slider range is larger", lambda s: s["values"]["exposure"][0] > 8)
 
     def test_a_hand_with_alt_is_ten_times_coarser_and_with_shift_finer(self):
         program = self.program
@@ -252,9 +252,9 @@ class Tuning(Person):
             self.screen.do("keydown", key)
             program.drag((high - 10, y), (high - 14, y))
             self.screen.do("keyup", key)
-            state = program.wait("it is turned", lambda s: s["values"]["keep_hue"][0] < 0.8)
+            state = program.wait("the drag changes the value", lambda s: s["values"]["keep_hue"][0] < 0.8)
             program.key("ctrl+z")
-            program.wait("and back", lambda s: s["values"]["keep_hue"][0] == 0.8)
+            program.wait("undo restores the value", lambda s: s["values"]["keep_hue"][0] == 0.8)
             return 0.8 - state["values"]["keep_hue"][0]
         share = 4 / (high - low)
         self.assertTrue(7 * share < turned("alt") < 13 * share)
@@ -265,32 +265,32 @@ class Tuning(Person):
         program.key("ctrl+f", "ctrl+a", "BackSpace", "Return")
         x, y = program.middle("search")
         self.screen.do("mousemove", x, y + 100, *["click", 5] * 28)
-        program.wait("the end is there", lambda s: "label:as_written" in s["widgets"])
+        program.wait("the end of the list is visible", lambda s: "label:as_written" in s["widgets"])
         self.screen.do(*["click", 4] * 28)
-        program.wait("and the beginning again", lambda s: "label:as_written" not in s["widgets"])
+        program.wait("the start of the list is visible again", lambda s: "label:as_written" not in s["widgets"])
 
     def test_one_key_wipes_to_the_articles_own_picture(self):
         program = self.program
         program.click("play")
-        program.wait("it stops", lambda s: not s["is_playing"])
+        program.wait("playback stops", lambda s: not s["is_playing"])
         program.key("w")
         left, top, right, bottom = program.place("wipe")
         self.snapshot("wipe")
         place = program.place("picture")
         y = bottom - 40
         program.drag(((left + right) // 2, y), (place[2] - 20, y))
-        program.wait("the line goes with the hand", lambda s: s["wipe"] > 0.9)
+        program.wait("the line follows the pointer", lambda s: s["wipe"] > 0.9)
         self.hover("picture")
-        article = program.wait("the article's value is told", lambda s: s["probe"])["probe"]
+        article = program.wait("the article's value is reported", lambda s: s["probe"])["probe"]
         left, top, right, bottom = program.place("wipe")
         program.drag(((left + right) // 2, y), (place[0] + 20, y))
-        program.wait("and back", lambda s: s["wipe"] < 0.1)
+        program.wait("the line is moved back", lambda s: s["wipe"] < 0.1)
         self.hover("picture")
-        ours = program.wait("ours is told where ours is", lambda s: s["probe"] and
+        ours = program.wait("the value of the look is reported", lambda s: s["probe"] and
                             s["probe"]["rgba"] != article["rgba"])["probe"]
         self.assertEqual((ours["x"], ours["y"]), (article["x"], article["y"]))
         program.key("w")
-        state = program.wait("the picture is alone again", lambda s: s["wipe"] is None)
+        state = program.wait("the comparison is off", lambda s: s["wipe"] is None)
         self.assertNotIn("wipe", state["widgets"])
         self.assertFalse(state["is_modified"])
 
@@ -302,32 +302,32 @@ class Tuning(Person):
         program.wait("the parameter is found", lambda s: "palette:Parameter: Exposure" in s["widgets"])
         self.snapshot("palette")
         program.key("Return")
-        program.wait("and shown in its panel", lambda s: s["dialog"] == 0 and
+        program.wait("the parameter is shown in its panel", lambda s: s["dialog"] == 0 and
                      {"revealed:exposure", "parameter:exposure"} <= set(s["widgets"]))
         program.key("ctrl+p")
         program.place("palette_query")
         program.key("Down", "Up", "Return")
-        program.wait("what was used last is the first", lambda s: s["dialog"] == 0)
+        program.wait("the most recent entry is first", lambda s: s["dialog"] == 0)
         program.key("ctrl+p")
         program.place("palette_query")
         program.type("preset overd")
         program.wait("a preset is found", lambda s: "palette:Preset: Overdriven" in s["widgets"])
         program.click("palette:Preset: Overdriven")
-        program.wait("it opens", lambda s: s["preset"] == "Overdriven")
+        program.wait("the preset opens", lambda s: s["preset"] == "Overdriven")
         program.key("ctrl+p")
         program.place("palette_query")
         program.type("undo")
-        program.wait("an action says what it is about", lambda s:
+        program.wait("the entry of the action contains its subject", lambda s:
                      "palette:Undo: Open Overdriven" in s["widgets"])
         program.key("Return")
-        program.wait("it is done", lambda s: s["dialog"] == 0 and not s["preset"])
+        program.wait("the action is done", lambda s: s["dialog"] == 0 and not s["preset"])
         program.key("ctrl+p")
         program.place("palette_query")
         program.type("rename preset")
-        program.wait("what cannot be done now is listed", lambda s:
+        program.wait("an unavailable action is listed", lambda s:
                      "palette:Rename preset…" in s["widgets"])
         program.key("Return", "Escape")
-        program.wait("and not done", lambda s: s["dialog"] == 0)
+        program.wait("the unavailable action is not done", lambda s: s["dialog"] == 0)
 
     def test_the_history_lists_every_step_and_goes_there(self):
         program = self.program
@@ -341,13 +341,13 @@ class Tuning(Person):
         last = max(int(name.split(":")[1]) for name in steps)
         self.snapshot("history")
         program.click("history:%d" % (last - 3))
-        program.wait("three steps are taken back at once",
+        program.wait("three steps are undone at once",
                      lambda s: s["values"]["decay"] == [default] and s["redo"] == "Decay")
         program.click("history:%d" % (last - 1))
-        program.wait("and two done again", lambda s: s["values"]["decay"] == [0.7])
+        program.wait("two steps are redone at once", lambda s: s["values"]["decay"] == [0.7])
         program.set("decay", "0.5")
-        program.wait("what was undone is gone when something else is done", lambda s:
+        program.wait("a new step replaces the undone ones", lambda s:
                      "history:%d" % last in s["widgets"] and s["redo"] == "")
         program.key("ctrl+h")
-        program.wait("the looks are back", lambda s: "history_close" not in s["widgets"] and
+        program.wait("the list of looks is back", lambda s: "history_close" not in s["widgets"] and
                      "look:phosphor" in s["widgets"])
