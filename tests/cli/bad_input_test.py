@@ -52,7 +52,7 @@ class BadLooks(ProgramTest):
         self.assertEqual(done.stdout, "")
         for look, words in self.bad:
             lines = [line for line in done.stderr.splitlines() if line.startswith(f"{look}/")]
-            self.assertTrue(lines, f"nothing is said about {look}, {words}")
+            self.assertTrue(lines, f"no message about {look}, {words}")
             for word in words:
                 self.assertIn(word, "\n".join(lines))
         look, words = self.bad[-1]

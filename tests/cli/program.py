@@ -26,7 +26,7 @@ def run(*arguments, cwd=None, timeout=120, **environment):
 def read_png(file):
     """Width, height and rows of RGB bytes of an 8-bit RGB PNG."""
     data = Path(file).read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n", f"{file} is no PNG"
+    assert data[:8] == b"\x89PNG\r\n\x1a\n", f"{file} is not a PNG"
     at, packed = 8, b""
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])

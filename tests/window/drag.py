@@ -90,7 +90,7 @@ class Drag:
                 self.answer(event.request)
             elif event.type == CLIENT_MESSAGE and event.client.message == self.atom(message):
                 return list(event.client.data)
-        raise AssertionError("no %s came" % message)
+        raise AssertionError("no %s received" % message)
 
     def drop(self, target, x, y):
         """Drops at a screen position in the window `target`. True if it accepts the files."""
