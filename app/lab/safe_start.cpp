@@ -64,28 +64,28 @@ void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& l
         if (is_session)
             restore(opening, session);
         else
-            opening.open(request_of(left));
+            opening.loader().open(request_of(left));
     };
     const fs::path file = left.file();
-    lab.messages().ask(message_about(left),
-                       {Choice{.name = "Try again", .deeds = {open_again}},
-                        Choice{.name = "Open in editor", .deeds = {[file](Lab& opening) {
-                                                             opening.open_in_editor({file, 1});
-                                                         }}}});
+    lab.messages().ask(message_about(left), {Choice{.name = "Try again", .deeds = {open_again}},
+                                             Choice{.name = "Open in editor",
+                                                    .deeds = {[file](Lab& opening) {
+                                                        opening.looks().open_in_editor({file, 1});
+                                                    }}}});
 }
 
 void restore_safely(Lab& lab, const Session& session,
                     const std::optional<UnfinishedOpening>& left) {
     const fs::path missing = missing_look(session);
     const bool is_first = session.look.empty() || !missing.empty();
-    const fs::path first = lab.library().roots().program / "shaders" / first_look;
+    const fs::path first = lab.work().library.roots().program / "shaders" / first_look;
     const bool is_safe =
         !left || !(is_first ? left->has(manifest_of(first)) : is_of_session(*left, session));
     if (!is_safe || !missing.empty())
-        lab.keep_unsaved(session);
+        lab.looks().keep_unsaved(session);
     restore(lab, is_safe && !is_first ? session : without_look(session));
     if (is_safe && is_first)
-        lab.open(first_look);
+        lab.looks().open(first_look);
     if (!missing.empty())
         lab.messages().say(
             fmt::format("The look of the last session was not found: {}. Open it from its new "

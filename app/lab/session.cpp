@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "io/files/atomic_file.h"
+#include "lab/offline/small_picture.h"
 #include "model/look/stack_size.h"
 
 #include <fmt/format.h>
@@ -149,7 +150,7 @@ Result<void> save_session(const Roots& roots, const Session& session) {
 Session session_of(const Lab& lab, std::map<std::string, double> window) {
     Session session;
     session.window = std::move(window);
-    const PictureSize& size = lab.size().chosen();
+    const PictureSize& size = lab.work().size.chosen();
     session.follows_view = size.follows_view;
     session.fixed_size = size.fixed;
     session.fits_shape = size.fits_shape;
@@ -159,10 +160,10 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.speed = lab.player().speed();
     session.level = lab.player().level();
     session.is_playing = lab.player().is_playing();
-    session.comparison = lab.comparing().chosen();
-    session.slots = lab.comparing().all_slots();
+    session.comparison = lab.frames().comparison().selection().chosen();
+    session.slots = lab.frames().comparison().selection().all_slots();
     session.knobs = lab.parameters().all();
-    session.preset_stars = lab.presets().stars();
+    session.preset_stars = lab.presets().navigation().stars();
     const Document* document = lab.document();
     if (!document)
         return session;
@@ -183,7 +184,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
 namespace {
 // As it was left: with the afterglow of what came before.
 void rest_at(double seconds, Lab& lab) {
-    Player& player = lab.transport();
+    Player& player = lab.player();
     const int settling = lab.document()->look().settle_frames;
     player.pause();
     player.seek_with_past(seconds, static_cast<std::size_t>(std::max(settling, 1)));
@@ -207,29 +208,42 @@ void keep_locked(const Content& present, Document& document) {
 }  // namespace
 
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then) {
-    lab.size().choose({session.follows_view, session.fixed_size, session.picture_scale,
-                       find_shape(session.picture_shape), session.fits_shape});
-    lab.transport().set_speed(session.speed);
-    lab.transport().set_level(session.level);
+    lab.work().size.choose({session.follows_view, session.fixed_size, session.picture_scale,
+                            find_shape(session.picture_shape), session.fits_shape});
+    lab.player().set_speed(session.speed);
+    lab.player().set_level(session.level);
     if (session.look.empty())
         return;
-    lab.open(OpenRequest{session.look,
-                         {},
-                         {},
-                         stack_in(session.current.preset, session.looks),
-                         session.current.preset.values});
     if (lab.player().live_device().empty())
-        (void)lab.transport().mute_input(true);  // nobody has asked for it yet
+        (void)lab.player().mute_input(true);  // the user has not asked for it yet
     const Content present = lab.document() ? lab.document()->content() : Content{};
-    lab.when_opened([session, then, present](Lab& opened) {
-        restore_document(*opened.mutable_document(), session);
-        keep_locked(present, *opened.mutable_document());
+    const auto restore_rest = [&lab, session, then, present] {
+        Document& document = *lab.work().document;
+        restore_document(document, session);
+        keep_locked(present, document);
         if (session.is_playing)
-            opened.transport().seek(session.time);
+            lab.player().seek(session.time);
         else
-            rest_at(session.time, opened);
-        opened.compare(session.comparison);
+            rest_at(session.time, lab);
+        lab.frames().comparison().choose(session.comparison);
         if (then)
-            then(opened);
-    });
+            then(lab);
+    };
+    lab.loader().open({session.look,
+                       {},
+                       {},
+                       stack_in(session.current.preset, session.looks),
+                       session.current.preset.values},
+                      restore_rest);
+}
+
+void restore_kept(Lab& lab, const fs::path& kept) {
+    const auto session = KeptSessions::read(kept);
+    if (!lab.messages().succeeded(session))
+        return;
+    // Unsaved changes of another look are kept when this one opens.
+    if (lab.document() && lab.document()->look().manifest == session->look)
+        lab.looks().keep_unsaved(session_of(lab, {}),
+                                 [&lab] { return small_copy(lab.renderer()); });
+    restore(lab, *session, [kept](Lab& opened) { opened.looks().kept_sessions().forget(kept); });
 }

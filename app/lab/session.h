@@ -18,3 +18,6 @@ Session session_of(const Lab& lab, std::map<std::string, double> window);
 /// Opens what was open, with its unsaved changes and undo, once its look has been read; `then` is
 /// called after it.
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then = nullptr);
+
+/// Opens unsaved changes that were kept. Those of the open look are kept instead.
+void restore_kept(Lab& lab, const std::filesystem::path& kept);

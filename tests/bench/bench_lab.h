@@ -19,7 +19,7 @@ public:
         auto worker = wanted(gpu::Context::shared_with(*m_context));
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
         m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(worker));
-        m_lab->size().choose({false, picture, 1.0});
+        m_lab->work().size.choose({false, picture, 1.0});
     }
     ~BenchLab() { m_lab.reset(); }
     BenchLab(const BenchLab&) = delete;

@@ -48,7 +48,7 @@ public:
     ConstantsBench(const fs::path& folder, Extent picture) : BenchLab(folder, picture) {
         const fs::path file = folder / "marching.glsl";
         std::ofstream(file) << marching;
-        m_lab->open(file.string());
+        m_lab->looks().open(file.string());
         while (m_lab->player().frame_number() < 10)
             turn();
     }

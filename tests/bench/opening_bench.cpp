@@ -38,7 +38,7 @@ struct Attempt {
 class OpeningBench : public bench::BenchLab {
 public:
     explicit OpeningBench(const fs::path& folder) : BenchLab(folder, {640, 480}) {
-        m_lab->open("crt");
+        m_lab->looks().open("crt");
         while (m_lab->player().frame_number() < 10)
             turn();
     }
@@ -47,7 +47,7 @@ public:
     bool open(const fs::path& preset, const Attempt& attempt) {
         const auto start = std::chrono::steady_clock::now();
         std::vector<Turn> turns;
-        m_lab->open(preset.string());
+        m_lab->looks().open(preset.string());
         while (m_lab->loader().is_loading())
             turns.push_back(turn());
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;

@@ -20,10 +20,10 @@ const bench::Topic topic{"paused", "Paused lab without a window, Phosphor at 128
 class PausedLab : public bench::BenchLab {
 public:
     PausedLab(const fs::path& folder, Extent extent) : BenchLab(folder, extent) {
-        m_lab->open("phosphor");
+        m_lab->looks().open("phosphor");
         while (m_lab->player().frame_number() < 12)
             turn();
-        m_lab->transport().pause();
+        m_lab->player().pause();
         do
             turn();
         while (m_lab->is_moving());
@@ -33,12 +33,12 @@ public:
     /// Updates until a picture drawn in slices is complete.
     void finish_picture() {
         m_is_sliced = false;
-        for (turn(); m_lab->is_amid_frame(); turn())
+        for (turn(); m_lab->frames().is_amid_frame(); turn())
             m_is_sliced = true;
     }
     /// Whether the latest picture was drawn in slices.
     bool is_sliced() const { return m_is_sliced; }
-    Extent extent() const { return m_lab->size().extent(); }
+    Extent extent() const { return m_lab->work().size.extent(); }
     void set(const std::string& name, double value) {
         m_lab->edit([&](Document& document) { document.set_value(name, Value(value)); });
     }

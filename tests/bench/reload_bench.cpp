@@ -88,8 +88,8 @@ public:
         m_lab = std::make_unique<Lab>(
             Library({folder, folder / "user", folder / "state", folder / "cache"}), *m_context,
             std::move(*worker));
-        m_lab->size().choose({false, {1280, 720}, 1.0});
-        m_lab->open(m_folders.look.folder);
+        m_lab->work().size.choose({false, {1280, 720}, 1.0});
+        m_lab->looks().open(m_folders.look.folder);
         while (m_lab->player().frame_number() < 10)
             frame();
         for (const auto start = Clock::now(); milliseconds_since(start) < 2500.0;)
@@ -162,7 +162,7 @@ private:
     }
     void frame(double seconds = 1.0 / 60.0) {
         m_lab->update(seconds);
-        while (m_lab->is_amid_frame())
+        while (m_lab->frames().is_amid_frame())
             m_lab->update(0.0);
         gpu::finish();
     }

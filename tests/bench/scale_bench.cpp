@@ -87,7 +87,7 @@ public:
     ScaleLab(const std::filesystem::path& folder, const std::filesystem::path& look,
              const Values& values, Extent extent)
         : BenchLab(folder, extent) {
-        m_lab->open(look.string());
+        m_lab->looks().open(look.string());
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
                m_lab->player().frame_number() < 5)
@@ -104,7 +104,7 @@ public:
     // Such short updates that values do not count as static, so that programs are not specialised.
     void draw(double /*seconds*/ = 0.0) {
         m_lab->update(1e-5);
-        while (m_lab->is_amid_frame())
+        while (m_lab->frames().is_amid_frame())
             m_lab->update(0.0);
     }
 };

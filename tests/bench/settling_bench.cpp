@@ -21,7 +21,7 @@ public:
     explicit SettlingBench(const fs::path& folder) : BenchLab(folder, {1280, 720}) {}
 
     void open(const std::string& look) {
-        m_lab->open(look);
+        m_lab->looks().open(look);
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
                m_lab->player().frame_number() < 5)
@@ -67,7 +67,7 @@ public:
 private:
     void frame(double seconds = 1.0 / 60.0) {
         m_lab->update(seconds);
-        while (m_lab->is_amid_frame())
+        while (m_lab->frames().is_amid_frame())
             m_lab->update(0.0);
         gpu::finish();
     }

@@ -24,7 +24,7 @@ public:
         m_window.views.thumbnail_height = 64;
         m_window.shows_inspector = false;
         m_window.shows_strip = shows_strip;
-        m_lab->open(look);
+        m_lab->looks().open(look);
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
                m_lab->player().frame_number() < 5)
@@ -58,9 +58,9 @@ private:
     }
 
     void turn(double seconds = 1.0 / 60.0) {
-        m_lab->look_at(displayed_passes(*m_lab, m_window));
+        m_lab->frames().set_displayed(displayed_passes(*m_lab, m_window));
         m_lab->update(seconds);
-        while (m_lab->is_amid_frame())
+        while (m_lab->frames().is_amid_frame())
             m_lab->update(0.0);
         m_views.update(*m_lab, m_window);
         gpu::finish();

@@ -22,9 +22,9 @@ public:
         write("sum.frag", sum);
         write("look.json", accumulating_manifest);
         REQUIRE(turn_until([&] { return lab().document()->look().has_orbit && held() >= 1; }));
-        REQUIRE(turn_until([&] { return lab().has_converged(); }));
+        REQUIRE(turn_until([&] { return lab().frames().has_converged(); }));
     }
-    int held() { return lab().samples().value_or(Samples{}).held; }
+    int held() { return lab().frames().samples().value_or(Samples{}).held; }
     void set(const char* name, double value) {
         lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
     }
@@ -63,10 +63,10 @@ TEST_CASE("changes to the accumulated picture restart the samples") {
         shown = 12;
     }
     SUBCASE("a size") {
-        small.lab().size().choose({false, {10, 8}, 1.0});
+        small.lab().work().size.choose({false, {10, 8}, 1.0});
     }
     SUBCASE("restart") {
-        small.lab().restart();
+        small.lab().frames().restart();
     }
     SUBCASE("undo") {
         small.set("step_size", 2.0);
@@ -76,19 +76,20 @@ TEST_CASE("changes to the accumulated picture restart the samples") {
     small.turn(1);
     CHECK(small.held() == 1);
     CHECK(small.lab().is_moving());
-    REQUIRE(small.turn_until([&] { return small.lab().has_converged(); }));
+    REQUIRE(small.turn_until([&] { return small.lab().frames().has_converged(); }));
     CHECK(small.shown() == shown);
 }
 
 TEST_CASE("an edited shader restarts the samples") {
     Accumulating small;
     small.write_by_rename("sum.frag", replaced(sum, "vec4(step_size", "vec4(3.0 * step_size"));
-    CHECK(small.turn_until([&] { return small.lab().has_converged() && small.shown() == 18; }));
+    CHECK(small.turn_until(
+        [&] { return small.lab().frames().has_converged() && small.shown() == 18; }));
 }
 
 TEST_CASE("a change while paused draws the same number of samples again") {
     Accumulating small;
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.set("step_size", 2.0);
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
     CHECK(small.shown() == 12);

@@ -30,7 +30,7 @@ public:
     ConstantLab() {
         m_file = folder() / "a.glsl";
         REQUIRE(write_atomically(m_file, std::string_view(text)).has_value());
-        lab().open(m_file.string());
+        lab().looks().open(m_file.string());
         REQUIRE(turn_until([&] { return is_at(0.25); }));
     }
     void set(const char* name, double value, bool goes_on = false) {
@@ -126,7 +126,7 @@ TEST_CASE("a value that does not compile is reported at its line, and the pictur
 
 TEST_CASE("a changed constant is drawn while paused") {
     ConstantLab small;
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(3);
     small.set("LEVEL", 0.625);
     CHECK(small.becomes(0.625));
@@ -143,14 +143,15 @@ TEST_CASE("a constant cannot be modulated, and the reason is reported") {
 
 TEST_CASE("each side of a comparison has its own constants") {
     ConstantLab small;
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("LEVEL", 0.75);
     REQUIRE(small.becomes(0.75));
-    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
     const auto other_is = [&](double level) {
         return small.turn_until([&] {
             const Executor* other = small.lab().renderer()->variant();
-            return other && small.lab().sides() && std::abs(small.red(*other) - level) < 0.003;
+            return other && small.lab().frames().comparison().sides() &&
+                   std::abs(small.red(*other) - level) < 0.003;
         });
     };
     CHECK(other_is(0.25));

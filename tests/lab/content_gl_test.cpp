@@ -35,15 +35,15 @@ public:
         preset("tube", "bars", R"("source": "pattern:smpte")");
     }
     void open_song() {
-        lab().open_file(folder() / "song.wav");
+        lab().looks().open_file(folder() / "song.wav");
         REQUIRE(turn_until([&] { return plays_song(); }));
-        lab().opened_files().take();
+        lab().work().opened_files.take();
     }
     bool plays_song() {
         return lab().document()->state().signal.kind == "audio" && lab().player().sound().sound;
     }
     void open_and_wait(const std::string& argument) {
-        lab().open(argument);
+        lab().looks().open(argument);
         REQUIRE(turn_until([&] { return !lab().loader().is_loading(); }));
         turn(3);
     }
@@ -125,7 +125,7 @@ TEST_CASE("the offer of a preset's signal disappears like any notice") {
 TEST_CASE("a preset opened with its own signal replaces the user's sound") {
     ContentLab small;
     small.open_song();
-    small.lab().open_with_content(small.preset_file("small", "wave").string());
+    small.lab().looks().open_with_content(small.preset_file("small", "wave").string());
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     small.turn(3);
     CHECK(small.document().state().signal.kind == "waveform");
@@ -135,8 +135,8 @@ TEST_CASE("a preset opened with its own signal replaces the user's sound") {
 TEST_CASE("the user's sound keeps playing through a morph and its end") {
     ContentLab small;
     small.open_song();
-    small.lab().morph_to(small.preset_file("small", "wave"), 0.1);
-    CHECK(small.turn_until([&] { return !small.lab().morphing(); }));
+    small.lab().presets().navigation().morph_to(small.preset_file("small", "wave"), 0.1);
+    CHECK(small.turn_until([&] { return !small.lab().presets().navigation().morphing(); }));
     small.turn(3);
     CHECK(small.document().preset_name() == "wave");
     CHECK(small.plays_song());
@@ -152,7 +152,7 @@ TEST_CASE("user content plays in looks of its kind and is stored during other lo
     CHECK_FALSE(small.document().is_modified());
     small.open_and_wait("tube");
     CHECK(small.document().state().source == "pattern:white");
-    small.lab().open_file(small.folder() / "game.exr");
+    small.lab().looks().open_file(small.folder() / "game.exr");
     REQUIRE(small.turn_until([&] { return small.document().is_content_locked(); }));
     const std::string game = small.document().state().source;
     small.open_and_wait("small");
@@ -231,8 +231,8 @@ TEST_CASE("a start with another look plays the sound locked in the last session"
     small.open_song();
     const Session session = session_of(small.lab(), {});
     small.start();
-    small.lab().set_content(content_of(session));
-    small.lab().open("other");
+    small.lab().content().set_initial(content_of(session));
+    small.lab().looks().open("other");
     small.wait_for_frames();
     CHECK(small.turn_until([&] { return small.plays_song(); }));
 }

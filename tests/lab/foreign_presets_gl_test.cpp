@@ -14,7 +14,7 @@ class LabElsewhere : public SmallLab {
 public:
     LabElsewhere() {
         write("../../elsewhere/level.frag", level_frag);
-        lab().open((folder() / "elsewhere/level.frag").string());
+        lab().looks().open((folder() / "elsewhere/level.frag").string());
         REQUIRE(turn_until([&] { return is_open(""); }));
     }
     bool is_open(const std::string& preset) {
@@ -43,11 +43,11 @@ TEST_CASE("an open look outside the library is listed last") {
     elsewhere.set_level(0.75);
     elsewhere.lab().presets().save_as("Lighter");
     Shelf shelf;
-    shelf.update(elsewhere.lab().library(), nullptr, 0.0);
+    shelf.update(elsewhere.lab().work().library, nullptr, 0.0);
     REQUIRE(shelf.looks().size() == 1);
     CHECK(shelf.looks()[0].entry.id == "small");
     const Look& open = elsewhere.document().look();
-    shelf.update(elsewhere.lab().library(), &open, 0.0);
+    shelf.update(elsewhere.lab().work().library, &open, 0.0);
     REQUIRE(shelf.looks().size() == 2);
     CHECK_FALSE(is_listed_as(open, shelf.looks()[0]));
     CHECK(is_listed_as(open, shelf.looks()[1]));
@@ -60,10 +60,10 @@ TEST_CASE("a preset of a look from another program opens, and so do its defaults
     elsewhere.set_level(0.75);
     elsewhere.lab().presets().save_as("Lighter");
     REQUIRE(elsewhere.is_open("Lighter"));
-    elsewhere.lab().step_preset(1);  // from the last preset to the look's defaults
+    elsewhere.lab().presets().navigation().step(1);  // from the last preset to the look's defaults
     CHECK(elsewhere.turn_until([&] { return elsewhere.is_open(""); }));
     CHECK(elsewhere.level() == 0.25);
-    elsewhere.lab().step_preset(1);
+    elsewhere.lab().presets().navigation().step(1);
     CHECK(elsewhere.turn_until([&] { return elsewhere.is_open("Lighter"); }));
     CHECK(elsewhere.level() == 0.75);
     CHECK(elsewhere.lab().messages().problems().empty());

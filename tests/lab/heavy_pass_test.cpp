@@ -1,4 +1,4 @@
-#include "lab/heavy_pass.h"
+#include "lab/frame/heavy_pass.h"
 
 #include "lab/small_lab.h"
 
@@ -72,13 +72,13 @@ TEST_CASE("a heavy pass with an input can be bypassed, and the size halved down 
 TEST_CASE("choices for a heavy pass act like the strip and the menu") {
     SmallLab small;
     const ChoiceList list =
-        heavy_pass_choices(small.document().look().passes[1], small.lab().size().chosen());
+        heavy_pass_choices(small.document().look().passes[1], small.lab().work().size.chosen());
     REQUIRE(list.choices.size() == 2);
     take(list.choices[0], small.lab());
-    CHECK(small.lab().pass_switches().bypassed == std::set<std::string>{"show"});
+    CHECK(small.lab().frames().passes().switches().bypassed == std::set<std::string>{"show"});
     take(list.choices[1], small.lab());
-    CHECK(small.lab().size().extent() == Extent{4, 4});  // of 8 x 8
+    CHECK(small.lab().work().size.extent() == Extent{4, 4});  // of 8 x 8
     CHECK_FALSE(small.lab().messages().notice()->is_problem);
-    small.lab().switch_pass(PassSwitch::bypass, "show");
-    CHECK(small.lab().pass_switches().is_empty());
+    small.lab().frames().passes().toggle(PassSwitch::bypass, "show");
+    CHECK(small.lab().frames().passes().switches().is_empty());
 }

@@ -59,11 +59,11 @@ TEST_CASE("an error has file, line and source, keeps the last picture and can be
 
 TEST_CASE("the render size is a fixed size or 1/4 to 2 times the view") {
     SmallLab small;
-    small.lab().size().set_view({40, 20});
+    small.lab().work().size.set_view({40, 20});
     const auto drawn_at = [&small](const PictureSize& size) {
-        small.lab().size().choose(size);
+        small.lab().work().size.choose(size);
         small.turn(1);
-        REQUIRE(small.turn_until([&] { return !small.lab().is_amid_frame(); }));
+        REQUIRE(small.turn_until([&] { return !small.lab().frames().is_amid_frame(); }));
         return small.lab().renderer()->executor().target(1).extent();
     };
     CHECK(drawn_at({true, {}, 1.0}) == Extent{40, 20});
@@ -74,32 +74,32 @@ TEST_CASE("the render size is a fixed size or 1/4 to 2 times the view") {
 
 TEST_CASE("the render size is chosen once, when the view keeps its size for half a second") {
     SmallLab small;
-    small.lab().size().choose({});
-    small.lab().size().set_view({40, 20});
+    small.lab().work().size.choose({});
+    small.lab().work().size.set_view({40, 20});
     const auto turn_for = [&small](double seconds) {
         for (double left = seconds; left > 0.0; left -= 0.05)
             small.lab().update(0.05);
     };
     turn_for(0.4);
-    small.lab().size().set_view({60, 20});
-    CHECK(small.lab().size().extent() == Extent{60, 20});
+    small.lab().work().size.set_view({60, 20});
+    CHECK(small.lab().work().size.extent() == Extent{60, 20});
     turn_for(0.4);
-    CHECK(small.lab().size().chosen().is_to_be_chosen());
+    CHECK(small.lab().work().size.chosen().is_to_be_chosen());
     turn_for(0.3);
-    small.lab().size().set_view({30, 10});
+    small.lab().work().size.set_view({30, 10});
     turn_for(1.0);
-    CHECK(small.lab().size().extent() == Extent{60, 20});
-    small.lab().size().fix_to_view();
-    CHECK(small.lab().size().extent() == Extent{30, 10});
-    small.lab().size().choose(PictureSize{true, {}, 1.0});
-    small.lab().size().set_view({50, 50});
+    CHECK(small.lab().work().size.extent() == Extent{60, 20});
+    small.lab().work().size.fix_to_view();
+    CHECK(small.lab().work().size.extent() == Extent{30, 10});
+    small.lab().work().size.choose(PictureSize{true, {}, 1.0});
+    small.lab().work().size.set_view({50, 50});
     turn_for(1.0);
-    CHECK(small.lab().size().extent() == Extent{50, 50});
+    CHECK(small.lab().work().size.extent() == Extent{50, 50});
 }
 
 TEST_CASE("the output window offers its display's size if the fixed render size differs") {
     SmallLab small;  // of 8 x 8 px
-    small.lab().size().set_view({40, 20});
+    small.lab().work().size.set_view({40, 20});
     offer_display_size(small.lab(), {8, 8});
     CHECK_FALSE(small.lab().messages().notice());
     offer_display_size(small.lab(), {40, 20});
@@ -108,9 +108,9 @@ TEST_CASE("the output window offers its display's size if the fixed render size 
           "The render size is 8 × 8 px, the display 40 × 20 px");
     const Choice match = small.lab().messages().notice()->choices.front();
     std::get<std::function<void(Lab&)>>(match.deeds.front())(small.lab());
-    CHECK(small.lab().size().extent() == Extent{40, 20});
+    CHECK(small.lab().work().size.extent() == Extent{40, 20});
     SmallLab following;
-    following.lab().size().choose(PictureSize{true, {}, 1.0});
+    following.lab().work().size.choose(PictureSize{true, {}, 1.0});
     offer_display_size(following.lab(), {40, 20});
     CHECK_FALSE(following.lab().messages().notice());
 }
@@ -131,7 +131,7 @@ TEST_CASE("a uniform renamed with @was keeps its value") {
 TEST_CASE("while paused a changed value is drawn, also through passes with history") {
     SmallLab small;
     small.turn(10);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(1);
     const float frames = small.frames();
     CHECK_FALSE(small.lab().is_moving());
@@ -164,16 +164,16 @@ TEST_CASE("during playback a changed value starts with the next frame") {
 TEST_CASE("a replay can be cancelled") {
     SmallLab small;
     small.turn(30);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.lab().edit([](Document& document) { document.set_value("step_size", Value(2.0)); });
-    small.lab().cancel_replay();
+    small.lab().frames().cancel_replay();
     CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
 }
 
 TEST_CASE("restart begins at frame 1 without history") {
     SmallLab small;
     small.turn(10);
-    small.lab().restart();
+    small.lab().frames().restart();
     small.turn(1);
     CHECK(small.frames() == 1);
     CHECK(small.shown() == 1);
@@ -186,9 +186,9 @@ TEST_CASE("a saved preset restores its values when it is opened again") {
     CHECK_FALSE(small.lab().document()->is_modified());
     small.lab().edit([](Document& document) { document.set_value("gain", Value(1.5)); });
     CHECK(small.lab().document()->is_modified());
-    const auto preset = small.lab().library().find_preset("small", "four");
+    const auto preset = small.lab().work().library.find_preset("small", "four");
     REQUIRE(preset.has_value());
-    small.lab().open(preset->file.string());
+    small.lab().looks().open(preset->file.string());
     REQUIRE(small.turn_until([&] {
         return !small.lab().loader().is_loading() &&
                small.lab().document()->preset_name() == "four" &&
@@ -208,7 +208,7 @@ TEST_CASE("a preset may contain list items by label") {
     std::filesystem::create_directories(file.parent_path());
     REQUIRE(write_atomically(file, R"({"format": "afterglow-preset", "version": 1,
         "look": "small", "name": "Third", "values": {"gain": "Three"}})"));
-    small.lab().open(file.string());
+    small.lab().looks().open(file.string());
     REQUIRE(small.turn_until([&] { return small.document().preset_name() == "Third"; }));
     CHECK(small.document().values().at("gain") == Value(2.0));
 }
@@ -217,12 +217,12 @@ TEST_CASE("a line of text transfers the values to another lab") {
     SmallLab from;
     from.lab().edit([](Document& document) { document.set_value("gain", Value(6.0)); });
     SmallLab to;
-    to.lab().paste(from.lab().share_line());
+    to.lab().presets().sharing().paste(from.lab().presets().sharing().line());
     to.turn(1);
     CHECK(to.shown() == 6 * to.frames());
     to.lab().edit([](Document& document) { document.undo(); });
     to.turn(1);
     CHECK(to.shown() == to.frames());
-    to.lab().paste("afterglow:1:nonsense");
+    to.lab().presets().sharing().paste("afterglow:1:nonsense");
     CHECK(to.lab().messages().notice()->is_problem);
 }

@@ -17,7 +17,7 @@ int seen(const Lab& lab, Views& views) {
 }
 
 void pause(SmallLab& small) {
-    small.lab().transport().pause();
+    small.lab().player().pause();
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
 }
 }  // namespace
@@ -27,19 +27,19 @@ TEST_CASE("a bypassed pass outputs its input, also in a static picture") {
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     pause(small);
     CHECK(small.shown() == 4 * small.frames());
-    small.lab().switch_pass(PassSwitch::bypass, "show");
+    small.lab().frames().passes().toggle(PassSwitch::bypass, "show");
     small.turn(1);
     CHECK(small.shown() == small.frames());
     CHECK_FALSE(small.lab().is_moving());
-    small.lab().switch_pass(PassSwitch::bypass, "show");
+    small.lab().frames().passes().toggle(PassSwitch::bypass, "show");
     small.turn(1);
     CHECK(small.shown() == 4 * small.frames());
 }
 
 TEST_CASE("a bypass without an input is refused with a notice") {
     SmallLab small;
-    small.lab().switch_pass(PassSwitch::bypass, "sum");
-    CHECK(small.lab().pass_switches().is_empty());
+    small.lab().frames().passes().toggle(PassSwitch::bypass, "sum");
+    CHECK(small.lab().frames().passes().switches().is_empty());
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->is_problem);
     CHECK(small.lab().messages().notice()->text.find("only its own output") != std::string::npos);
@@ -49,8 +49,8 @@ TEST_CASE("a frozen pass survives edits and a replay, and is replayed when unfro
     SmallLab small;
     pause(small);
     const float before = small.shown();
-    small.lab().switch_pass(PassSwitch::freeze, "sum");
-    small.lab().transport().play();
+    small.lab().frames().passes().toggle(PassSwitch::freeze, "sum");
+    small.lab().player().play();
     small.turn(5);
     CHECK(small.shown() == before);
     small.write_by_rename("show.frag", replaced(small_look::show, "* gain", "* gain * 4.0"));
@@ -59,7 +59,7 @@ TEST_CASE("a frozen pass survives edits and a replay, and is replayed when unfro
     small.lab().edit([](Document& document) { document.set_value("step_size", Value(2.0)); });
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
     CHECK(small.shown() == 4 * before);
-    small.lab().switch_pass(PassSwitch::freeze, "sum");
+    small.lab().frames().passes().toggle(PassSwitch::freeze, "sum");
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
     const float replayed = std::min(small.frames(), 20.0f);  // settle_frames
     CHECK(small.shown() == 4 * 2 * replayed);
@@ -67,13 +67,13 @@ TEST_CASE("a frozen pass survives edits and a replay, and is replayed when unfro
 
 TEST_CASE("another look resets the pass switches, and another preset keeps them") {
     SmallLab small;
-    small.lab().switch_pass(PassSwitch::solo, "sum");
-    small.lab().open("small");
+    small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
-    CHECK(small.lab().pass_switches().solo == "sum");
-    small.lab().new_look("other");
+    CHECK(small.lab().frames().passes().switches().solo == "sum");
+    small.lab().looks().create("other");
     REQUIRE(small.turn_until([&] { return small.document().look().id == "other"; }));
-    CHECK(small.lab().pass_switches().is_empty());
+    CHECK(small.lab().frames().passes().switches().is_empty());
 }
 
 TEST_CASE("a solo or stopped pass is shown as the picture, without later passes") {
@@ -86,17 +86,17 @@ TEST_CASE("a solo or stopped pass is shown as the picture, without later passes"
     REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
     pause(small);
     CHECK(seen(small.lab(), *views) == 128);  // the last pass is display-encoded
-    small.lab().switch_pass(PassSwitch::solo, "sum");
+    small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
     small.turn(1);
     CHECK(seen(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
     CHECK(small.shown() == 0.5f);
-    small.lab().switch_pass(PassSwitch::stop, "sum");
-    CHECK(small.lab().pass_switches().solo.empty());
+    small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
+    CHECK(small.lab().frames().passes().switches().solo.empty());
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(2);
     CHECK(seen(small.lab(), *views) == 137);
     CHECK(small.shown() == 0.5f);
-    small.lab().switch_pass(PassSwitch::stop, "sum");
+    small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
     small.turn(2);
     CHECK(seen(small.lab(), *views) == 191);  // 0.75
 }
@@ -104,13 +104,13 @@ TEST_CASE("a solo or stopped pass is shown as the picture, without later passes"
 TEST_CASE("the history of one pass or all can be cleared, also in a static picture") {
     SmallLab small;
     pause(small);
-    small.lab().clear_history("sum");
+    small.lab().frames().passes().clear_history("sum");
     small.turn(1);
     CHECK(small.shown() == 1.0f);
-    small.lab().transport().play();
+    small.lab().player().play();
     small.turn(4);
     CHECK(small.shown() == 5.0f);
-    small.lab().clear_history();
+    small.lab().frames().passes().clear_history();
     small.turn(1);
     CHECK(small.shown() == 1.0f);
 }
@@ -119,6 +119,6 @@ TEST_CASE("a probed pixel is in texels of the displayed pass") {
     SmallLab small(replaced(small_look::manifest, R"("format": "rgba32f", "inputs": { "previous")",
                             R"("format": "rgba32f", "scale": 0.5, "inputs": { "previous")"));
     CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6, false, {8, 8}});
-    small.lab().switch_pass(PassSwitch::solo, "sum");
+    small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
     CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"sum", 2, 3, false, {4, 4}});
 }

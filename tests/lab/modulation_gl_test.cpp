@@ -59,12 +59,12 @@ TEST_CASE("while paused a changed value is drawn with its modulation, and a step
     SmallLab small;
     move_gain(small);
     small.turn(13);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(2);
     const double time = small.lab().player().time();
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time))));
-    small.lab().transport().step();
+    small.lab().player().step();
     small.turn(1);
     CHECK(is_close(small.lab().player().time(), time + 1.0 / 60.0));
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
@@ -73,7 +73,7 @@ TEST_CASE("while paused a changed value is drawn with its modulation, and a step
 TEST_CASE("a replay uses the modulated values of each frame's time") {
     SmallLab small;
     small.turn(40);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     Modulation moving = once_a_second;
     moving.depth = 0.25;  // of 0 .. 4
     small.lab().edit([&](Document& document) { document.set_modulation("step_size", moving); });

@@ -25,12 +25,12 @@ TEST_CASE("opening can be cancelled at any time, and the open look continues") {
     SmallLab small;
     add_other_look(small);
     for (int turns = 0; turns < 4; ++turns) {
-        small.lab().open("other");
+        small.lab().looks().open("other");
         REQUIRE(small.lab().loader().is_loading());
         small.turn(turns);
         if (open_look(small) == "other")
             break;  // a fast machine has opened it already
-        small.lab().cancel_opening();
+        small.lab().looks().cancel_opening();
         CHECK_FALSE(small.lab().loader().is_loading());
         const float frames = small.frames();
         small.turn(30);
@@ -38,18 +38,18 @@ TEST_CASE("opening can be cancelled at any time, and the open look continues") {
         CHECK(small.frames() > frames);
         CHECK(small.lab().messages().problems().empty());
         CHECK(small.lab().messages().notice()->text == "Cancelled opening \"other\"");
-        small.lab().open("small");
+        small.lab().looks().open("small");
         REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     }
-    small.lab().open("other");
+    small.lab().looks().open("other");
     CHECK(small.turn_until([&] { return open_look(small) == "other"; }));
 }
 
 TEST_CASE("after cancelling, an edit of the open look is still drawn") {
     SmallLab small;
     add_other_look(small);
-    small.lab().open("other");
-    small.lab().cancel_opening();
+    small.lab().looks().open("other");
+    small.lab().looks().cancel_opening();
     small.write("gain.glsl", "uniform float gain = 5.0;  // @range 0 8\n");
     std::set<std::string> seen;
     CHECK(small.turn_until([&] {
@@ -67,8 +67,8 @@ TEST_CASE("of two looks opened in succession only the second one opens") {
     for (const char* file : {"sum.frag", "show.frag", "gain.glsl"})
         std::filesystem::copy_file(small.look_folder() / file,
                                    small.look_folder() / "../third" / file);
-    small.lab().open("other");
-    small.lab().open("third");
+    small.lab().looks().open("other");
+    small.lab().looks().open("third");
     std::set<std::string> seen;
     CHECK(small.turn_until([&] {
         seen.insert(open_look(small));
@@ -79,7 +79,7 @@ TEST_CASE("of two looks opened in succession only the second one opens") {
 
 TEST_CASE("cancelling without an opening does nothing, and the thread ends on request") {
     SmallLab small;
-    small.lab().cancel_opening();
+    small.lab().looks().cancel_opening();
     CHECK(open_look(small) == "small");
     CHECK_FALSE(small.lab().messages().notice().has_value());
     CHECK_FALSE(small.lab().loader().opening().has_value());
@@ -99,13 +99,13 @@ TEST_CASE("each look draws in its own context, and successive looks use two in t
     const gpu::Context* first = home_of(small);
     REQUIRE(first);
     CHECK(first != gpu::Context::current());
-    small.lab().open("other");
+    small.lab().looks().open("other");
     REQUIRE(small.turn_until([&] { return open_look(small) == "other"; }));
     small.wait_for_frames();
     const gpu::Context* second = home_of(small);
     REQUIRE(second);
     CHECK(second != first);
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return open_look(small) == "small"; }));
     small.wait_for_frames();
     CHECK(home_of(small) == first);
@@ -118,7 +118,7 @@ TEST_CASE("an edit, and the same look opened again, keep the look's context") {
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
     CHECK(small.turn_until([&] { return small.shown() == 2.0f * small.frames(); }));
     CHECK(home_of(small) == home);
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(home_of(small) == home);
 }
@@ -130,7 +130,7 @@ TEST_CASE("a look draws nothing before its source is available") {
                 replaced(small_look::manifest, "\"driven_by\": \"nothing\"",
                          "\"driven_by\": \"picture\", \"default_source\": \"pattern:smpte\""));
     bool has_drawn_without = false;
-    small.lab().open("other");
+    small.lab().looks().open("other");
     CHECK(small.turn_until([&] {
         if (open_look(small) != "other")
             return false;

@@ -28,7 +28,7 @@ public:
     }
     PresetCommands& presets() { return lab().presets(); }
     void open_and_wait(const std::string& argument) {
-        lab().open(argument);
+        lab().looks().open(argument);
         REQUIRE(turn_until([&] { return !lab().loader().is_loading() && lab().document(); }));
         turn(2);
     }
@@ -83,7 +83,7 @@ TEST_CASE("saving a user's preset in the program folder keeps the rest of its te
 
 TEST_CASE("a preset from a picture or a line of text can only be saved with a new name") {
     PresetLab small;
-    const std::string line = small.lab().share_line();
+    const std::string line = small.lab().presets().sharing().line();
     const fs::path file = small.folder() / "line.txt";
     REQUIRE(write_atomically(file, line).has_value());
     small.open_and_wait(line);
@@ -95,12 +95,12 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     small.presets().save_as("Mine");
     const fs::path file = small.users_file("Mine");
     const std::string text = read_text(file).value();
-    small.presets().star("Mine", true);
+    small.presets().navigation().star("Mine", true);
     small.presets().remove(file);
     CHECK_FALSE(fs::exists(file));
     CHECK(fs::exists(small.folder() / "data/Trash/files/Mine.json"));
     CHECK(small.document().preset_file().empty());
-    CHECK(small.presets().stars().empty());
+    CHECK(small.presets().navigation().stars().empty());
     CHECK(small.presets().undo_name() == "Delete \"Mine\"");
     REQUIRE(small.lab().messages().notice()->choices.size() == 1);
     CHECK(small.lab().messages().notice()->choices.front().name == "Undo");
@@ -109,7 +109,7 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     CHECK(read_text(file) == text);
     CHECK(small.document().preset_file() == file);
     CHECK_FALSE(small.document().is_modified());
-    CHECK(small.presets().stars() == PresetStars{"small/Mine"});
+    CHECK(small.presets().navigation().stars() == PresetStars{"small/Mine"});
     CHECK(small.presets().undo_name().empty());
 }
 
@@ -118,7 +118,7 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     small.presets().save_as("Mine");
     const fs::path file = small.users_file("Mine");
     small.open_and_wait(small.shipped_file().string());
-    small.lab().open(file.string());
+    small.lab().looks().open(file.string());
     REQUIRE(small.lab().loader().is_opening_preset(file));
     small.presets().remove(file);
     CHECK_FALSE(small.lab().loader().is_opening_preset(file));
@@ -171,12 +171,12 @@ TEST_CASE("a shipped look is not modified, and a copy of it is offered") {
     SmallLab small;
     const std::string manifest = read_text(small.look_folder() / "look.json").value();
     small.start(machine_midi_inputs(), {{"shaders/small/look.json", digest_of(manifest)}});
-    small.lab().open("small");
+    small.lab().looks().open("small");
     small.wait_for_frames();
     PassOverride half;
     half.scale = 0.5;
     small.lab().edit([&half](Document& document) { document.set_override("sum", half); });
-    small.lab().write_overrides();
+    small.lab().looks().write_overrides();
     CHECK(read_text(small.look_folder() / "look.json") == manifest);
     REQUIRE(small.lab().messages().notice()->choices.size() == 1);
     CHECK(small.lab().messages().notice()->choices.front().name == "Duplicate look");
@@ -188,7 +188,7 @@ TEST_CASE("F4 on a read-only shipped look offers a copy") {
     const fs::path file = small.look_folder() / "show.frag";
     const std::string text = read_text(file).value();
     small.start(machine_midi_inputs(), {{"shaders/small/show.frag", digest_of(text)}});
-    small.lab().open("small");
+    small.lab().looks().open("small");
     small.wait_for_frames();
     fs::permissions(small.folder(), fs::perms::group_all | fs::perms::others_all,
                     fs::perm_options::add);
@@ -197,7 +197,7 @@ TEST_CASE("F4 on a read-only shipped look offers a copy") {
     constexpr uid_t nobody = 65534;
     if (is_root)  // permissions do not apply to root
         REQUIRE(seteuid(nobody) == 0);
-    small.lab().open_in_editor({file, 1});
+    small.lab().looks().open_in_editor({file, 1});
     if (is_root)
         REQUIRE(seteuid(0) == 0);
     REQUIRE(small.lab().messages().notice().has_value());

@@ -18,8 +18,8 @@ constexpr const char* still = R"({
 })";
 
 void rest(SmallLab& small) {
-    REQUIRE(
-        small.turn_until([&] { return !small.lab().is_moving() || small.lab().has_converged(); }));
+    REQUIRE(small.turn_until(
+        [&] { return !small.lab().is_moving() || small.lab().frames().has_converged(); }));
     small.turn(2);
 }
 
@@ -30,7 +30,7 @@ void turn_gain(SmallLab& small, double gain) {
 
 TEST_CASE("a paused picture makes draw calls only after a change") {
     SmallLab small(manifest);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     rest(small);
     const CountedDraws draws;
     small.turn(100);
@@ -46,7 +46,7 @@ TEST_CASE("a paused picture makes draw calls only after a change") {
     turn_gain(small, 3.0);  // unchanged
     small.turn(1);
     CHECK(CountedDraws::take() == 0);
-    small.lab().transport().play();
+    small.lab().player().play();
     small.turn(3);
     CHECK(CountedDraws::take() >= 3 * 2);
 }
@@ -55,7 +55,7 @@ TEST_CASE("a converged picture makes no draw calls while time continues") {
     SmallLab small(still);
     rest(small);
     CHECK(small.lab().player().is_playing());
-    CHECK(small.lab().has_converged());
+    CHECK(small.lab().frames().has_converged());
     const CountedDraws draws;
     small.turn(100);
     CHECK(CountedDraws::take() == 0);

@@ -29,9 +29,9 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     set_gain(small, 3.0);
     set_gain(small, 4.0);
     small.lab().edit([](Document& document) { document.undo(); });
-    small.lab().size().choose({false, {16, 8}, 0.5});
+    small.lab().work().size.choose({false, {16, 8}, 0.5});
     small.turn(5);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     const double time = small.lab().player().time();
     const Session session = kept(small);
     CHECK(session.window == kept_window);
@@ -44,7 +44,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     CHECK(small.document().is_modified());
     CHECK_FALSE(small.lab().player().is_playing());
     CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // one frame may pass
-    CHECK(small.lab().size().extent() == Extent{8, 4});
+    CHECK(small.lab().work().size.extent() == Extent{8, 4});
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.document().values().at("gain") == Value(4.0));
     for (int i = 0; i < 2; ++i)
@@ -76,13 +76,13 @@ TEST_CASE("a change is saved at once, and a drag when it ends") {
 TEST_CASE("a paused picture whose first replay is cancelled is drawn with a partial history") {
     SmallLab small;
     small.turn(30);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     const Session session = kept(small);
     small.start();
     restore(small.lab(), session);
     REQUIRE(small.turn_until(
         [&] { return small.lab().renderer() && small.lab().renderer()->replay().is_running(); }));
-    small.lab().cancel_replay();
+    small.lab().frames().cancel_replay();
     REQUIRE_FALSE(small.lab().renderer()->has_drawn());
     small.turn(1);
     CHECK(small.shown() >= 1.0f);  // every frame adds one
@@ -103,32 +103,32 @@ TEST_CASE("values follow a look that was edited between two sessions") {
 
 TEST_CASE("unsaved changes are stored when another look opens, and can be restored") {
     SmallLab small;
-    small.lab().keep_unsaved(kept(small));
-    CHECK(small.lab().kept_sessions().files().empty());  // nothing unsaved
+    small.lab().looks().keep_unsaved(kept(small));
+    CHECK(small.lab().looks().kept_sessions().files().empty());  // nothing unsaved
     set_gain(small, 3.0);
-    small.lab().keep_unsaved(kept(small));
-    small.lab().keep_unsaved(kept(small));
-    REQUIRE(small.lab().kept_sessions().files().size() == 1);  // without a duplicate
-    const fs::path three = small.lab().kept_sessions().files().front();
-    CHECK(small.lab().kept_sessions().list().front().look == "small");
-    CHECK(small.lab().kept_sessions().list().front().changes == 1);
+    small.lab().looks().keep_unsaved(kept(small));
+    small.lab().looks().keep_unsaved(kept(small));
+    REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);  // without a duplicate
+    const fs::path three = small.lab().looks().kept_sessions().files().front();
+    CHECK(small.lab().looks().kept_sessions().list().front().look == "small");
+    CHECK(small.lab().looks().kept_sessions().list().front().changes == 1);
 
     small.start();
-    small.lab().open("small");
+    small.lab().looks().open("small");
     small.wait_for_frames();
     set_gain(small, 5.0);
-    small.lab().take_up(three);
+    restore_kept(small.lab(), three);
     const auto has_gain = [&](double gain) {
         const auto value = small.document().values().find("gain");
         return value != small.document().values().end() && value->second == Value(gain);
     };
     REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
-    REQUIRE(small.lab().kept_sessions().files().size() == 1);
-    const fs::path five = small.lab().kept_sessions().files().front();
-    const fs::path picture = small.lab().kept_sessions().list().front().picture;
+    REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);
+    const fs::path five = small.lab().looks().kept_sessions().files().front();
+    const fs::path picture = small.lab().looks().kept_sessions().list().front().picture;
     CHECK(load_picture(picture).has_value());
     CHECK_FALSE(fs::exists(three));
-    small.lab().take_up(five);
+    restore_kept(small.lab(), five);
     CHECK(small.turn_until([&] { return has_gain(5.0); }));
     CHECK_FALSE(fs::exists(picture));
 }
@@ -209,7 +209,7 @@ TEST_CASE("favourites, locks and slider ranges are restored, even after leaving 
     const Session session = kept(small);
     small.start();
     small.lab().parameters().set_all(session.knobs);
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
     CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
     small.lab().parameters().set_slider_ends("gain", Limit{3.0, 1.0});
@@ -229,7 +229,8 @@ TEST_CASE("a changed locked value causes no warning when presets are opened") {
     const auto opened_again = [&] {
         while (small.lab().messages().notice())
             small.lab().update(10.0);  // earlier notices expire
-        small.lab().open(small.lab().library().find_preset("small", "one")->file.string());
+        small.lab().looks().open(
+            small.lab().work().library.find_preset("small", "one")->file.string());
         REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
         return small.lab().messages().notice().has_value();
     };

@@ -329,7 +329,7 @@ public:
         open_preset("a.slangp");
     }
     void open_preset(const std::string& name) {
-        lab().open(file(name).string());
+        lab().looks().open(file(name).string());
         REQUIRE(turn_until([&] { return document().look().manifest == file(name); }));
     }
     std::filesystem::path file(const std::string& name) const { return m_files / name; }
@@ -344,28 +344,29 @@ private:
 
 TEST_CASE("changed parameters are saved as a .slangp that references the open one") {
     SlangLab slang;
-    REQUIRE(slang.lab().can_save_slang_preset());
+    REQUIRE(slang.lab().presets().sharing().can_save_slang());
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
-    slang.lab().save_slang_preset(slang.file("a.slangp"));
+    slang.lab().presets().sharing().save_slang(slang.file("a.slangp"));
     CHECK(slang.lab().messages().notice()->text ==
           "A .slangp file can't reference itself. Choose another name.");
-    slang.lab().save_slang_preset(slang.file("mine"));
+    slang.lab().presets().sharing().save_slang(slang.file("mine"));
     slang.open_preset("mine.slangp");
     CHECK(slang.level() == 0.75);
-    slang.lab().save_slang_preset(slang.file("a.slangp"));  // would be a circular reference
+    slang.lab().presets().sharing().save_slang(
+        slang.file("a.slangp"));  // would be a circular reference
     CHECK(slang.lab().messages().notice()->text ==
           "The open look uses this file. Choose another name.");
     CHECK_FALSE(slang.document().is_modified());
-    slang.lab().open("small");
+    slang.lab().looks().open("small");
     REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
-    CHECK_FALSE(slang.lab().can_save_slang_preset());
+    CHECK_FALSE(slang.lab().presets().sharing().can_save_slang());
 }
 
 TEST_CASE("a single open shader is saved as a .slangp that draws it") {
     SlangLab slang;
     slang.open_preset("0.slang");
     slang.lab().edit([](Document& document) { document.set_value("level", Value(0.75)); });
-    slang.lab().save_slang_preset(slang.file("alone"));
+    slang.lab().presets().sharing().save_slang(slang.file("alone"));
     slang.open_preset("alone.slangp");
     CHECK(slang.level() == 0.75);
     CHECK(slang.document().look().passes.size() == 1);
@@ -373,23 +374,23 @@ TEST_CASE("a single open shader is saved as a .slangp that draws it") {
 
 TEST_CASE("a chain keeps its source's shape in the view until another shape is chosen") {
     SlangLab slang;
-    slang.lab().size().set_view({100, 60});
-    slang.lab().size().choose({});
-    REQUIRE(slang.turn_until([&] { return slang.lab().drive().source().has_value(); }));
-    CHECK(slang.lab().size().extent() == Extent{80, 60});  // of 320 x 240
+    slang.lab().work().size.set_view({100, 60});
+    slang.lab().work().size.choose({});
+    REQUIRE(slang.turn_until([&] { return slang.lab().work().drive.source().has_value(); }));
+    CHECK(slang.lab().work().size.extent() == Extent{80, 60});  // of 320 x 240
     slang.lab().edit(
         [](Document& document) { document.set_source("pattern:harbour,size=16x16,aspect=1.25"); });
     REQUIRE(slang.turn_until([&] {
-        return slang.lab().drive().source()->extent() == Extent{16, 16};
+        return slang.lab().work().drive.source()->extent() == Extent{16, 16};
     }));
-    CHECK(slang.lab().size().extent() == Extent{75, 60});
+    CHECK(slang.lab().work().size.extent() == Extent{75, 60});
     PictureSize size;
     size.shape = ViewShape::whole_pixels;
-    slang.lab().size().choose(size);
-    CHECK(slang.lab().size().extent() == Extent{60, 48});
+    slang.lab().work().size.choose(size);
+    CHECK(slang.lab().work().size.extent() == Extent{60, 48});
     size.shape = ViewShape::view;
-    slang.lab().size().choose(size);
-    CHECK(slang.lab().size().extent() == Extent{100, 60});
+    slang.lab().work().size.choose(size);
+    CHECK(slang.lab().work().size.extent() == Extent{100, 60});
 }
 
 TEST_CASE("OriginalAspect is the aspect ratio of the source including its pixel aspect") {

@@ -53,7 +53,7 @@ public:
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         start();
-        m_lab->open("small");
+        m_lab->looks().open("small");
         wait_for_frames();
     }
     SmallLab(const SmallLab&) = delete;
@@ -67,7 +67,7 @@ public:
         m_context->make_current();
         m_lab = std::make_unique<Lab>(Library(m_roots, std::move(shipped)), *m_context, nullptr,
                                       std::move(midi));
-        m_lab->size().choose({false, {8, 8}, 1.0});
+        m_lab->work().size.choose({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {
         REQUIRE(

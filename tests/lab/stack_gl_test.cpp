@@ -230,14 +230,14 @@ TEST_CASE("a stack that begins with the open look opens in one undo step, and so
         return small.turn_until([&] { return small.document().history().undo_name() == step; }) &&
                small.shows(id);
     };
-    small.lab().open(preset.string());
+    small.lab().looks().open(preset.string());
     REQUIRE(has_opened("small+gain", "Open Mine"));
     CHECK(small.value("small/step_size") == 4.0);
     CHECK(small.value("gain/offset") == 3.0);
     CHECK(small.document().state().overrides.contains("small/show"));
     CHECK_FALSE(small.document().is_modified());
 
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(has_opened("small", "Open Small"));
     CHECK(small.value("step_size") == 1.0);
     for (const double step_size : {4.0, 2.0}) {
@@ -250,7 +250,7 @@ TEST_CASE("a stack that begins with the open look opens in one undo step, and so
 TEST_CASE("each look of a stack is reloaded on changes, and an error keeps the picture") {
     StackLab small;
     const fs::path other = small.write_other();
-    small.lab().open("small+gain");
+    small.lab().looks().open("small+gain");
     REQUIRE(small.shows("small+gain"));
     REQUIRE(write_atomically(other / "show.frag", replaced(gain_text, "gain = 0.5", "gain = 0.25"))
                 .has_value());

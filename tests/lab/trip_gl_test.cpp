@@ -46,10 +46,10 @@ struct Tripping : SmallLab {
     Tripping() {
         write_by_rename("sum.frag", wrong_at_40);
         REQUIRE(turn_until([&] { return find_parameter(document().look(), "none"); }));
-        lab().restart();
+        lab().frames().restart();
     }
     void wait_for_trip() {
-        REQUIRE(turn_until([&] { return lab().trip().has_value(); }));
+        REQUIRE(turn_until([&] { return lab().frames().nan_guard().found().has_value(); }));
         REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
     }
     float sum(int frames_ago_row) {
@@ -61,7 +61,7 @@ struct Tripping : SmallLab {
 TEST_CASE("the first non-finite number pauses the clock at its frame with a valid history") {
     Tripping lab;
     lab.wait_for_trip();
-    CHECK(*lab.lab().trip() == Trip{0, 3, 3, 40});
+    CHECK(*lab.lab().frames().nan_guard().found() == Trip{0, 3, 3, 40});
     CHECK_FALSE(lab.lab().player().is_playing());
     CHECK(lab.lab().player().frame_number() == 40);
     CHECK(std::isnan(lab.sum(3)));
@@ -71,8 +71,8 @@ TEST_CASE("the first non-finite number pauses the clock at its frame with a vali
 TEST_CASE("clamping continues with 0 instead of NaN") {
     Tripping lab;
     lab.wait_for_trip();
-    lab.lab().answer_trip(TripAnswer::clamp);
-    CHECK_FALSE(lab.lab().trip());
+    lab.lab().frames().nan_guard().answer(TripAnswer::clamp);
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.lab().player().is_playing());
     lab.turn(3);
     CHECK(lab.frames() == 43.0f);
@@ -83,26 +83,26 @@ TEST_CASE("clamping continues with 0 instead of NaN") {
 TEST_CASE("clearing restarts the history, and ignoring never asks again") {
     Tripping lab;
     lab.wait_for_trip();
-    lab.lab().answer_trip(TripAnswer::clear);
+    lab.lab().frames().nan_guard().answer(TripAnswer::clear);
     lab.turn(2);
     CHECK(lab.sum(3) == 2.0f);
-    lab.lab().restart();
+    lab.lab().frames().restart();
     lab.wait_for_trip();
-    lab.lab().answer_trip(TripAnswer::go_on);
+    lab.lab().frames().nan_guard().answer(TripAnswer::go_on);
     lab.turn(10);
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isnan(lab.sum(3)));
 }
 
 TEST_CASE("in unattended mode NaN is clamped and reported once") {
     Tripping lab;
-    lab.lab().set_unattended(true);
+    lab.lab().frames().nan_guard().set_unattended(true);
     REQUIRE(lab.turn_until([&] {
         return lab.lab().messages().notice() && lab.lab().messages().notice()->is_problem;
     }));
     CHECK(lab.lab().messages().notice()->text.find("pass 'sum'") != std::string::npos);
     CHECK(lab.lab().messages().notice()->text.find("pixel (3, 3), frame 40") != std::string::npos);
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.lab().player().is_playing());
     CHECK(std::isfinite(lab.sum(3)));
 }
@@ -112,9 +112,9 @@ TEST_CASE("a value that fixes the NaN lets time continue with a valid history") 
     lab.wait_for_trip();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.0)); });
     REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     lab.turn(10);
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.frames() >= 49.0f);
     CHECK(lab.sum(3) == lab.sum(5));
 }
@@ -124,9 +124,9 @@ TEST_CASE("a value that does not fix the NaN keeps the clock paused") {
     lab.wait_for_trip();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.9)); });
     lab.turn(1);
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     lab.wait_for_trip();
-    CHECK(*lab.lab().trip() == Trip{0, 3, 3, 40});
+    CHECK(*lab.lab().frames().nan_guard().found() == Trip{0, 3, 3, 40});
     CHECK_FALSE(lab.lab().player().is_playing());
 }
 
@@ -136,7 +136,7 @@ TEST_CASE("an edit that fixes the NaN lets time continue") {
     lab.write_by_rename("sum.frag", small_look::sum);
     REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
     lab.turn(10);
-    CHECK_FALSE(lab.lab().trip());
+    CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isfinite(lab.sum(3)));
 }
 
@@ -154,12 +154,12 @@ TEST_CASE("the pass that wrote it first is reported, even if another one was che
   ]
 })");
     REQUIRE(lab.turn_until([&] { return lab.document().look().passes.size() == 3; }));
-    lab.lab().restart();
-    REQUIRE(lab.turn_until([&] { return lab.lab().trip().has_value(); }));
-    CHECK(lab.lab().trip()->frame == 40);
+    lab.lab().frames().restart();
+    REQUIRE(lab.turn_until([&] { return lab.lab().frames().nan_guard().found().has_value(); }));
+    CHECK(lab.lab().frames().nan_guard().found()->frame == 40);
     REQUIRE(lab.turn_until([&] { return !lab.lab().renderer()->replay().is_running(); }));
     lab.turn(1);
-    CHECK(*lab.lab().trip() == Trip{1, 3, 3, 40});
+    CHECK(*lab.lab().frames().nan_guard().found() == Trip{1, 3, 3, 40});
 }
 
 TEST_CASE("formats that cannot store NaN are not checked") {

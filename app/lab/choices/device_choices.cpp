@@ -73,11 +73,11 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<Choice>& choices) {
     if (facts.sound_seconds <= 0.0)
         return;
     choices.push_back(sound_number("Volume…", "×", facts.level, {0.0, 2.0}, [](double typed) {
-        return Deed([typed](Lab& lab) { lab.transport().set_level(typed); });
+        return Deed([typed](Lab& lab) { lab.player().set_level(typed); });
     }));
     choices.push_back(sound_number(
         "Go to…", "s", facts.place, {0.0, facts.sound_seconds},
-        [](double typed) { return Deed([typed](Lab& lab) { lab.transport().seek(typed); }); }));
+        [](double typed) { return Deed([typed](Lab& lab) { lab.player().seek(typed); }); }));
 }
 
 Deed change_remote(const std::function<void(RemoteSettings&)>& change) {

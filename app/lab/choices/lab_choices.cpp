@@ -7,6 +7,7 @@
 #include "lab/choices/source_choices.h"
 #include "lab/choices/stack_choices.h"
 #include "lab/choices/tuning_choices.h"
+#include "lab/session.h"
 #include "lab/storage/include_store.h"
 #include "lab/trials/tryouts.h"
 
@@ -15,15 +16,15 @@
 namespace {
 Deed change_comparison(const std::function<void(Comparison&)>& change) {
     return [change](Lab& lab) {
-        Comparison next = lab.comparing().chosen();
+        Comparison next = lab.frames().comparison().selection().chosen();
         change(next);
-        lab.compare(next);
+        lab.frames().comparison().choose(next);
     };
 }
 
 ChoiceList comparing_choices(const Lab& lab) {
     ChoiceList list{"Compare", ChoiceList::Place::compare};
-    const Comparison& chosen = lab.comparing().chosen();
+    const Comparison& chosen = lab.frames().comparison().selection().chosen();
     for (const auto& [measure, name] :
          {std::pair{DifferenceMeasure::absolute, "Absolute difference"},
           std::pair{DifferenceMeasure::relative, "Relative difference"},
@@ -44,20 +45,22 @@ ChoiceList comparing_choices(const Lab& lab) {
                                    return {change_comparison(
                                        [typed](Comparison& next) { next.gain_stops = typed; })};
                                }}});
-    if (const auto& file = lab.comparing().reference().file();
-        lab.comparing().reference().picture())
-        list.choices.push_back({.name = fmt::format("With {}", file.filename().string()),
-                                .deeds = {[file](Lab& changed) {
-                                    changed.compare_with({Other::Kind::file, 0, file});
-                                }}});
+    if (const auto& file = lab.frames().comparison().selection().reference().file();
+        lab.frames().comparison().selection().reference().picture())
+        list.choices.push_back(
+            {.name = fmt::format("With {}", file.filename().string()),
+             .deeds = {[file](Lab& changed) {
+                 changed.frames().comparison().compare_with({Other::Kind::file, 0, file});
+             }}});
     list.choices.push_back(
         {.name = "Stop comparing",
-         .deeds = {[](Lab& changed) { changed.set_compare_mode(CompareMode::off); }},
+         .deeds = {[](Lab& changed) { changed.frames().comparison().set_mode(CompareMode::off); }},
          .is_present = chosen.mode == CompareMode::off});
-    for (std::size_t i = 0; i < lab.slots().size(); ++i)
-        if (lab.slots()[i])
-            list.choices.push_back({.name = fmt::format("Clear slot {}", slot_name(i)),
-                                    .deeds = {[i](Lab& changed) { changed.empty_slot(i); }}});
+    for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
+        if (lab.frames().comparison().slots()[i])
+            list.choices.push_back(
+                {.name = fmt::format("Clear slot {}", slot_name(i)),
+                 .deeds = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
     return list;
 }
 
@@ -125,7 +128,7 @@ ChoiceList unsaved_choices(const KeptSessions& kept) {
         list.choices.push_back(
             {.name = session.preset.empty() ? session.look
                                             : fmt::format("{} – {}", session.look, session.preset),
-             .deeds = {[file = session.file](Lab& changed) { changed.take_up(file); }}});
+             .deeds = {[file = session.file](Lab& changed) { restore_kept(changed, file); }}});
     return list;
 }
 
@@ -133,10 +136,10 @@ ChoiceList include_choices(const Lab& lab) {
     ChoiceList list{"Includes", ChoiceList::Place::edit};
     list.choices.push_back(
         {.name = "Folders, separated by ':'…",
-         .text = AskedText{include_folders_text(lab.include_folders()),
+         .text = AskedText{include_folders_text(lab.looks().include_folders()),
                            [](const std::string& typed) -> Deeds {
                                return {[folders = parse_include_folders(typed)](Lab& changed) {
-                                   changed.set_include_folders(folders);
+                                   changed.looks().set_include_folders(folders);
                                }};
                            }}});
     return list;
@@ -145,19 +148,19 @@ ChoiceList include_choices(const Lab& lab) {
 // Actions for NaN or infinity, and for problems in files.
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
-    if (lab.trip())
+    if (lab.frames().nan_guard().found())
         for (const auto& [answer, name] : {std::pair{TripAnswer::clear, "Restart history"},
                                            std::pair{TripAnswer::clamp, "Clamp NaN/Inf"},
                                            std::pair{TripAnswer::go_on, "Ignore NaN/Inf"}})
             list.choices.push_back({.name = name, .deeds = {[to = answer](Lab& changed) {
-                                                      changed.answer_trip(to);
+                                                      changed.frames().nan_guard().answer(to);
                                                   }}});
     for (const Problem& problem : lab.messages().problems()) {
         const Diagnostic& said = problem.diagnostic;
         list.choices.push_back({.name = fmt::format("{}:{} {}", said.file.filename().string(),
                                                     said.line, said.message),
                                 .deeds = {[place = Location{said.file, said.line}](Lab& changed) {
-                                    changed.open_in_editor(place);
+                                    changed.looks().open_in_editor(place);
                                 }}});
     }
     return list;
@@ -174,16 +177,17 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Sh
                  Lists& all) {
     const Document& document = *lab.document();
     add_lists(all, signal_choices(document));
-    add_lists(all, source_choices(document, open_source(lab.drive())));
+    add_lists(all, source_choices(document, open_source(lab.work().drive)));
     all.push_back(stack_choices(document.state().stack, looks));
     if (lab.renderer())
         add_lists(all,
                   inspector_choices(inspected_parts(lab.renderer()->executor(), window.inspected),
                                     window.inspected));
     all.push_back(comparing_choices(lab));
-    all.push_back(unsaved_choices(lab.kept_sessions()));
-    add_lists(all, preset_choices(listed_presets(document, looks, lab.presets().stars(), {}),
-                                  window.presets));
+    all.push_back(unsaved_choices(lab.looks().kept_sessions()));
+    add_lists(
+        all, preset_choices(listed_presets(document, looks, lab.presets().navigation().stars(), {}),
+                            window.presets));
     if (!document.preset_file().empty() && lab.presets().has_source_checkout())
         all.push_back(shipped_preset_choices());
 }
@@ -194,7 +198,7 @@ void add_further(const Lab& lab, const WindowState& window, Lists& all) {
     if (in_hand)
         add_lists(all, knob_choices(document, *in_hand));
     all.push_back(pass_setting_choices(document, window.inspected.pass));
-    const VariantSheet& sheet = lab.tryouts().sheet();
+    const VariantSheet& sheet = lab.frames().previews().sheet();
     std::vector<SweepCell> cells;
     for (const VariantSheet::Cell& cell : sheet.cells())
         cells.push_back(cell.values);
@@ -223,7 +227,7 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
                                  lab.remote().midi().is_listening()));
     all.push_back(include_choices(lab));
     all.push_back(trouble_choices(lab));
-    all.push_back(lab.heavy_pass_choices());
+    all.push_back(lab.frames().heavy_pass().choices());
     return all;
 }
 

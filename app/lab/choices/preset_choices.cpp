@@ -10,7 +10,7 @@ ChoiceList morph_choices(const std::vector<ListedPreset>& presets, double second
     for (const ListedPreset& preset : presets)
         list.choices.push_back({.name = fmt::format("To {}", preset.preset.name),
                                 .deeds = {[file = preset.preset.entry.file, seconds](Lab& lab) {
-                                    lab.morph_to(file, seconds);
+                                    lab.presets().navigation().morph_to(file, seconds);
                                 }}});
     for (const double length : morph_lengths)
         list.choices.push_back(
@@ -27,7 +27,7 @@ ChoiceList star_choices(const std::vector<ListedPreset>& presets) {
             list.choices.push_back(
                 {.name = preset.preset.name,
                  .deeds = {[name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
-                     lab.presets().star(name, has_star);
+                     lab.presets().navigation().star(name, has_star);
                  }},
                  .is_present = preset.has_star});
     return list;

@@ -118,7 +118,7 @@ Deed deed_for(const SignalKind& kind) {
         return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
     if (kind.is_live)
         return [name = kind.kind](Lab& lab) {
-            (void)lab.transport().mute_input(false);  // the user asked for live input
+            (void)lab.player().mute_input(false);  // the user asked for live input
             lab.edit([&](Document& document) {
                 document.set_signal(with_round_circles(Spec{name, {}}));
             });

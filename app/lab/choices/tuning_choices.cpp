@@ -113,8 +113,9 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
     add_midi(parameter, list.choices);
     if (!parameter.declared.file.empty())
         list.choices.push_back(
-            {.name = "Open declaration",
-             .deeds = {[place = parameter.declared](Lab& lab) { lab.open_in_editor(place); }}});
+            {.name = "Open declaration", .deeds = {[place = parameter.declared](Lab& lab) {
+                                             lab.looks().open_in_editor(place);
+                                         }}});
     return list;
 }
 
@@ -222,7 +223,7 @@ bool can_be_varied(const Parameter& parameter) {
 }
 
 Deeds sheet_deeds(const SheetRequest& request) {
-    return {[request](Lab& lab) { lab.draw_sheet(request); },
+    return {[request](Lab& lab) { lab.frames().previews().sheet().begin(request); },
             [is_grid = !request.down.empty()](WindowState& window) {
                 constexpr float room_of_grid = 330.0f;
                 if (is_grid)
@@ -255,6 +256,10 @@ ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCel
     add_counts(request, list.choices);
     for (std::size_t i = 0; i < cells.size(); ++i)
         list.choices.push_back({.name = fmt::format("Apply {}", cells[i].caption),
-                                .deeds = {[i](Lab& lab) { lab.take_from_sheet(i); }}});
+                                .deeds = {[i](Lab& lab) {
+                                    if (lab.work().document)
+                                        lab.frames().previews().sheet().apply(i,
+                                                                              *lab.work().document);
+                                }}});
     return list;
 }

@@ -9,7 +9,7 @@
 namespace {
 Choice sized(std::string name, const PictureSize& size, bool is_present) {
     return {.name = std::move(name),
-            .deeds = {[size](Lab& lab) { lab.size().choose(size); }},
+            .deeds = {[size](Lab& lab) { lab.work().size.choose(size); }},
             .is_present = is_present};
 }
 
@@ -20,7 +20,7 @@ ChoiceList size_choices(const SizeInForce& in_force) {
     for (const auto& [shape, name] : picture_shapes)
         list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
     list.choices.push_back(
-        {.name = "Match pane once", .deeds = {[](Lab& lab) { lab.size().fix_to_view(); }}});
+        {.name = "Match pane once", .deeds = {[](Lab& lab) { lab.work().size.fix_to_view(); }}});
     for (const Extent& extent : picture_sizes)
         list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                      {false, extent, present.scale, present.shape},
@@ -164,18 +164,18 @@ std::string times_text(double factor) {
 }
 
 SizeInForce size_in_force(const Lab& lab) {
-    return {lab.size().chosen(), lab.size().shape(), lab.size().extent()};
+    return {lab.work().size.chosen(), lab.work().size.shape(), lab.work().size.extent()};
 }
 
 void offer_display_size(Lab& lab, Extent display) {
-    const PictureSize& present = lab.size().chosen();
+    const PictureSize& present = lab.work().size.chosen();
     if (present.follows_view || present.room(display) == display)
         return;
-    const Extent picture = lab.size().extent();
-    lab.messages().offer(
-        fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
-                    picture.height, display.width, display.height),
-        {.name = "Match display", .deeds = {[](Lab& changed) { changed.size().fix_to_view(); }}});
+    const Extent picture = lab.work().size.extent();
+    lab.messages().offer(fmt::format("The render size is {} × {} px, the display {} × {} px",
+                                     picture.width, picture.height, display.width, display.height),
+                         {.name = "Match display",
+                          .deeds = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

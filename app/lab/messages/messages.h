@@ -33,6 +33,8 @@ public:
     void dismiss() { m_notice.reset(); }
     /// Dismisses the notice about a subject: its problem is solved.
     void withdraw(std::string_view subject);
+    /// Whether the notice disappears after a time.
+    bool is_counting() const { return m_notice && m_notice->goes_by; }
     /// Counts down the time of the notice.
     void update(double wall_seconds);
 

@@ -1,5 +1,7 @@
 #include "lab/offline/small_picture.h"
 
+#include "gpu/objects/readback.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -23,4 +25,19 @@ Result<gpu::Canvas> small_picture(Viewer& viewer, const Executor& executor, int 
 Extent size_for_small_picture(Extent picture) {
     constexpr int most_lines = 270;
     return with_lines(picture, most_lines);
+}
+
+std::optional<Picture> small_copy(const Renderer* renderer) {
+    constexpr int lines = 135;
+    if (!renderer || !renderer->has_drawn())
+        return std::nullopt;
+    auto viewer = Viewer::make();
+    if (!viewer)
+        return std::nullopt;
+    const auto canvas = small_picture(*viewer, renderer->executor(), lines);
+    if (!canvas)
+        return std::nullopt;
+    Picture picture = gpu::read_picture(canvas->texture());
+    picture.encoding = Encoding::display;
+    return picture;
 }

@@ -6,6 +6,7 @@
 #include "graph/warm_up/first_draws.h"
 #include "lab/library/open.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -50,6 +51,7 @@ struct BuiltLook {
     ImageTextures images = {};  // of the look; those of unchanged files are shared
     Diagnostics problems = {};  // errors if look or programs are missing, else warnings
     std::vector<std::filesystem::path> files = {};
+    std::function<void()> then = {};  // to be called when the look has opened; null: nothing
     bool is_warm = false;  // its programs have drawn in the context that will draw the look
     std::unique_ptr<Executor> executor = {};  // of a warm look, at the picture's size and values;
                                               // null: out of memory

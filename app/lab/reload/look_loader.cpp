@@ -1,5 +1,7 @@
 #include "lab/reload/look_loader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,8 +18,9 @@ LookLoader::LookLoader(std::unique_ptr<gpu::Context> context, const gpu::Context
       m_contexts(screen),
       m_worker(std::move(context), screen, roots) {}
 
-void LookLoader::open(const OpenRequest& request) {
+void LookLoader::open(const OpenRequest& request, std::function<void()> then) {
     submit(request, false);
+    m_then = std::move(then);
 }
 
 void LookLoader::reload() {
@@ -41,12 +44,16 @@ void LookLoader::dismiss_failed() {
     submit(*m_opened, true);
 }
 
-std::string LookLoader::cancel() {
+void LookLoader::cancel() {
+    if (!is_reading())
+        return;
     m_pending.reset();
+    m_then = {};
     m_is_asked_unopened = false;
     const auto cancelled = std::exchange(m_asked, m_opened);
     m_worker.queue().cancel(JobKind::look);
-    return cancelled ? name_of(*cancelled) : std::string();
+    m_messages.say(
+        fmt::format("Cancelled opening \"{}\"", cancelled ? name_of(*cancelled) : std::string()));
 }
 
 void LookLoader::submit(OpenRequest request, bool is_reload, const fs::path& edited) {
@@ -158,6 +165,8 @@ std::optional<BuiltLook> LookLoader::update(const Beside& beside, double wall_se
     BuiltLook built = std::exchange(m_pending, nullptr)->take();
     if (!accept(built))
         return std::nullopt;
+    if (built.kind == JobKind::look)
+        built.then = std::exchange(m_then, {});
     return built;
 }
 

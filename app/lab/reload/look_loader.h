@@ -7,6 +7,7 @@
 #include "lab/reload/program_set.h"
 #include "lab/reload/watched_files.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,10 +22,11 @@ public:
     LookLoader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                const Roots& roots, Messages& messages);
 
-    /// Opens another look or preset. What is being opened is cancelled.
-    void open(const OpenRequest& request);
-    /// Keeps the open look instead of the one that is being opened. Returns the name of the latter.
-    std::string cancel();
+    /// Opens another look or preset, and calls `then` when it has opened. What is being opened is
+    /// cancelled.
+    void open(const OpenRequest& request, std::function<void()> then = {});
+    /// Keeps the open look instead of the one that is being opened.
+    void cancel();
     /// Reads the open look again although no file changed.
     void reload();
     /// Reads the looks of another stack, once; `values` by the names of that stack.
@@ -86,6 +88,7 @@ private:
     std::optional<OpenRequest> m_asked;
     bool m_is_asked_unopened = false;  // m_asked could not be opened: reading it again opens it
     std::optional<OpenRequest> m_opened;
+    std::function<void()> m_then;  // when what was asked for has opened
     std::string m_failed;
     double m_reading_seconds = 0.0;
     std::unique_ptr<PendingLook> m_pending;  // the newest one; null: none was built

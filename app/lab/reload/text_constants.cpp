@@ -18,7 +18,12 @@ void TextConstants::request(JobKind kind, Values constants) {
 }
 
 void TextConstants::update(const Document& document) {
-    if (m_loader.is_reading() || !m_loader.opened() || document.is_restacking())
+    if (m_loader.is_reading()) {  // which cancels constants
+        m_asked.reset();
+        m_asked_for_variant.reset();
+        return;
+    }
+    if (!m_loader.opened() || document.is_restacking())
         return;
     const Look& look = document.look();
     Values wanted = constants_of(look, document.values());

@@ -12,7 +12,7 @@ public:
     explicit FirstFile(std::filesystem::path file) : m_file(std::move(file)) {}
 
     /// Whether the argument of the program is a sound or picture file.
-    static bool is_one(const std::string& argument, const Lab& lab);
+    static bool is_one(const std::string& argument);
     /// Call it once per frame. Opens another look if the open one cannot use the file.
     void update(Lab& lab);
 

@@ -182,3 +182,12 @@ std::optional<std::size_t> VariantSheet::present(const Document& document) const
     return found == m_cells.end() ? std::nullopt
                                   : std::optional<std::size_t>(found - m_cells.begin());
 }
+
+void VariantSheet::apply(std::size_t number, Document& document) const {
+    if (number >= cells().size())
+        return;
+    const SweepCell& cell = cells()[number].values;
+    document.set_values({cell.values.begin(), cell.values.end()},
+                        fmt::format("Apply {}", cell.caption));
+    document.finish();
+}

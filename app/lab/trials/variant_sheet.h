@@ -47,6 +47,8 @@ public:
     std::size_t drawn() const { return m_next; }
     /// The cell with the document's values; nullopt: no such cell.
     std::optional<std::size_t> present(const Document& document) const;
+    /// Sets the document to the values of a cell, as one undo step.
+    void apply(std::size_t cell, Document& document) const;
 
 private:
     bool is_done() const { return !m_cells.empty() && m_next == m_cells.size(); }

@@ -8,7 +8,9 @@ SeenPasses displayed_passes(const Lab& lab, const WindowState& window) {
     SeenPasses seen{.are_all = false};
     if (const Document* document = lab.document())
         seen.names.push_back(
-            document->look().passes.at(static_cast<std::size_t>(lab.picture_pass())).name);
+            document->look()
+                .passes.at(static_cast<std::size_t>(lab.frames().passes().picture_pass()))
+                .name);
     if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
         seen.names.push_back(window.inspected.pass);
         if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)

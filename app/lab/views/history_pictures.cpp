@@ -23,7 +23,7 @@ void HistoryPictures::update(const Lab& lab, Views& views) {
     const Document* document = lab.document();
     if (!document || !lab.renderer() || lab.loader().is_loading() || document->is_restacking() ||
         document->history().is_in_gesture() || lab.renderer()->replay().is_running() ||
-        lab.is_amid_frame() || !lab.renderer()->has_whole_picture() ||
+        lab.frames().is_amid_frame() || !lab.renderer()->has_whole_picture() ||
         lab.renderer()->executor().plan().targets.empty())
         return;
     if (m_present != document->state()) {

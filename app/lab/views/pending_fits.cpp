@@ -25,13 +25,13 @@ void fit_levels(const Views& views, WindowState& window) {
 
 void fit_gain(const Views& views, Lab& lab, WindowState& window) {
     const auto& distances = views.compared().distances();
-    const bool is_measured = lab.compare_mode() == CompareMode::difference;
+    const bool is_measured = lab.frames().comparison().mode() == CompareMode::difference;
     if (is_measured && !distances)
         return;
-    Comparison comparison = lab.comparing().chosen();
+    Comparison comparison = lab.frames().comparison().selection().chosen();
     if (const auto gain = fitting_gain(comparison, distances); is_measured && gain) {
         comparison.gain_stops = *gain;
-        lab.compare(comparison);
+        lab.frames().comparison().choose(comparison);
     }
     window.pending.gain = false;
 }

@@ -101,7 +101,7 @@ void PresetPictures::list(const Lab& lab, const std::optional<Content>& content)
         entry.written = written;
     };
     add({}, {});
-    for (const PresetEntry& preset : lab.library().presets(look.id)) {
+    for (const PresetEntry& preset : lab.work().library.presets(look.id)) {
         std::error_code error;
         add(preset.file, fs::last_write_time(preset.file, error));
     }
@@ -145,7 +145,7 @@ void PresetPictures::start(const Lab& lab) {
     for (const auto& [file, entry] : m_entries)
         if (entry.is_due)
             wanted.emplace_back(file, entry.written);
-    m_work.start([look = *m_look, content = m_content, library = lab.library(),
+    m_work.start([look = *m_look, content = m_content, library = lab.work().library,
                   wanted = std::move(wanted), basket = m_basket,
                   wake = m_wake](Work& work) -> Result<bool> {
         PresetPainter painter(look, library, content);

@@ -18,11 +18,11 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     if (file.extension().empty())
         file += ".png";
     const Executor& executor = lab.renderer()->executor();
-    const int shown = lab.picture_pass();
+    const int shown = lab.frames().passes().picture_pass();
     Picture picture = gpu::read_picture(executor.target(shown));
     picture.encoding = encoding_of(executor.look(), shown);
     const auto saved =
-        save_picture_with_preset(picture, *lab.document(), file, lab.drive().recent());
+        save_picture_with_preset(picture, *lab.document(), file, lab.work().drive.recent());
     if (saved)
         lab.messages().say(saved_words(file.filename().string()));
     else

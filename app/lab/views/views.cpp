@@ -136,8 +136,8 @@ ViewOptions options_for(const PassView& view, Encoding encoding) {
 
 Probe picture_probe(const Lab& lab, const std::array<double, 2>& place) {
     const Executor& executor = lab.renderer()->executor();
-    const int shown = lab.picture_pass();
-    const Extent seen_as = lab.size().extent();
+    const int shown = lab.frames().passes().picture_pass();
+    const Extent seen_as = lab.work().size.extent();
     const Extent own = executor.target(shown).extent();
     const auto texel = [](double at, int whole, int length) {
         return static_cast<int>(std::floor(at * length / std::max(whole, 1)));
@@ -221,8 +221,9 @@ void Views::look_closer(const Lab& lab, const WindowState& window) {
     const double now = present_seconds();
     const auto number = lab.renderer()->executor().picture_number();
     const CellNumbers::Subject cells = part.cells(window.views.picture, window.views.cell, number);
-    const bool is_itself = lab.compare_mode() == CompareMode::off &&
-                           !lab.comparing().is_flashing() && !lab.tryouts().probe().picture();
+    const bool is_itself = lab.frames().comparison().mode() == CompareMode::off &&
+                           !lab.frames().comparison().selection().is_flashing() &&
+                           !lab.frames().previews().probe().picture();
     m_closer.update_picture(is_itself && !window.is_picture_only ? &cells : nullptr, now);
     const bool has_waveform = !window.is_picture_only && window.shows_bottom &&
                               window.bottom_part == BottomPart::waveform;
@@ -242,7 +243,7 @@ void Views::stop() {
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
-    if (lab.awaits_source())
+    if (lab.frames().awaits_source())
         return;  // the previous views stay
     if (!lab.renderer() || lab.renderer()->executor().plan().targets.empty())
         return stop();
@@ -288,7 +289,7 @@ void Views::draw_output(const Lab& lab, Extent extent) {
     if (extent.is_empty())
         return m_home->output.reset();
     const Executor& executor = lab.renderer()->executor();
-    const int shown = lab.picture_pass();
+    const int shown = lab.frames().passes().picture_pass();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     draw_part(executor.target(shown), m_home->output, extent,
               {.texture = &executor.target(shown),
@@ -332,7 +333,7 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
         return *m_inspected_part;
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    const int shown = lab.picture_pass();
+    const int shown = lab.frames().passes().picture_pass();
     const Pass& pass = executor.look().passes[static_cast<std::size_t>(shown)];
     return {&executor.target(shown),
             pass.name,
@@ -345,17 +346,18 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
 // Updates the reference of the part. A picture from a file can only be compared with the picture.
 void Views::compare(const Lab& lab, const Part& part) {
     const Executor* variant = lab.renderer()->variant();
-    const bool is_picture = part.pass == lab.picture_pass();
-    const bool is_file = lab.comparing().chosen().other.kind == Other::Kind::file;
+    const bool is_picture = part.pass == lab.frames().passes().picture_pass();
+    const bool is_file =
+        lab.frames().comparison().selection().chosen().other.kind == Other::Kind::file;
     const bool has_variant = variant && !variant->plan().targets.empty() && part.pass >= 0;
     const bool has_other = is_file ? is_picture : has_variant;
-    if (!lab.sides() || !has_other)
+    if (!lab.frames().comparison().sides() || !has_other)
         return m_compared.stop();
     m_compared.update({.ours = *part.texture,
                        .other = is_file ? nullptr : &variant->target(part.pass),
-                       .reference = lab.comparing().reference().picture(),
+                       .reference = lab.frames().comparison().selection().reference().picture(),
                        .encoding = part.options.encoding},
-                      lab.comparing().chosen(), present_seconds());
+                      lab.frames().comparison().selection().chosen(), present_seconds());
 }
 
 // Draws the reference over its side of the picture.
@@ -363,8 +365,9 @@ void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
     const Extent size = window.views.picture;
     const int line =
         wipe_column(place_of(part.view, part.whole, size), part.whole, size, window.wipe_share);
-    part.options.columns =
-        lab.sides()->is_other_left ? std::array{0, line} : std::array{line, size.width};
+    part.options.columns = lab.frames().comparison().sides()->is_other_left
+                               ? std::array{0, line}
+                               : std::array{line, size.width};
     draw_part(*m_compared.other(), m_home->picture, size, part);
 }
 
@@ -372,14 +375,15 @@ void Views::draw_wiped(const Lab& lab, Part part, const WindowState& window) {
 void Views::draw_difference(const Lab& lab, Part part, const WindowState& window) {
     if (!m_compared.difference())
         return;
-    part.options = {.levels = {0.0, std::exp2(-lab.comparing().chosen().gain_stops)},
-                    .encoding = Encoding::display};
+    part.options = {
+        .levels = {0.0, std::exp2(-lab.frames().comparison().selection().chosen().gain_stops)},
+        .encoding = Encoding::display};
     draw_part(*m_compared.difference(), m_home->picture, window.views.picture, part);
 }
 
 // Draws the effect of a previewed step; false: no preview.
 bool Views::draw_step(const Lab& lab, const WindowState& window) {
-    const gpu::Texture* step = lab.tryouts().probe().picture();
+    const gpu::Texture* step = lab.frames().previews().probe().picture();
     if (!step || window.shows_pass_large)
         return false;
     draw_part(*step, m_home->picture, window.views.picture,
@@ -394,12 +398,12 @@ bool Views::draw_step(const Lab& lab, const WindowState& window) {
 void Views::draw_picture(const Lab& lab, const WindowState& window) {
     if (draw_step(lab, window))
         return;
-    const CompareMode mode = lab.compare_mode();
+    const CompareMode mode = lab.frames().comparison().mode();
     const Extent size = room_of_one(window.views.picture, mode);
     const Part part = large_part(lab, window);
     compare(lab, part);
     const gpu::Texture* other = m_compared.other();
-    const bool is_flashing = other && lab.comparing().is_flashing();
+    const bool is_flashing = other && lab.frames().comparison().selection().is_flashing();
     draw_part(is_flashing ? *other : *part.texture, m_home->picture, size, part);
     if (other && mode == CompareMode::side_by_side)
         draw_part(*other, m_home->beside, size, part);

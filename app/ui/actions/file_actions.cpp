@@ -42,14 +42,14 @@ void show_in_folder(const Scene&, Edits& edits) {
 template <int by>
 void step_preset(const Scene& scene, Edits& edits) {
     edits.add([only_starred = scene.window.presets.only_starred](Lab& lab) {
-        lab.step_preset(by, only_starred);
+        lab.presets().navigation().step(by, only_starred);
     });
 }
 
 template <int by>
 void morph_preset(const Scene& scene, Edits& edits) {
     edits.add([wanted = scene.window.presets](Lab& lab) {
-        lab.morph_by(by, wanted.morph_seconds, wanted.only_starred);
+        lab.presets().navigation().morph_by(by, wanted.morph_seconds, wanted.only_starred);
     });
 }
 
@@ -59,22 +59,24 @@ void duplicate_look(const Scene& scene, Edits& edits) {
 }
 
 void copy_line(const Scene& scene, Edits& edits) {
-    edits.copy(scene.lab.share_line());
+    edits.copy(scene.lab.presets().sharing().line());
     edits.add([](Lab& lab) { lab.messages().say("Copied the preset as one line of text"); });
 }
 
 void paste_line(const Scene&, Edits& edits) {
     const char* text = ImGui::GetClipboardText();
-    edits.add([line = std::string(text ? text : "")](Lab& lab) { lab.paste(line); });
+    edits.add(
+        [line = std::string(text ? text : "")](Lab& lab) { lab.presets().sharing().paste(line); });
 }
 
 void take_up_unsaved(const Scene& scene, Edits& edits) {
-    edits.add(
-        [latest = scene.lab.kept_sessions().files().front()](Lab& lab) { lab.take_up(latest); });
+    edits.add([latest = scene.lab.looks().kept_sessions().files().front()](Lab& lab) {
+        restore_kept(lab, latest);
+    });
 }
 
 bool has_kept_session(const Scene& scene) {
-    return !scene.lab.kept_sessions().files().empty();
+    return !scene.lab.looks().kept_sessions().files().empty();
 }
 
 void quit(const Scene&, Edits& edits) {
@@ -97,7 +99,7 @@ bool file_actions::has_preset(const Scene& scene) {
 
 namespace {
 bool is_slang(const Scene& scene) {
-    return scene.lab.can_save_slang_preset();
+    return scene.lab.presets().sharing().can_save_slang();
 }
 
 bool can_save_over(const Scene& scene) {

@@ -97,11 +97,11 @@ void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document()->look();
     const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window));
     const Location place{look.passes[pass].fragment.file, 1};
-    edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+    edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
 }
 
 void write(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.write_overrides(); });
+    edits.add([](Lab& lab) { lab.looks().write_overrides(); });
 }
 
 void take_back(const Scene&, Edits& edits) {

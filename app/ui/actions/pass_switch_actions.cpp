@@ -11,7 +11,7 @@ std::string chosen_pass(const Scene& scene) {
 }
 
 void toggle(PassSwitch which, const std::string& pass, Edits& edits) {
-    edits.add([which, pass](Lab& lab) { lab.switch_pass(which, pass); });
+    edits.add([which, pass](Lab& lab) { lab.frames().passes().toggle(which, pass); });
 }
 
 template <PassSwitch which>
@@ -22,23 +22,23 @@ void toggle_chosen(const Scene& scene, Edits& edits) {
 template <PassSwitch which>
 bool is_on(const Scene& scene) {
     return file_actions::has_document(scene) &&
-           scene.lab.pass_switches().has(which, chosen_pass(scene));
+           scene.lab.frames().passes().switches().has(which, chosen_pass(scene));
 }
 
 void clear_chosen(const Scene& scene, Edits& edits) {
-    edits.add([pass = chosen_pass(scene)](Lab& lab) { lab.clear_history(pass); });
+    edits.add([pass = chosen_pass(scene)](Lab& lab) { lab.frames().passes().clear_history(pass); });
 }
 
 void clear_all(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.clear_history(); });
+    edits.add([](Lab& lab) { lab.frames().passes().clear_history(); });
 }
 
 void switch_nothing(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.set_pass_switches({}); });
+    edits.add([](Lab& lab) { lab.frames().passes().set({}); });
 }
 
 bool has_switches(const Scene& scene) {
-    return !scene.lab.pass_switches().is_empty();
+    return !scene.lab.frames().passes().switches().is_empty();
 }
 
 template <PassSwitch which>

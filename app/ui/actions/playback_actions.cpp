@@ -11,25 +11,24 @@
 namespace {
 void play_pause(const Scene& scene, Edits& edits) {
     const bool is_playing = scene.lab.player().is_playing();
-    edits.add(
-        [is_playing](Lab& lab) { is_playing ? lab.transport().pause() : lab.transport().play(); });
+    edits.add([is_playing](Lab& lab) { is_playing ? lab.player().pause() : lab.player().play(); });
 }
 void step(const Scene&, Edits& edits) {
     edits.add([](Lab& lab) {
-        lab.transport().pause();
-        lab.transport().step();
+        lab.player().pause();
+        lab.player().step();
     });
 }
 void restart(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.restart(); });
+    edits.add([](Lab& lab) { lab.frames().restart(); });
 }
 template <int octaves>
 void change_speed(const Scene& scene, Edits& edits) {
     const double speed = scene.lab.player().speed() * std::exp2(octaves);
-    edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
+    edits.add([speed](Lab& lab) { lab.player().set_speed(speed); });
 }
 void set_normal_speed(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.transport().set_speed(1.0); });
+    edits.add([](Lab& lab) { lab.player().set_speed(1.0); });
 }
 
 void start_rates(const Scene&, Edits& edits) {

@@ -28,24 +28,24 @@ void escape(const Scene& scene, Edits& edits) {
         ImGui::ClosePopupToLevel(0, true);
     else if (scene.lab.drawing().board().open_line())
         edits.end_line();
-    else if (!scene.lab.drive().loading().empty())
-        edits.add([](Lab& lab) { lab.cancel_loading(); });
+    else if (!scene.lab.work().drive.loading().empty())
+        edits.add([](Lab& lab) { lab.content().cancel_loading(); });
     else if (scene.lab.loader().opening())
-        edits.add([](Lab& lab) { lab.cancel_opening(); });
+        edits.add([](Lab& lab) { lab.looks().cancel_opening(); });
     else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
-        edits.add([](Lab& lab) { lab.cancel_replay(); });
+        edits.add([](Lab& lab) { lab.frames().cancel_replay(); });
     else if (scene.lab.remote().midi().learning())
         edits.add([](Lab& lab) { lab.remote().end_midi_learning(); });
-    else if (scene.lab.tryouts().probe().question())
-        edits.add([](Lab& lab) { lab.end_step(); });
-    else if (scene.lab.morphing())
-        edits.add([](Lab& lab) { lab.end_morph(); });
-    else if (scene.lab.tryouts().sheet().is_running())
-        edits.add([](Lab& lab) { lab.end_sheet(); });
-    else if (scene.lab.comparing().is_flashing())
-        edits.add([](Lab& lab) { lab.flash(false); });
+    else if (scene.lab.frames().previews().probe().question())
+        edits.add([](Lab& lab) { lab.frames().previews().probe().stop(); });
+    else if (scene.lab.presets().navigation().morphing())
+        edits.add([](Lab& lab) { lab.presets().navigation().end_morph(); });
+    else if (scene.lab.frames().previews().sheet().is_running())
+        edits.add([](Lab& lab) { lab.frames().previews().sheet().cancel(); });
+    else if (scene.lab.frames().comparison().selection().is_flashing())
+        edits.add([](Lab& lab) { lab.frames().comparison().flash(false); });
     else if (shows_errors(scene))
-        edits.add([](Lab& lab) { lab.dismiss_problems(); });
+        edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
     else if (scene.window.shows_pass_large)
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
     else if (scene.window.is_picture_only)

@@ -37,7 +37,7 @@ void show_step(const Scene& scene, Edits& edits) {
 }
 
 void end_step(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.end_step(); });
+    edits.add([](Lab& lab) { lab.frames().previews().probe().stop(); });
 }
 
 std::vector<Action> step_actions() {

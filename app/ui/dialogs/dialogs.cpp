@@ -99,10 +99,10 @@ Question name_question(Dialog::Kind kind) {
                 is_other_preset};
     if (kind == Kind::new_look)
         return {"New look", folder_help, "Create",
-                [](Lab& lab, Text name, Text) { lab.new_look(name); }, is_look};
+                [](Lab& lab, Text name, Text) { lab.looks().create(name); }, is_look};
     if (kind == Kind::duplicate_look)
         return {"Duplicate look", folder_help, "Duplicate",
-                [](Lab& lab, Text name, Text) { lab.duplicate_look(name); }, is_look};
+                [](Lab& lab, Text name, Text) { lab.looks().duplicate(name); }, is_look};
     return {"Save preset as", "Preset name",
             "Save",           [](Lab& lab, Text name, Text) { lab.presets().save_as(name); },
             is_preset,        [](Lab& lab, Text name, Text) { lab.presets().replace(name); }};

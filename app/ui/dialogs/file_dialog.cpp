@@ -120,15 +120,16 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     else if (dialog.kind == Dialog::Kind::load_drawing)
         edits.add([file](Lab& lab) { lab.drawing().load(file); });
     else if (dialog.kind == Dialog::Kind::choose_reference)
-        edits.add([file](Lab& lab) { lab.compare_with_file(file); });
+        edits.add([file](Lab& lab) { lab.frames().comparison().compare_with_file(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
         edits.add([file](Lab& lab) { lab.drawing().save(file); });
     else if (dialog.kind == Dialog::Kind::save_moves)
         edits.add([file](Lab& lab) { lab.automation().save(file); });
     else if (dialog.kind == Dialog::Kind::save_slangp)
-        edits.add([file](Lab& lab) { lab.save_slang_preset(file); });
+        edits.add([file](Lab& lab) { lab.presets().sharing().save_slang(file); });
     else
-        edits.add([name = dialog.subject, file](Lab& lab) { lab.choose_picture(name, file); });
+        edits.add(
+            [name = dialog.subject, file](Lab& lab) { lab.content().choose_picture(name, file); });
 }
 
 void draw_folder_line(const Dialog& dialog, Edits& edits) {

@@ -24,7 +24,7 @@ void draw_pair(const RatePair& pair, std::size_t place, bool is_shown, Edits& ed
     if (ImGui::Selectable(
             fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str(), is_shown,
             ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups))
-        edits.add([place](Lab& lab) { lab.show_rate_pair(place); });
+        edits.add([place](Lab& lab) { lab.jobs().show_rate_pair(place); });
     edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * most_levels).c_str());
@@ -43,7 +43,7 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
     ImGui::TableSetupColumn("Mean");
     ImGui::TableHeadersRow();
     const ScopedFont font(scene.fonts.numbers);
-    const auto& shown = scene.lab.rate_pictures().shown();
+    const auto& shown = scene.lab.jobs().rate_pictures().shown();
     for (std::size_t i = 0; i < comparison.pairs.size(); ++i)
         draw_pair(comparison.pairs[i], i, shown && shown->pair == i, edits);
     ImGui::EndTable();
@@ -85,7 +85,7 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
             .c_str());
     edits.mark("rates_worst");
     ImGui::Spacing();
-    if (const auto& shown = scene.lab.rate_pictures().shown()) {
+    if (const auto& shown = scene.lab.jobs().rate_pictures().shown()) {
         draw_pictures(*shown, comparison.pairs[shown->pair], edits);
         ImGui::Spacing();
     }

@@ -30,15 +30,15 @@ void Edits::show(Dialog dialog) {
 }
 
 void Edits::open(const std::string& argument) {
-    add([argument](Lab& lab) { lab.open(argument); });
+    add([argument](Lab& lab) { lab.looks().open(argument); });
 }
 
 void Edits::open_with_content(const std::string& argument) {
-    add([argument](Lab& lab) { lab.open_with_content(argument); });
+    add([argument](Lab& lab) { lab.looks().open_with_content(argument); });
 }
 
 void Edits::open_file(const std::filesystem::path& file) {
-    add([file](Lab& lab) { lab.open_file(file); });
+    add([file](Lab& lab) { lab.looks().open_file(file); });
 }
 
 void Edits::mark(const std::string& name) {

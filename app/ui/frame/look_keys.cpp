@@ -79,7 +79,10 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
     const Keys::Flags changed = held ^ known;
     for (std::size_t key = 0; key < Keys::count; ++key)
         if (changed[key])
-            edits.add([key, is_down = held.test(key)](Lab& lab) { lab.set_key(key, is_down); });
+            edits.add([key, is_down = held.test(key)](Lab& lab) {
+                if (Renderer* renderer = lab.renderer())
+                    renderer->set_key(key, is_down);
+            });
 }
 
 bool is_key_of_look(int key, const Scene& scene) {

@@ -49,7 +49,8 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
             ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 4.0f);
             dim_text(preset.entry.is_shipped ? "Shipped" : "Yours");
         }
-        const ListedPreset listed = as_listed(preset, document, scene.lab.presets().stars());
+        const ListedPreset listed =
+            as_listed(preset, document, scene.lab.presets().navigation().stars());
         const ScopedId id(preset.entry.file.string());
         ImGui::BeginGroup();
         const bool is_clicked = draw_line({.label = preset.name,

@@ -14,7 +14,7 @@ void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edi
                 edits.arrange(
                     [seconds](WindowState& window) { window.presets.morph_seconds = seconds; });
                 edits.add([file = preset.preset.entry.file, seconds](Lab& lab) {
-                    lab.morph_to(file, seconds);
+                    lab.presets().navigation().morph_to(file, seconds);
                 });
             }
             edits.mark(fmt::format("morph:{}", seconds));
@@ -60,7 +60,7 @@ void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
 
 void star_listed(const ListedPreset& preset, Edits& edits) {
     edits.add([name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
-        lab.presets().star(name, has_star);
+        lab.presets().navigation().star(name, has_star);
     });
 }
 

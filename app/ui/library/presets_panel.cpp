@@ -205,7 +205,7 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
         star_listed(preset, edits);
     else if (is_clicked && ImGui::GetIO().KeyShift)
         edits.add([file = preset.preset.entry.file, seconds = scene.window.presets.morph_seconds](
-                      Lab& lab) { lab.morph_to(file, seconds); });
+                      Lab& lab) { lab.presets().navigation().morph_to(file, seconds); });
     else if (is_clicked)
         open_listed(preset, scene, edits, ImGui::GetIO().KeyAlt);
 }
@@ -221,8 +221,9 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.document())
         return;
     const PresetBrowsing& wanted = scene.window.presets;
-    const std::vector<ListedPreset> listed = listed_presets(
-        *scene.lab.document(), scene.shelf.looks(), scene.lab.presets().stars(), wanted);
+    const std::vector<ListedPreset> listed =
+        listed_presets(*scene.lab.document(), scene.shelf.looks(),
+                       scene.lab.presets().navigation().stars(), wanted);
     draw_search(wanted, edits);
     ImGui::SameLine();
     draw_star_filter(wanted, edits);

@@ -221,7 +221,7 @@ void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits) {
     const Location place = parameter.declared;
     if (!place.file.empty()) {
         if (ImGui::Selectable(fmt::format("Open {}", place_text(place)).c_str()))
-            edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+            edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
         edits.mark("open_declared");
     }
     draw_knob_items(knob, edits);

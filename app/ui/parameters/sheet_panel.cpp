@@ -161,7 +161,7 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
 
 void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
-    const Grid grid = grid_for(sheet, scene.lab.size().extent());
+    const Grid grid = grid_for(sheet, scene.lab.work().size.extent());
     const auto present = sheet.present(document);
     for (std::size_t i = 0; i < sheet.cells().size(); ++i) {
         const VariantSheet::Cell& cell = sheet.cells()[i];
@@ -169,7 +169,10 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
         if (i % static_cast<std::size_t>(grid.columns) != 0)
             ImGui::SameLine(0.0f, grid.gap);
         if (ImGui::InvisibleButton("##cell", {grid.width, grid.height + grid.words}))
-            edits.add([i](Lab& lab) { lab.take_from_sheet(i); });
+            edits.add([i](Lab& lab) {
+                if (lab.work().document)
+                    lab.frames().previews().sheet().apply(i, *lab.work().document);
+            });
         edits.mark(fmt::format("cell:{}", i));
         tooltip(cell.values.caption);
         draw_cell(cell, i == present, grid, document.look());
@@ -180,7 +183,7 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
 void draw_sheet_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.document())
         return;
-    const VariantSheet& sheet = scene.lab.tryouts().sheet();
+    const VariantSheet& sheet = scene.lab.frames().previews().sheet();
     draw_head(sheet, scene.lab.document()->look(), edits);
     if (!sheet.problem().empty()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
@@ -205,6 +208,6 @@ void draw_sheet_items(const Knob& knob, Edits& edits) {
 }
 
 void leave_hidden_sheet(const Scene& scene, Edits& edits) {
-    if (!scene.window.sees(BottomPart::sheet) && scene.lab.tryouts().sheet().is_running())
-        edits.add([](Lab& lab) { lab.end_sheet(); });
+    if (!scene.window.sees(BottomPart::sheet) && scene.lab.frames().previews().sheet().is_running())
+        edits.add([](Lab& lab) { lab.frames().previews().sheet().cancel(); });
 }

@@ -5,12 +5,12 @@
 
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {
     edits.add([question = StepQuestion{pointed.parameter, pointed.component, is_up}](Lab& lab) {
-        lab.ask_for_step(question);
+        lab.frames().previews().probe().ask(question);
     });
 }
 
 void follow_pointer(const Scene& scene, Edits& edits) {
-    const auto& question = scene.lab.tryouts().probe().question();
+    const auto& question = scene.lab.frames().previews().probe().question();
     const auto& pointed = scene.window.pointed;
     if (!question || !pointed || !ImGui::IsKeyDown('U') || ImGui::GetIO().WantTextInput)
         return;

@@ -117,7 +117,7 @@ void draw_title(const Pass& pass, const InspectedTexture& inspected, const Scene
         if (icon_button("##edit", Icon::edit,
                         fmt::format("Open {} in your editor", file.filename().string()),
                         theme::dim))
-            edits.add([file](Lab& lab) { lab.open_in_editor({file, 1}); });
+            edits.add([file](Lab& lab) { lab.looks().open_in_editor({file, 1}); });
         edits.mark("edit_pass");
         ImGui::SameLine(0.0f, 2.0f);
     }

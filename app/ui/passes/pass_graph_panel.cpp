@@ -205,7 +205,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
         return;
     const Look& look = scene.lab.renderer()->executor().look();
     const std::string state =
-        pass_switch_text(pass_of(node, scene), look, scene.lab.pass_switches());
+        pass_switch_text(pass_of(node, scene), look, scene.lab.frames().passes().switches());
     if (!state.empty())
         draw_state(state, {middle.x, low.y}, scene);
 }

@@ -71,7 +71,7 @@ bool has_changes(const Scene& scene) {
 
 void draw_buttons(Edits& edits) {
     if (ImGui::Button("Save to look.json"))
-        edits.add([](Lab& lab) { lab.write_overrides(); });
+        edits.add([](Lab& lab) { lab.looks().write_overrides(); });
     edits.mark("write_overrides");
     ImGui::SameLine();
     if (quiet_button("Revert"))

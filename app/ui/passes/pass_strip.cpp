@@ -1,6 +1,6 @@
 #include "ui/passes/pass_strip.h"
 
-#include "lab/heavy_pass.h"
+#include "lab/frame/heavy_pass.h"
 #include "ui/passes/strip_blocks.h"
 #include "ui/passes/strip_cell.h"
 #include "ui/passes/strip_words.h"

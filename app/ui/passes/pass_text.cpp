@@ -37,7 +37,7 @@ void draw_line(int number, std::string_view text, const Location& origin, float 
         edits.mark("text_line:" + origin_text(origin));
         editor_tooltip(origin.file);
         if (is_chosen)
-            edits.add([origin](Lab& lab) { lab.open_in_editor(origin); });
+            edits.add([origin](Lab& lab) { lab.looks().open_in_editor(origin); });
     }
     const std::string number_text = fmt::format("{:>4}", number);
     ImGui::SameLine(left);

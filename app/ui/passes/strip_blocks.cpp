@@ -161,17 +161,18 @@ std::vector<StripPass> present_passes(const Scene& scene) {
     const Look& look = renderer.executor().look();
     const std::vector<PlannedTarget>& targets = renderer.executor().plan().targets;
     const std::vector<double>& times = renderer.latest_pass_milliseconds();
-    const auto& changes = scene.lab.tryouts().probe().changes();
+    const auto& changes = scene.lab.frames().previews().probe().changes();
     std::vector<StripPass> passes;
     for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
-        const StripPass pass{.index = i,
-                             .pass = look.passes[i],
-                             .target = targets[i],
-                             .milliseconds = i < times.size() ? times[i] : 0.0,
-                             .gain = scene.views.gain(i),
-                             .change = i < changes.size() ? changes[i] : std::nullopt,
-                             .is_chosen = look.passes[i].name == scene.window.inspected.pass,
-                             .state = pass_switch_text(i, look, scene.lab.pass_switches())};
+        const StripPass pass{
+            .index = i,
+            .pass = look.passes[i],
+            .target = targets[i],
+            .milliseconds = i < times.size() ? times[i] : 0.0,
+            .gain = scene.views.gain(i),
+            .change = i < changes.size() ? changes[i] : std::nullopt,
+            .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+            .state = pass_switch_text(i, look, scene.lab.frames().passes().switches())};
         if (pass.is_chosen || is_switched(pass) || !is_idle(look, i, targets[i].extent))
             passes.push_back(pass);
     }

@@ -1,6 +1,6 @@
 #include "ui/passes/strip_cell.h"
 
-#include "lab/heavy_pass.h"
+#include "lab/frame/heavy_pass.h"
 #include "ui/passes/strip_words.h"
 #include "ui/picture/pass_switch_items.h"
 #include "ui/widgets/scoped.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/compare/comparing.h"
 #include "ui/frame/edits.h"
 
 #include <functional>

@@ -86,7 +86,7 @@ void draw_errors(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
                     theme::label))
-        edits.add([](Lab& lab) { lab.dismiss_problems(); });
+        edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
     edits.mark("errors_away");
     ImGui::EndChild();
     edits.mark("errors");
@@ -144,7 +144,7 @@ void draw_replay(const Scene& scene) {
 
 // The non-finite pixel that stopped the clock, with buttons for the possible actions.
 void draw_trip(const Scene& scene, Edits& edits) {
-    const auto& trip = scene.lab.trip();
+    const auto& trip = scene.lab.frames().nan_guard().found();
     if (!trip || !scene.lab.renderer())
         return;
     const std::string& pass = scene.lab.renderer()->executor().look().passes[trip->pass].name;
@@ -178,7 +178,8 @@ void draw_trip(const Scene& scene, Edits& edits) {
           Choice{TripAnswer::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
                  "trip_go_on"}}) {
         if (ImGui::Button(choice.label))
-            edits.add([answer = choice.answer](Lab& lab) { lab.answer_trip(answer); });
+            edits.add(
+                [answer = choice.answer](Lab& lab) { lab.frames().nan_guard().answer(answer); });
         edits.mark(choice.name);
         tooltip(choice.help);
         ImGui::SameLine();
@@ -198,7 +199,7 @@ std::string opening_text(const LookLoader::Opening& opening) {
 }
 
 void draw_loading(const Scene& scene) {
-    const std::filesystem::path file = scene.lab.drive().loading();
+    const std::filesystem::path file = scene.lab.work().drive.loading();
     const auto opening = scene.lab.loader().opening();
     if (file.empty() && opening && scene.lab.document())
         draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
@@ -206,13 +207,13 @@ void draw_loading(const Scene& scene) {
         return;
     draw_pill({"##loading",
                fmt::format("Loading {}: {:.0f} % · Esc to cancel", file.filename().string(),
-                           100.0 * scene.lab.drive().loaded_share()),
+                           100.0 * scene.lab.work().drive.loaded_share()),
                theme::dim, 2.0f},
               scene);
 }
 
 void draw_step(const Scene& scene, Edits& edits) {
-    const StepProbe& probe = scene.lab.tryouts().probe();
+    const StepProbe& probe = scene.lab.frames().previews().probe();
     if (!probe.question() || probe.words().empty())
         return;
     const bool changes_nothing =
@@ -223,7 +224,7 @@ void draw_step(const Scene& scene, Edits& edits) {
 }
 
 void draw_morph(const Scene& scene) {
-    if (const Morphing* morphing = scene.lab.morphing())
+    if (const Morphing* morphing = scene.lab.presets().navigation().morphing())
         draw_pill({"##morph",
                    fmt::format("Morphing to \"{}\": {:.0f} % · Esc to stop", morphing->name(),
                                100.0 * morphing->share()),

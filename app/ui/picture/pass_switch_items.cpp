@@ -25,23 +25,25 @@ constexpr std::array switch_items{
 }  // namespace
 
 void show_whole_picture(const Scene& scene, Edits& edits) {
-    PassSwitches switches = scene.lab.pass_switches();
+    PassSwitches switches = scene.lab.frames().passes().switches();
     switches.solo.clear();
     switches.last.clear();
-    edits.add([switches](Lab& lab) { lab.set_pass_switches(switches); });
+    edits.add([switches](Lab& lab) { lab.frames().passes().set(switches); });
 }
 
 void draw_pass_switches(const std::string& pass, const Scene& scene, Edits& edits) {
     for (const MenuLine& item : switch_items) {
-        const bool is_on = scene.lab.pass_switches().has(item.which, pass);
+        const bool is_on = scene.lab.frames().passes().switches().has(item.which, pass);
         if (ImGui::MenuItem(item.label, nullptr, is_on))
-            edits.add([which = item.which, pass](Lab& lab) { lab.switch_pass(which, pass); });
+            edits.add([which = item.which, pass](Lab& lab) {
+                lab.frames().passes().toggle(which, pass);
+            });
         tooltip(item.help);
         edits.mark(std::string("switch:") + item.label);
     }
     ImGui::Separator();
     if (ImGui::MenuItem(scene.actions.row(ActionId::clear_pass).label))
-        edits.add([pass](Lab& lab) { lab.clear_history(pass); });
+        edits.add([pass](Lab& lab) { lab.frames().passes().clear_history(pass); });
     edits.mark("switch:clear");
     const Action& clear = scene.actions.row(ActionId::passes_as_usual);
     if (ImGui::MenuItem(clear.label, nullptr, false, is_enabled(clear, scene)))

@@ -35,14 +35,17 @@ void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
 
 // Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
 void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
-    const Extent extent = scene.lab.size().extent();
+    const Extent extent = scene.lab.work().size.extent();
     const double x = place.pixel[0];
     const double y = place.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     const std::array<double, 2> mouse{x, extent.height - y};
     if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // else the lab never idles
-        edits.add([mouse](Lab& lab) { lab.set_mouse(mouse[0], mouse[1]); });
+        edits.add([mouse](Lab& lab) {
+            if (Renderer* renderer = lab.renderer())
+                renderer->set_mouse(mouse[0], mouse[1]);
+        });
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     Probe probed = picture_probe(scene.lab, place.pixel);
@@ -54,7 +57,10 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
 void tell_press(const Scene& scene, Edits& edits) {
     const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
     if (scene.lab.renderer() && scene.lab.renderer()->hand().press().is_down != is_down)
-        edits.add([is_down](Lab& lab) { lab.set_mouse_button(is_down); });
+        edits.add([is_down](Lab& lab) {
+            if (Renderer* renderer = lab.renderer())
+                renderer->set_mouse_button(is_down);
+        });
 }
 
 void follow_pen(const CanvasInput& input, Edits& edits) {
@@ -70,7 +76,7 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
 
 // The text for a pass that replaces the picture; "": the picture is displayed.
 std::string other_words(const Scene& scene) {
-    const PassSwitches& switches = scene.lab.pass_switches();
+    const PassSwitches& switches = scene.lab.frames().passes().switches();
     if (scene.window.shows_pass_large)
         return fmt::format("{} · Back to picture", scene.window.inspected.label());
     if (!switches.solo.empty())
@@ -110,9 +116,9 @@ struct Shown {
 };
 
 std::vector<Shown> shown_pictures(const Scene& scene) {
-    const auto sides = scene.lab.sides();
+    const auto sides = scene.lab.frames().comparison().sides();
     Shown ours{.image = scene.views.picture(),
-               .is_other = sides && scene.lab.comparing().is_flashing()};
+               .is_other = sides && scene.lab.frames().comparison().selection().is_flashing()};
     if (scene.views.beside().handle == 0)
         return {ours};
     const Extent whole = scene.window.views.picture;

@@ -27,7 +27,7 @@ void remove(std::size_t pin, Edits& edits) {
 
 // The pixel of the picture at each pin. The tooltip of a value has the pixel of its pass.
 void draw_heads(const Scene& scene, Edits& edits) {
-    const Extent picture = scene.lab.size().extent();
+    const Extent picture = scene.lab.work().size.extent();
     ImGui::TableNextRow();
     for (std::size_t i = 0; i < scene.window.pins.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i) + 1);

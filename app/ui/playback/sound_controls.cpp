@@ -24,7 +24,7 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
     const Turned turned = draw_slider("##seek", place, facts, ImGui::GetContentRegionAvail().x);
     edits.mark("seek");
     if (turned.is_changed)
-        edits.add([place](Lab& lab) { lab.transport().seek(place); });
+        edits.add([place](Lab& lab) { lab.player().seek(place); });
     const ScopedFont font(scene.fonts.numbers);
     dim_text(fmt::format("{} / {}", clock_text(place), clock_text(length)));
 }
@@ -41,7 +41,7 @@ void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
             {.low = 0.0, .high = 2.0, .initial = 1.0, .unit = "×", .limit = Limit{0.0, 2.0}},
             columns, scene.fonts)
             .is_changed)
-        edits.add([level](Lab& lab) { lab.transport().set_level(level); });
+        edits.add([level](Lab& lab) { lab.player().set_level(level); });
 }
 
 void apply(const SoundSettings& settings, Edits& edits) {
@@ -125,7 +125,7 @@ void draw_delay(const Scene& scene, Edits& edits) {
     if (turned.is_finished)
         apply(settings, edits);
     else if (turned.is_changed)
-        edits.add([settings](Lab& lab) { (void)lab.transport().set_sound_settings(settings); });
+        edits.add([settings](Lab& lab) { (void)lab.player().set_sound_settings(settings); });
 }
 
 void draw_beam_output(const Scene& scene, Edits& edits) {
@@ -149,7 +149,7 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
     if (turned.is_finished)
         apply(settings, edits);
     else if (turned.is_changed)
-        edits.add([settings](Lab& lab) { (void)lab.transport().set_sound_settings(settings); });
+        edits.add([settings](Lab& lab) { (void)lab.player().set_sound_settings(settings); });
 }
 }  // namespace
 

@@ -58,7 +58,7 @@ void draw_speed(const Scene& scene, Edits& edits) {
         }
     }
     if (turned.is_changed)
-        edits.add([speed](Lab& lab) { lab.transport().set_speed(speed); });
+        edits.add([speed](Lab& lab) { lab.player().set_speed(speed); });
 }
 
 std::string samples_text(const Samples& samples) {
@@ -91,7 +91,7 @@ void draw_facts(const Scene& scene, float room) {
     if (renderer && scene.lab.document() &&
         scene.lab.document()->look().driven_by == Driver::signal)
         facts.push_back(points_text(renderer->point_count()));
-    if (const auto samples = scene.lab.samples())
+    if (const auto samples = scene.lab.frames().samples())
         facts.push_back(samples_text(*samples));
     const float gap = ImGui::GetFontSize();
     for (std::size_t i = 0; i < facts.size(); ++i) {

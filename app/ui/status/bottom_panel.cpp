@@ -1,6 +1,6 @@
 #include "ui/status/bottom_panel.h"
 
-#include "lab/heavy_pass.h"
+#include "lab/frame/heavy_pass.h"
 #include "ui/frame/action.h"
 #include "ui/library/presets_panel.h"
 #include "ui/parameters/sheet_panel.h"
@@ -65,10 +65,10 @@ void draw_lag(const Scene& scene, Edits& edits) {
 
 // An unrequested suggestion, so it is only a short button.
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
-    const auto half = scene.lab.size().chosen().halved();
+    const auto half = scene.lab.work().size.chosen().halved();
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
-    const bool runs = scene.lab.player().is_playing() && !scene.lab.has_converged();
+    const bool runs = scene.lab.player().is_playing() && !scene.lab.frames().has_converged();
     const bool may_be_smaller = half && half->has_shape();
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;

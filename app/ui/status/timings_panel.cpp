@@ -159,7 +159,7 @@ std::string wall_text(const Scene& scene) {
 
 bool is_over_budget(const Scene& scene) {
     const Lab& lab = scene.lab;
-    return lab.renderer() && lab.player().is_playing() && !lab.has_converged() &&
+    return lab.renderer() && lab.player().is_playing() && !lab.frames().has_converged() &&
            lab.renderer()->pass_times().present_total() > scene.window.budget_milliseconds;
 }
 

@@ -30,7 +30,7 @@ void draw_place(const Diagnostic& diagnostic, const ImVec4& color, Edits& edits)
     }
     if (ImGui::IsItemClicked()) {
         const Location place{diagnostic.file, diagnostic.line};
-        edits.add([place](Lab& lab) { lab.open_in_editor(place); });
+        edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
     }
     editor_tooltip(diagnostic.file);
     ImGui::SameLine();
@@ -58,7 +58,7 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
 }
 
 void draw_file_problems(const Scene& scene, Edits& edits) {
-    for (const Diagnostic& problem : scene.lab.drive().problems()) {
+    for (const Diagnostic& problem : scene.lab.work().drive.problems()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s: %s", problem.file.filename().string().c_str(),
                            problem.message.c_str());

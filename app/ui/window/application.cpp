@@ -45,7 +45,7 @@ constexpr double picture_patience_seconds = 0.25;
 // Whether displayed results are still pending. On a slow machine they take long.
 bool is_owing(const Lab& lab, const Views& views) {
     const ComparedPictures& compared = views.compared();
-    const Comparison& chosen = lab.comparing().chosen();
+    const Comparison& chosen = lab.frames().comparison().selection().chosen();
     const bool owes_distances = compared.difference() && !compared.distances();
     const bool owes_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
     return owes_distances || owes_stops || views.is_owing();
@@ -60,19 +60,19 @@ struct Start {
 // Opens the look of the command line, otherwise the last session.
 void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
     std::optional<std::string> look = options.look;
-    if (look && FirstFile::is_one(*look, lab)) {
+    if (look && FirstFile::is_one(*look)) {
         start.first_file = FirstFile(*std::exchange(look, {}));
     }
     if (look)
-        lab.keep_unsaved(session);
+        lab.looks().keep_unsaved(session);
     start.state.first_steps.is_shown = session.look.empty();
     lab.parameters().set_all(session.knobs);
-    lab.set_content(content_of(session));
-    (void)lab.transport().mute_input(true);  // until the user chooses a live input
-    lab.set_slots(session.slots);
-    lab.presets().set_stars(session.preset_stars);
+    lab.content().set_initial(content_of(session));
+    (void)lab.player().mute_input(true);  // until the user chooses a live input
+    lab.frames().comparison().set_all_slots(session.slots);
+    lab.presets().navigation().stars() = (session.preset_stars);
     if (look)
-        lab.open(*look);
+        lab.looks().open(*look);
     else
         restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
@@ -181,7 +181,7 @@ bool Application::wait() {
     const double frame = m_state.frame_rate.frame_seconds(m_window.refresh_rate());
     const double left = frame - seconds_between(m_last, start);
     constexpr double slack = 0.001;
-    if (left > slack && !m_lab.is_amid_frame())
+    if (left > slack && !m_lab.frames().is_amid_frame())
         m_window.wait_events(left - slack);
     else
         m_window.poll_events();
@@ -206,9 +206,9 @@ void Application::turn() {
     note_pace(wall_seconds);
     follow_output();
     if (const Extent seen = view(); !seen.is_empty())
-        m_lab.size().set_view(seen);
-    m_lab.set_unattended(m_state.is_picture_only || m_output.is_open());
-    m_lab.look_at(displayed_passes(m_lab, m_state));
+        m_lab.work().size.set_view(seen);
+    m_lab.frames().nan_guard().set_unattended(m_state.is_picture_only || m_output.is_open());
+    m_lab.frames().set_displayed(displayed_passes(m_lab, m_state));
     m_lab.update(wall_seconds);
     m_first_file.update(m_lab);
     follow_remote();
@@ -216,7 +216,7 @@ void Application::turn() {
         return;  // minimised
     if (is_before_panels(now))
         return make_panels_ready(wall_seconds);
-    if ((m_lab.is_amid_frame() || awaits_picture()) && !is_attended(now))
+    if ((m_lab.frames().is_amid_frame() || awaits_picture()) && !is_attended(now))
         return;  // a slow look gets all of the time
     m_drawn = now;
     list_looks(wall_seconds);
@@ -239,7 +239,7 @@ void Application::follow_output() {
 }
 
 void Application::list_looks(double wall_seconds) {
-    m_shelf.update(m_lab.library(), m_lab.document() ? &m_lab.document()->look() : nullptr,
+    m_shelf.update(m_lab.work().library, m_lab.document() ? &m_lab.document()->look() : nullptr,
                    wall_seconds);
 }
 
@@ -257,7 +257,7 @@ void Application::make_panels_ready(double wall_seconds) {
 void Application::note_pace(double wall_seconds) {
     const bool was_amid = m_frame_seconds > 0.0;
     m_frame_seconds += wall_seconds;
-    if (m_lab.is_amid_frame())
+    if (m_lab.frames().is_amid_frame())
         return;
     const double seconds = std::exchange(m_frame_seconds, 0.0);
     m_pace.add(seconds, was_amid);
@@ -268,7 +268,7 @@ void Application::note_pace(double wall_seconds) {
 // Whether the first picture of all is still pending.
 bool Application::awaits_picture() {
     m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
-    const bool is_coming = m_lab.loader().is_loading() || m_lab.is_amid_frame();
+    const bool is_coming = m_lab.loader().is_loading() || m_lab.frames().is_amid_frame();
     return is_coming && !m_has_had_picture;
 }
 
@@ -342,7 +342,7 @@ void Application::draw() {
 
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
-    for (const std::filesystem::path& file : m_lab.opened_files().take())
+    for (const std::filesystem::path& file : m_lab.work().opened_files.take())
         note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // changes are displayed one frame later
@@ -404,11 +404,11 @@ Result<bool> run_once(const WindowOptions& options) {
     Lab lab(Library(options.roots), **window, nullptr);
     lab.loader().worker().set_wake([] { gpu::Window::wake(); });
     if (!start.state.views.picture.is_empty())
-        lab.size().set_view(
+        lab.work().size.set_view(
             start.state.views.picture);  // the last size, until the panels report theirs
     if (!warnings.empty())
         lab.messages().say(warnings.front());
-    lab.look_at(displayed_passes(lab, start.state));
+    lab.frames().set_displayed(displayed_passes(lab, start.state));
     open_first(options, session, lab, start);
     auto views = Views::make();
     if (!views)

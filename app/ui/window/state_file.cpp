@@ -144,23 +144,27 @@ std::string comparison_text(const Scene& scene) {
     static constexpr std::array modes{"off", "wipe", "side by side", "difference"};
     const Lab& lab = scene.lab;
     std::vector<std::string> slots;
-    for (std::size_t i = 0; i < lab.slots().size(); ++i)
-        slots.push_back(lab.slots()[i] ? fmt::format("{}", lab.is_in_slot(i)) : "null");
+    for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
+        slots.push_back(lab.frames().comparison().slots()[i]
+                            ? fmt::format("{}", lab.frames().comparison().is_in_slot(i))
+                            : "null");
     const auto& compared = scene.views.compared();
-    const auto sides = lab.sides();
+    const auto sides = lab.frames().comparison().sides();
     return fmt::format(
         R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
-        json_string(modes[static_cast<std::size_t>(lab.compare_mode())]),
-        json_string(sides ? sides->other : std::string()), lab.comparing().is_flashing(),
+        json_string(modes[static_cast<std::size_t>(lab.frames().comparison().mode())]),
+        json_string(sides ? sides->other : std::string()),
+        lab.frames().comparison().selection().is_flashing(),
         compared.stops() ? fmt::format("{:.4f}", *compared.stops()) : "null",
         compared.distances() ? fmt::format("\"{}\"", compared.distances()->mean) : "null",
-        lab.comparing().chosen().gain_stops, static_cast<int>(lab.comparing().chosen().measure),
+        lab.frames().comparison().selection().chosen().gain_stops,
+        static_cast<int>(lab.frames().comparison().selection().chosen().measure),
         fmt::join(slots, ","));
 }
 
 // The non-finite pixel that stopped the clock.
 std::string trip_text(const Lab& lab) {
-    const auto& trip = lab.trip();
+    const auto& trip = lab.frames().nan_guard().found();
     return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
                 : R"(,"trip":null)";
 }
@@ -173,7 +177,7 @@ std::string flashes_text(const Scene& scene) {
 }
 
 std::string switches_text(const Lab& lab) {
-    const PassSwitches& switches = lab.pass_switches();
+    const PassSwitches& switches = lab.frames().passes().switches();
     std::vector<std::string> bypassed;
     for (const std::string& name : switches.bypassed)
         bypassed.push_back(json_string(name));
@@ -188,8 +192,8 @@ std::string switches_text(const Lab& lab) {
 // The effect of a step on each pass (null: still pending), and the progress of sheet and morph.
 std::string tryouts_text(const Scene& scene) {
     const Lab& lab = scene.lab;
-    const StepProbe& probe = lab.tryouts().probe();
-    const VariantSheet& sheet = lab.tryouts().sheet();
+    const StepProbe& probe = lab.frames().previews().probe();
+    const VariantSheet& sheet = lab.frames().previews().sheet();
     std::vector<std::string> changes;
     for (const auto& change : probe.changes())
         changes.push_back(change ? fmt::format("\"{}\"", change_share(*change)) : "null");
@@ -199,7 +203,9 @@ std::string tryouts_text(const Scene& scene) {
         json_string(scene.window.pointed ? scene.window.pointed->parameter : std::string()),
         json_string(probe.words()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
         sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
-        lab.morphing() ? fmt::format("{:.3f}", lab.morphing()->share()) : "null");
+        lab.presets().navigation().morphing()
+            ? fmt::format("{:.3f}", lab.presets().navigation().morphing()->share())
+            : "null");
 }
 
 // The listed presets, the number with pictures, the errors and the filter.
@@ -210,8 +216,9 @@ std::string presets_text(const Scene& scene) {
     std::vector<std::string> names;
     std::vector<std::string> problems;
     int pictures = 0;
-    for (const ListedPreset& preset : listed_presets(*lab.document(), scene.shelf.looks(),
-                                                     lab.presets().stars(), scene.window.presets)) {
+    for (const ListedPreset& preset :
+         listed_presets(*lab.document(), scene.shelf.looks(), lab.presets().navigation().stars(),
+                        scene.window.presets)) {
         const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
         names.push_back(json_string(preset.preset.entry.id));
         pictures += shown.image.handle != 0 ? 1 : 0;
@@ -246,27 +253,28 @@ std::string document_text(const Lab& lab) {
 
 std::string state_text(const Scene& scene, const Edits& edits) {
     const Lab& lab = scene.lab;
-    const Extent picture = lab.size().extent();
+    const Extent picture = lab.work().size.extent();
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
         scene.is_behind, lab.loader().is_loading(),
         json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
                                            : std::string()),
-        json_string(lab.drive().loading()), lab.player().is_playing(),
+        json_string(lab.work().drive.loading()), lab.player().is_playing(),
         lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
-        lab.samples().value_or(Samples{}).held, lab.remote().osc().port(),
+        lab.frames().samples().value_or(Samples{}).held, lab.remote().osc().port(),
         lab.remote().midi().is_listening(),
         json_string(lab.remote().midi().learning() ? lab.remote().midi().learning()->parameter
                                                    : std::string()),
-        lab.remote().settings().midi.size(), lab.has_converged(), lab.player().time(),
-        lab.player().shown_share(), picture.width, picture.height, lab.size().chosen().fixed.width,
-        lab.size().chosen().fixed.height,
+        lab.remote().settings().midi.size(), lab.frames().has_converged(), lab.player().time(),
+        lab.player().shown_share(), picture.width, picture.height,
+        lab.work().size.chosen().fixed.width, lab.work().size.chosen().fixed.height,
         json_string(lab.messages().notice() ? lab.messages().notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
         static_cast<int>(scene.window.inspected.channels),
-        lab.compare_mode() == CompareMode::wipe ? fmt::format("{:.3f}", scene.window.wipe_share)
-                                                : "null",
+        lab.frames().comparison().mode() == CompareMode::wipe
+            ? fmt::format("{:.3f}", scene.window.wipe_share)
+            : "null",
         json_string(!scene.window.output.is_open   ? "off"
                     : scene.window.output.is_black ? "black"
                                                    : "on"),

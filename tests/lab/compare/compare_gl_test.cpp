@@ -24,7 +24,7 @@ public:
     Grey() {
         write_by_rename("show.frag", even);
         REQUIRE(turn_until([&] { return find_parameter(document().look(), "level"); }));
-        lab().transport().pause();
+        lab().player().pause();
         auto made = Views::make();
         REQUIRE(made.has_value());
         m_views = std::make_unique<Views>(std::move(*made));
@@ -81,19 +81,19 @@ constexpr double step = 1.0 / 255.0;
 TEST_CASE("a slot stores values and recalls them as one undo step") {
     Grey small;
     small.set("level", 0.25);
-    small.lab().keep_in_slot(1);
-    CHECK(small.lab().is_in_slot(1));
-    CHECK_FALSE(small.lab().is_in_slot(0));
+    small.lab().frames().comparison().store(1);
+    CHECK(small.lab().frames().comparison().is_in_slot(1));
+    CHECK_FALSE(small.lab().frames().comparison().is_in_slot(0));
     small.set("level", 0.75);
     small.set("unseen", 0.125);
-    CHECK_FALSE(small.lab().is_in_slot(1));
-    small.lab().recall_slot(1);
+    CHECK_FALSE(small.lab().frames().comparison().is_in_slot(1));
+    small.lab().frames().comparison().recall(1);
     CHECK(small.document().values() == Values{{"level", Value(0.25)}});
     CHECK(small.document().history().undo_name() == "Recall slot B");
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values() == Values{{"level", Value(0.75)}, {"unseen", Value(0.125)}});
 
-    small.lab().recall_slot(2);
+    small.lab().frames().comparison().recall(2);
     CHECK(small.lab().messages().notice()->text == "Slot C is empty");
     CHECK(small.document().history().redo_name() == "Recall slot B");
 }
@@ -101,49 +101,50 @@ TEST_CASE("a slot stores values and recalls them as one undo step") {
 TEST_CASE("slots and the comparison are restored at the next start") {
     Grey small;
     small.set("level", 0.25);
-    small.lab().keep_in_slot(2);
+    small.lab().frames().comparison().store(2);
     small.set("level", 0.75);
-    small.lab().compare_with({Other::Kind::slot, 2});
+    small.lab().frames().comparison().compare_with({Other::Kind::slot, 2});
     const auto session = parse_session(session_to_json(session_of(small.lab(), {})), "s.json");
     REQUIRE(session.has_value());
     small.start();
-    small.lab().set_slots(session->slots);
+    small.lab().frames().comparison().set_all_slots(session->slots);
     restore(small.lab(), *session);
-    REQUIRE(small.turn_until([&] { return small.lab().sides().has_value(); }));
-    CHECK(small.lab().slots()[2]->values == Values{{"level", Value(0.25)}});
-    CHECK(small.lab().compare_mode() == CompareMode::wipe);
-    CHECK(small.lab().sides()->other == "Slot C");
+    REQUIRE(
+        small.turn_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
+    CHECK(small.lab().frames().comparison().slots()[2]->values == Values{{"level", Value(0.25)}});
+    CHECK(small.lab().frames().comparison().mode() == CompareMode::wipe);
+    CHECK(small.lab().frames().comparison().sides()->other == "Slot C");
 }
 
 TEST_CASE("a wipe shows the slot on its side and follows changes of the slot") {
     Grey small;
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("level", 1.0);
-    small.lab().compare_with({Other::Kind::slot, 0});
+    small.lab().frames().comparison().compare_with({Other::Kind::slot, 0});
     small.rest();
     CHECK(small.seen(1) == about(0.5, step));
     CHECK(small.seen(6) == 1.0);
     small.set("level", 0.75);
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.rest();
     CHECK(small.seen(1) == about(0.75, step));
-    small.lab().empty_slot(0);
+    small.lab().frames().comparison().clear_slot(0);
     small.rest();
-    CHECK(small.lab().compare_mode() == CompareMode::off);
+    CHECK(small.lab().frames().comparison().mode() == CompareMode::off);
     CHECK(small.lab().renderer()->variant() == nullptr);
 }
 
 TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
     Grey small;
     small.set("level", 0.25);
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("level", 1.0);
     const std::string before = small.document().history().undo_name();
-    small.lab().flash(true);
+    small.lab().frames().comparison().flash(true);
     small.rest();
-    CHECK(small.lab().compare_mode() == CompareMode::off);
+    CHECK(small.lab().frames().comparison().mode() == CompareMode::off);
     CHECK(small.seen() == about(0.25, step));
-    small.lab().flash(false);
+    small.lab().frames().comparison().flash(false);
     small.rest();
     CHECK(small.seen() == 1.0);
     CHECK(small.document().history().undo_name() == before);
@@ -156,16 +157,16 @@ TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
 
 TEST_CASE("side-by-side pictures get half the view each") {
     Grey small;
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("level", 1.0);
     small.window.views.picture = {18, 8};
-    small.lab().compare_with({Other::Kind::slot, 0});
-    small.lab().set_compare_mode(CompareMode::side_by_side);
+    small.lab().frames().comparison().compare_with({Other::Kind::slot, 0});
+    small.lab().frames().comparison().set_mode(CompareMode::side_by_side);
     small.rest();
     CHECK(small.views().picture().extent == Extent{8, 8});
     CHECK(small.views().beside().extent == Extent{8, 8});
     CHECK(small.seen() == 1.0);
-    small.lab().set_compare_mode(CompareMode::off);
+    small.lab().frames().comparison().set_mode(CompareMode::off);
     small.rest();
     CHECK(small.views().picture().extent == Extent{18, 8});
     CHECK(small.views().beside().handle == 0);
@@ -174,10 +175,10 @@ TEST_CASE("side-by-side pictures get half the view each") {
 TEST_CASE("a comparison with a picture file follows the file on disk") {
     Grey small;
     const auto file = small.picture_file("photo.png", {8, 8}, {0.2f, 0.4f, 0.6f});
-    small.lab().compare_with_file(file);
+    small.lab().frames().comparison().compare_with_file(file);
     small.rest();
     CHECK(small.lab().renderer()->variant() == nullptr);
-    CHECK(small.lab().sides()->other == "photo.png");
+    CHECK(small.lab().frames().comparison().sides()->other == "photo.png");
     CHECK(small.seen(1) == about(0.2, step));
     CHECK(small.seen(6) == about(0.5, step));
 
@@ -192,10 +193,11 @@ TEST_CASE("a comparison with a picture file follows the file on disk") {
 
 TEST_CASE("a picture of another size is fitted, and the sizes are reported") {
     Grey small;
-    small.lab().compare_with_file(small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
+    small.lab().frames().comparison().compare_with_file(
+        small.picture_file("wide.png", {32, 16}, {1.0f, 1.0f, 1.0f}));
     CHECK(small.lab().messages().notice()->text ==
           "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
-    CHECK(small.lab().sides()->other == "wide.png · 32 × 16, scaled");
+    CHECK(small.lab().frames().comparison().sides()->other == "wide.png · 32 × 16, scaled");
     small.rest();
     const Picture seen = small.views().read_picture();
     CHECK(seen.pixels[seen.index(1, 4)] == 1.0f);
@@ -205,20 +207,21 @@ TEST_CASE("a picture of another size is fitted, and the sizes are reported") {
 
 TEST_CASE("a file that is not a picture is reported and not compared") {
     Grey small;
-    small.lab().compare_with_file(small.look_folder() / "look.json");
+    small.lab().frames().comparison().compare_with_file(small.look_folder() / "look.json");
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->is_problem);
     CHECK(small.lab().messages().notice()->text.find("look.json") != std::string::npos);
-    CHECK(small.lab().comparing().chosen() == Comparison{});
+    CHECK(small.lab().frames().comparison().selection().chosen() == Comparison{});
 }
 
 TEST_CASE("the difference view applies its gain and reports its statistics") {
     Grey small;
-    small.lab().compare_with_file(small.picture_file("grey.png", {8, 8}, {0.6f, 0.6f, 0.6f}));
-    Comparison comparison = small.lab().comparing().chosen();
+    small.lab().frames().comparison().compare_with_file(
+        small.picture_file("grey.png", {8, 8}, {0.6f, 0.6f, 0.6f}));
+    Comparison comparison = small.lab().frames().comparison().selection().chosen();
     comparison.mode = CompareMode::difference;
     comparison.gain_stops = 2.0;
-    small.lab().compare(comparison);
+    small.lab().frames().comparison().choose(comparison);
     small.rest();
     const double apart = 153.0 / 255.0 - 0.5;
     CHECK(small.seen() == about(4.0 * apart, step / apart));
@@ -231,17 +234,18 @@ TEST_CASE("the difference view applies its gain and reports its statistics") {
 
     comparison.measure = DifferenceMeasure::relative;
     comparison.gain_stops = 0.0;
-    small.lab().compare(comparison);
+    small.lab().frames().comparison().choose(comparison);
     small.rest();
     CHECK(small.seen() == about(apart / 0.6, step / apart));
 }
 
 TEST_CASE("equal brightness scales the other picture to the same mean light") {
     Grey small;
-    small.lab().compare_with_file(small.picture_file("dark.png", {8, 8}, {0.0f, 0.2f, 0.0f}));
-    Comparison comparison = small.lab().comparing().chosen();
+    small.lab().frames().comparison().compare_with_file(
+        small.picture_file("dark.png", {8, 8}, {0.0f, 0.2f, 0.0f}));
+    Comparison comparison = small.lab().frames().comparison().selection().chosen();
     comparison.has_equal_brightness = true;
-    small.lab().compare(comparison);
+    small.lab().frames().comparison().choose(comparison);
     small.set("level", 0.3);
     small.rest();
     small.look_until([&] { return small.views().compared().stops().has_value(); });
@@ -257,7 +261,7 @@ TEST_CASE("without a comparison no other picture is kept on the GPU") {
     Grey small;
     small.rest();
     CHECK(small.views().compared().other() == nullptr);
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.rest();
     CHECK(small.lab().renderer()->variant() == nullptr);
 }

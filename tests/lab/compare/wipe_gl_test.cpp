@@ -42,8 +42,8 @@ public:
     }
     /// Turns the wipe on and waits until the history of the other side is drawn.
     void wipe() {
-        lab().set_compare_mode(CompareMode::wipe);
-        REQUIRE(turn_until([&] { return lab().sides().has_value(); }));
+        lab().frames().comparison().set_mode(CompareMode::wipe);
+        REQUIRE(turn_until([&] { return lab().frames().comparison().sides().has_value(); }));
         for (int i = 0; i < 1000 && lab().renderer()->replay().is_running(); ++i)
             turn(1);
     }
@@ -56,7 +56,7 @@ public:
 TEST_CASE("the article's picture is drawn from the frames that led to the current one") {
     Wiping small;
     small.turn(6);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(1);
     const float frames = small.frames();
     const float shown = small.shown();
@@ -67,17 +67,17 @@ TEST_CASE("the article's picture is drawn from the frames that led to the curren
     CHECK(small.shown() == shown);
     CHECK(small.shown_beside() == 3 * std::min(frames, 20.0f));  // settle_frames is 20
     CHECK(small.frames() == frames);
-    CHECK(small.lab().sides()->left_name() == "Original article");
+    CHECK(small.lab().frames().comparison().sides()->left_name() == "Original article");
     CHECK(small.document().values().empty());
     CHECK_FALSE(small.document().history().can_undo());
 
-    small.lab().transport().play();
+    small.lab().player().play();
     small.turn(4);
     CHECK(small.frames() == frames + 4);
     CHECK(small.shown() == shown + 4);
     CHECK(small.shown_beside() == 3 * (std::min(frames, 20.0f) + 4));
 
-    small.lab().set_compare_mode(CompareMode::off);
+    small.lab().frames().comparison().set_mode(CompareMode::off);
     small.turn(1);
     CHECK(small.lab().renderer()->variant() == nullptr);
     CHECK(small.shown() == shown + 5);
@@ -91,7 +91,8 @@ TEST_CASE("an active wipe is restored at the next start") {
     CHECK(session.comparison.mode == CompareMode::wipe);
     small.start();
     restore(small.lab(), session);
-    REQUIRE(small.turn_until([&] { return small.lab().sides().has_value(); }));
+    REQUIRE(
+        small.turn_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
     CHECK(small.turn_until([&] { return small.shown_beside() > 0.0f; }));
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
               2 * gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0]);
     }
     SUBCASE("a parameter with history, while paused") {
-        small.lab().transport().pause();
+        small.lab().player().pause();
         small.set("step_size", 2.0);
         small.turn(1);
         small.rest();
@@ -127,13 +128,13 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
         CHECK(small.shown() == 2 * std::min(small.frames(), 20.0f));
     }
     SUBCASE("the switch itself, which does not swap the sides") {
-        small.lab().transport().pause();
+        small.lab().player().pause();
         small.set("as_written", 1.0);
         small.turn(1);
         small.rest();
         CHECK(small.shown() == 3 * small.shown_beside());
-        CHECK(small.lab().sides()->left_name() == "Original article");
-        CHECK_FALSE(small.lab().sides()->is_other_left);
+        CHECK(small.lab().frames().comparison().sides()->left_name() == "Original article");
+        CHECK_FALSE(small.lab().frames().comparison().sides()->is_other_left);
     }
     SUBCASE("a shader") {
         small.write_by_rename("show.frag",
@@ -141,7 +142,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
         CHECK(small.turn_until([&] { return small.shown_beside() == 7 && small.shown() == 7; }));
     }
     SUBCASE("the size") {
-        small.lab().size().choose({false, {16, 4}, 1.0});
+        small.lab().work().size.choose({false, {16, 4}, 1.0});
         small.turn(1);
         CHECK(small.lab().renderer()->variant()->target(1).extent() == Extent{16, 4});
         CHECK(small.lab().renderer()->executor().target(1).extent() == Extent{16, 4});
@@ -151,20 +152,20 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
 TEST_CASE("drawing the history of the other side can be cancelled") {
     Wiping small;
     small.turn(30);
-    small.lab().set_compare_mode(CompareMode::wipe);
+    small.lab().frames().comparison().set_mode(CompareMode::wipe);
     small.lab().update(0.0);  // may have drawn all of it already
-    small.lab().cancel_replay();
+    small.lab().frames().cancel_replay();
     const float frames = small.frames();
     small.turn(2);
     CHECK(small.frames() == frames + 2);
-    CHECK(small.lab().sides().has_value());
+    CHECK(small.lab().frames().comparison().sides().has_value());
 }
 
 TEST_CASE("a wipe on a look without the switch reports the missing switch") {
     SmallLab small;
-    small.lab().set_compare_mode(CompareMode::wipe);
+    small.lab().frames().comparison().set_mode(CompareMode::wipe);
     small.turn(1);
-    CHECK_FALSE(small.lab().sides());
+    CHECK_FALSE(small.lab().frames().comparison().sides());
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->text.find("no switch as_written") != std::string::npos);
 }
@@ -173,9 +174,10 @@ TEST_CASE("both sides of an accumulating look take all their samples and stop") 
     Wiping small;
     small.write_by_rename("sum.frag", sample);
     small.write_by_rename("look.json", that_accumulates);
-    REQUIRE(small.turn_until([&] { return small.shown() == 6 && small.lab().has_converged(); }));
+    REQUIRE(small.turn_until(
+        [&] { return small.shown() == 6 && small.lab().frames().has_converged(); }));
     small.wipe();
-    REQUIRE(small.turn_until([&] { return small.lab().has_converged(); }));
+    REQUIRE(small.turn_until([&] { return small.lab().frames().has_converged(); }));
     small.rest();
     CHECK(small.lab().renderer()->variant()->samples()->held == 6);
     CHECK(small.shown() == 6);
@@ -194,10 +196,10 @@ public:
         REQUIRE(worker.has_value());
         const Roots roots{AFTERGLOW_SOURCE_DIR, m_folder / "user", m_folder / "state"};
         m_lab = std::make_unique<Lab>(Library(roots), *m_context, std::move(*worker));
-        m_lab->size().choose({false, {48, 36}, 1.0});
-        m_lab->open(look);
+        m_lab->work().size.choose({false, {48, 36}, 1.0});
+        m_lab->looks().open(look);
         turn_until([&] { return m_lab->player().frame_number() > 5; });
-        m_lab->transport().pause();
+        m_lab->player().pause();
         m_lab->update(0.0);
         auto views = Views::make();
         REQUIRE(views.has_value());
@@ -273,9 +275,9 @@ TEST_CASE("left of the line is the exact article picture, right of it the look's
         RealLab real(each.look);
         const std::vector<float> ours = real.view();
         real.window().wipe_share = 0.25;
-        real.lab().set_compare_mode(CompareMode::wipe);
+        real.lab().frames().comparison().set_mode(CompareMode::wipe);
         const std::vector<float> wiped = real.view();
-        real.lab().set_compare_mode(CompareMode::off);
+        real.lab().frames().comparison().set_mode(CompareMode::off);
         CHECK(differences(real.view(), ours, 12).left == 0.0);
         real.set_all(each.switches, 1.0);
         const std::vector<float> article = real.view();

@@ -27,21 +27,21 @@ bool is_near_on_way(double a, double b) {
 
 TEST_CASE("a morph takes its duration, is one undo step and is recorded as automation") {
     Going small;
-    small.lab().transport().pause();
-    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
-    REQUIRE(small.lab().morphing());
+    small.lab().player().pause();
+    small.lab().presets().navigation().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 2.0);
+    REQUIRE(small.lab().presets().navigation().morphing());
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 2.0));  // a quarter of the way from 1 to 5
-    CHECK(is_near_on_way(small.lab().morphing()->share(), 0.25));
+    CHECK(is_near_on_way(small.lab().presets().navigation().morphing()->share(), 0.25));
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 3.0));
     small.lab().automation().record(true);
-    small.lab().transport().play();
+    small.lab().player().play();
     small.lab().update(0.5);
     CHECK(small.lab().automation().recorder().moves().back().name == "gain");
     CHECK(is_near_on_way(small.lab().automation().recorder().moves().back().value.number(), 4.0));
     small.lab().update(0.75);
-    CHECK_FALSE(small.lab().morphing());
+    CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
     CHECK(small.document().history().undo_name() == "Morph to Far");
     CHECK(small.document().history().past().size() == 1);
@@ -58,7 +58,7 @@ TEST_CASE("a morph leaves locked values alone, and a change by the user ends it"
     Going small;
     small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
     const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
-    small.lab().morph_to(file, 1.0);
+    small.lab().presets().navigation().morph_to(file, 1.0);
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 1.0));
     CHECK(small.document().values() == Values{{"step_size", Value(2.0)}});
@@ -68,28 +68,29 @@ TEST_CASE("a morph leaves locked values alone, and a change by the user ends it"
     small.lab().edit([](Document& document) { document.finish(); });
     small.lab().update(0.25);
     CHECK(small.document().history().past().size() == 2);  // the morph so far and the user's drag
-    CHECK_FALSE(small.lab().morphing());
+    CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(7.0)}, {"step_size", Value(2.0)}});
 }
 
 TEST_CASE("a morph can be stopped halfway and works only within the same look") {
     Going small;
-    small.lab().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 1.0);
+    small.lab().presets().navigation().morph_to(small.preset("small", {{"gain", Value(5.0)}}), 1.0);
     small.lab().update(0.5);
-    small.lab().end_morph();
+    small.lab().presets().navigation().end_morph();
     small.lab().update(0.5);
     CHECK(is_near_on_way(small.gain(), 3.0));
     CHECK_FALSE(small.document().history().is_in_gesture());
     CHECK(small.document().history().past().size() == 1);
     CHECK(small.document().preset_name().empty());
     CHECK(small.document().is_modified());
-    small.lab().morph_to(small.preset("small", {{"gain", Value(3.0)}}), 60.0);
+    small.lab().presets().navigation().morph_to(small.preset("small", {{"gain", Value(3.0)}}),
+                                                60.0);
     small.lab().update(0.01);  // the values are equal already, so it opens immediately
-    CHECK_FALSE(small.lab().morphing());
+    CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.document().preset_name() == "Far");
     CHECK_FALSE(small.document().is_modified());
-    small.lab().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
-    CHECK_FALSE(small.lab().morphing());
+    small.lab().presets().navigation().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
+    CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.lab().messages().notice()->text ==
           "\"Far\" belongs to another look. It can be opened, but not morphed to.");
 }
@@ -103,13 +104,13 @@ TEST_CASE("modulations change only when a morph is complete") {
     preset.modulations = {{"step_size", Modulation{}}};
     const auto file = small.folder() / "breathing.json";
     REQUIRE(save_preset(file, preset).has_value());
-    small.lab().morph_to(file, 1.0);
+    small.lab().presets().navigation().morph_to(file, 1.0);
     small.lab().update(0.5);
     CHECK(small.document().state().modulations.empty());
     small.lab().update(0.5);
     CHECK(small.document().state().modulations.contains("step_size"));
     CHECK_FALSE(small.document().is_modified());
-    small.lab().morph_to("", 1.0);  // the look's defaults
+    small.lab().presets().navigation().morph_to("", 1.0);  // the look's defaults
     small.lab().update(2.0);
     CHECK(small.document().values().empty());
     CHECK(small.document().state().modulations.empty());
@@ -127,24 +128,24 @@ TEST_CASE("a morph targets the next preset, and a repeated one the preset after 
         });
         small.lab().presets().save_as(name);
     }
-    small.lab().presets().star("one", true);
-    small.lab().presets().star("two", true);
-    small.lab().morph_by(1, 1.0);  // order by name: one, three, two
-    CHECK(small.lab().morphing()->name() == "two");
-    small.lab().morph_by(1, 1.0);
-    CHECK(small.lab().morphing()->name() == "Small");
-    small.lab().morph_by(1, 1.0, true);
-    REQUIRE(small.lab().morphing()->name() == "one");
+    small.lab().presets().navigation().star("one", true);
+    small.lab().presets().navigation().star("two", true);
+    small.lab().presets().navigation().morph_by(1, 1.0);  // order by name: one, three, two
+    CHECK(small.lab().presets().navigation().morphing()->name() == "two");
+    small.lab().presets().navigation().morph_by(1, 1.0);
+    CHECK(small.lab().presets().navigation().morphing()->name() == "Small");
+    small.lab().presets().navigation().morph_by(1, 1.0, true);
+    REQUIRE(small.lab().presets().navigation().morphing()->name() == "one");
     small.lab().update(1.0);
     CHECK(small.document().preset_name() == "one");
-    small.lab().morph_by(1, 1.0, true);
-    CHECK(small.lab().morphing()->name() == "two");
-    small.lab().morph_to("", 0.5);
+    small.lab().presets().navigation().morph_by(1, 1.0, true);
+    CHECK(small.lab().presets().navigation().morphing()->name() == "two");
+    small.lab().presets().navigation().morph_to("", 0.5);
     small.lab().update(0.5);
     small.lab().presets().rename({}, "four");  // no preset is open: nothing happens
-    CHECK(small.lab().presets().stars() == PresetStars{"small/one", "small/two"});
-    small.lab().morph_by(1, 0.5, true);
+    CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/one", "small/two"});
+    small.lab().presets().navigation().morph_by(1, 0.5, true);
     small.lab().update(0.5);
     small.lab().presets().rename(small.document().preset_file(), "four");
-    CHECK(small.lab().presets().stars() == PresetStars{"small/four", "small/two"});
+    CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/four", "small/two"});
 }

@@ -72,10 +72,10 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     lab.drawing().edit(
         [](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
     write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'");
-    lab.open_file(small.folder() / "broken.svg");
+    lab.looks().open_file(small.folder() / "broken.svg");
     CHECK(lab.messages().notice()->text.find("broken.svg:2: ") == 0);
     CHECK(strokes_of(lab) == "[]");
-    lab.open_file(small.folder() / "mine.svg");
+    lab.looks().open_file(small.folder() / "mine.svg");
     CHECK(strokes_of(lab) == drawn);
     CHECK(lab.document()->history().undo_name() == "Load drawing");
     lab.drawing().take_pen(false);
@@ -83,7 +83,7 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     for (std::size_t i = 0; i <= most_drawing_points / 2; ++i)
         hatching += "M" + std::to_string(i) + " 0v10000";
     write(small.folder() / "long.svg", hatching + "'/></svg>");
-    lab.open_file(small.folder() / "long.svg");
+    lab.looks().open_file(small.folder() / "long.svg");
     CHECK(lab.messages().notice()->text.find("plays from its file. Its 20002 points") !=
           std::string::npos);
     CHECK(strokes_of(lab).empty());
@@ -96,7 +96,7 @@ TEST_CASE("an opened scene is drawn") {
     write(small.folder() / "s.json",
           "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"
           "{ \"shape\": \"line\", \"from\": [-0.5, 0.25], \"to\": [0.5, 0.25] } ] }");
-    small.lab().open_file(small.folder() / "s.json");
+    small.lab().looks().open_file(small.folder() / "s.json");
     REQUIRE(small.turn_until([&] { return small.lab().player().sound().scene != nullptr; }));
     CHECK(lit_heights(small.lab(), 0.0)[0] == 0.25f);
 }

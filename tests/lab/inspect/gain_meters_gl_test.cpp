@@ -12,7 +12,7 @@ struct Metered : SmallLab {
         auto programs = MeterPrograms::make();
         REQUIRE(programs.has_value());
         meters.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
-        lab().transport().pause();
+        lab().player().pause();
         lab().edit([](Document& document) { document.set_value("gain", Value(0.25)); });
         REQUIRE(turn_until([&] { return !lab().is_moving(); }));
     }
@@ -40,7 +40,7 @@ TEST_CASE("one pass is measured per update, and again after a change") {
     CHECK(lab.peak(1) == frames / 4.0);
     CHECK_FALSE(lab.meters->is_owing());
 
-    lab.lab().transport().step();
+    lab.lab().player().step();
     lab.turn(1);
     REQUIRE(lab.frames() == static_cast<float>(frames + 1.0));
     lab.update(10.1);  // too early

@@ -4,7 +4,7 @@
 
 TEST_CASE("a pin reads its point in every pass, at most five times per second") {
     SmallLab small;
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(2);
     const Executor& executor = small.lab().renderer()->executor();
     const auto present = [&] { return gpu::read_pixel(executor.target(0), 0, 0)[0]; };
@@ -25,7 +25,7 @@ TEST_CASE("a pin reads its point in every pass, at most five times per second") 
     CHECK(pins->value(0, 2) == nullptr);
     CHECK(pins->value(1, 0) == nullptr);
 
-    small.lab().transport().step();
+    small.lab().player().step();
     small.turn(1);
     REQUIRE(present() == first + 1.0f);
     look(1000.19);

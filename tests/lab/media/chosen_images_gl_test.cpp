@@ -87,7 +87,7 @@ TEST_CASE("a chosen picture that is overwritten is shown without an edit of the 
     REQUIRE(small.turn_until([&] { return small.shown() == 0.25f; }));
     save_grey(file, 3.0f);
     CHECK(small.turn_until([&] { return small.shown() == 3.0f; }));
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(2);
     save_grey(file, 0.125f);
     CHECK(small.turn_until([&] { return small.shown() == 0.125f; }));
@@ -223,7 +223,7 @@ TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported")
                 "/*{\"INPUTS\": [{\"NAME\": \"room\", \"TYPE\": \"cube\"}],"
                 " \"PASSES\": [{\"FLOAT\": true}]}*/\n"
                 "void main() { gl_FragColor = textureCube(room, vec3(-1.0, 0.5, 0.25)); }\n");
-    small.lab().open((small.folder() / "elsewhere/room.fs").string());
+    small.lab().looks().open((small.folder() / "elsewhere/room.fs").string());
     REQUIRE(small.turn_until([&] { return small.document().look().id == "room.fs"; }));
     const auto choose = [&small](const Picture& picture, const char* name) {
         const fs::path file = small.folder() / name;
@@ -255,7 +255,7 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
             "look": "small", "name": "theirs", "values": {"picked": ")" +
                                              file + "\"}}")
                     .has_value());
-        small.lab().open(preset.string());
+        small.lab().looks().open(preset.string());
         REQUIRE(small.turn_until([&] { return small.document().preset_file() == preset; }));
         small.turn(3);
     };
@@ -269,13 +269,13 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
     CHECK(use.name == "Use it");
     std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
     open_with(outside.string());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
 
     save_grey(preset.parent_path() / "beside.exr", 0.25f);
-    small.lab().open("small");
+    small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
     open_with("beside.exr");
     CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));

@@ -62,7 +62,7 @@ TEST_CASE("an opened sound draws and plays from its start, and undo restores the
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
-    small.lab().open_file(song);
+    small.lab().looks().open_file(song);
     CHECK(small.lab().player().signal() != nullptr);  // the figure stays until then
     REQUIRE(has_sound(small));
     CHECK(small.lab().player().time() < 0.1);
@@ -83,7 +83,7 @@ TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "music" / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
-    small.lab().open_file(song);
+    small.lab().looks().open_file(song);
     REQUIRE(has_sound(small));
     small.lab().presets().save_as("with song");
     CHECK_FALSE(small.document().is_modified());
@@ -92,18 +92,18 @@ TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     CHECK(content_of(file).find(small.folder().string()) == std::string::npos);
 
     small.start();
-    small.lab().open(file.string());
+    small.lab().looks().open(file.string());
     REQUIRE(has_sound(small));
     CHECK_FALSE(small.document().is_modified());
 
     fs::remove(song);
     small.start();
-    small.lab().open("small");
+    small.lab().looks().open("small");
     small.wait_for_frames();
     small.lab().edit([](Document& document) { document.set_signal(Spec{"waveform", {}}); });
     small.turn(1);
     const Signal* of_another = small.lab().player().signal();
-    small.lab().open(file.string());
+    small.lab().looks().open(file.string());
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().player().signal() != of_another);
     CHECK(small.lab().messages().notice()->text.find("song.wav") != std::string::npos);
@@ -150,7 +150,7 @@ TEST_CASE("a truncated sound plays as far as it goes and is listed as a problem"
     const fs::path song = small.folder() / "cut.wav";
     const std::string whole = wav(8000);
     REQUIRE(write_atomically(song, whole.substr(0, 44 + 4 * 2000)).has_value());
-    small.lab().open_file(song);
+    small.lab().looks().open_file(song);
     REQUIRE(has_sound(small));
     CHECK(small.lab().player().sound_seconds() == doctest::Approx(0.25));
     REQUIRE(small.lab().messages().problems().size() == 1);
@@ -163,12 +163,12 @@ TEST_CASE("loading a sound can be cancelled, and the previous signal returns") {
     SmallLab small(on_a_signal);
     const fs::path song = small.folder() / "long.wav";
     REQUIRE(write_atomically(song, wav(4000000)).has_value());
-    small.lab().open_file(song);
+    small.lab().looks().open_file(song);
     small.turn(1);
-    CHECK(small.lab().drive().loading() == song.string());
+    CHECK(small.lab().work().drive.loading() == song.string());
     CHECK(small.lab().is_moving());
-    small.lab().cancel_loading();
-    CHECK(small.lab().drive().loading().empty());
+    small.lab().content().cancel_loading();
+    CHECK(small.lab().work().drive.loading().empty());
     CHECK(small.document().state().signal.kind == "lissajous");
     small.turn(50);
     CHECK(small.lab().player().sound().sound == nullptr);
@@ -178,7 +178,7 @@ TEST_CASE("a picture or sound follows its file, and a broken file keeps the last
     SmallLab painted(on_a_picture);
     const fs::path file = painted.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
-    painted.lab().open_file(file);
+    painted.lab().looks().open_file(file);
     REQUIRE(painted.turn_until([&] { return painted.shown() == 1.25f; }));
     REQUIRE(save_picture(grey(0.5f), file).has_value());
     CHECK(painted.turn_until([&] { return painted.shown() == 1.5f; }));
@@ -192,7 +192,7 @@ TEST_CASE("a picture or sound follows its file, and a broken file keeps the last
     SmallLab played(on_a_signal);
     const fs::path song = played.folder() / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
-    played.lab().open_file(song);
+    played.lab().looks().open_file(song);
     REQUIRE(has_sound(played));
     const auto seconds = [&] { return played.lab().player().sound_seconds(); };
     REQUIRE(write_atomically(song, wav(4000)).has_value());
@@ -222,7 +222,7 @@ TEST_CASE("a chosen file that cannot be read changes nothing and is named in the
             REQUIRE(write_atomically(file, bad.content).has_value());
         const DocumentState before = small.document().state();
         const Signal* signal = small.lab().player().signal();
-        small.lab().open_file(file);
+        small.lab().looks().open_file(file);
         REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
         small.turn(3);
         CHECK(small.lab().messages().notice()->is_problem);
@@ -231,7 +231,7 @@ TEST_CASE("a chosen file that cannot be read changes nothing and is named in the
         CHECK_FALSE(small.document().history().can_undo());
         CHECK(small.lab().messages().problems().empty());
         CHECK(small.lab().player().signal() == signal);
-        CHECK(small.lab().opened_files().take().empty());
+        CHECK(small.lab().work().opened_files.take().empty());
     }
 }
 
@@ -239,15 +239,15 @@ TEST_CASE("an opened file of any kind is reported once") {
     SmallLab small(on_a_picture);
     const fs::path picture = small.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), picture).has_value());
-    small.lab().open_file(picture);
+    small.lab().looks().open_file(picture);
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
-    CHECK(small.lab().opened_files().take() == std::vector{picture});
+    CHECK(small.lab().work().opened_files.take() == std::vector{picture});
     small.lab().presets().save_as("grey");
     const fs::path preset = small.document().preset_file();
-    small.lab().open_file(preset);
+    small.lab().looks().open_file(preset);
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
-    CHECK(small.lab().opened_files().take() == std::vector{preset});
-    CHECK(small.lab().opened_files().take().empty());
+    CHECK(small.lab().work().opened_files.take() == std::vector{preset});
+    CHECK(small.lab().work().opened_files.take().empty());
 }
 
 TEST_CASE("an unreadable video, drawing or model is reported, and the lab continues") {
@@ -298,11 +298,11 @@ TEST_CASE("a look driven by a picture shows its pattern, then the user's file") 
     REQUIRE(small.turn_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
     const fs::path file = small.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
-    small.lab().open_file(file);
+    small.lab().looks().open_file(file);
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
-    CHECK(small.lab().drive().source_extent() == Extent{4, 4});
+    CHECK(small.lab().work().drive.source_extent() == Extent{4, 4});
 
-    small.lab().open_file(small.folder() / "none.exr");
+    small.lab().looks().open_file(small.folder() / "none.exr");
     REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
     small.turn(3);
     CHECK(small.shown() == 1.25f);
@@ -338,10 +338,10 @@ TEST_CASE("each change of the placement of a source is an undo step") {
     SmallLab small(on_a_picture);  // draws 8 x 8 px
     const std::string file = (small.folder() / "grey.exr").string();
     REQUIRE(save_picture(grey(0.25f), file).has_value());
-    small.lab().open_file(file);
+    small.lab().looks().open_file(file);
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
     const auto lies_in = [&](Extent extent) {
-        return small.turn_until([&] { return small.lab().drive().source_extent() == extent; });
+        return small.turn_until([&] { return small.lab().work().drive.source_extent() == extent; });
     };
     small.lab().edit([&](Document& document) {
         document.set_source(file + ",fit=whole,aspect=2");
@@ -362,7 +362,7 @@ TEST_CASE("numbered pictures play in order, and a gap is reported") {
         REQUIRE(save_picture(grey(static_cast<float>(number)),
                              small.folder() / ("f_" + std::to_string(number) + ".exr"))
                     .has_value());
-    small.lab().open_file(small.folder() / "f_%d.exr");
+    small.lab().looks().open_file(small.folder() / "f_%d.exr");
     for (const float number : {1.0f, 2.0f, 4.0f, 1.0f})
         CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
     REQUIRE(small.lab().messages().notice().has_value());
@@ -371,14 +371,15 @@ TEST_CASE("numbered pictures play in order, and a gap is reported") {
 
 TEST_CASE("a replay shows a moving pattern as it was in each frame") {
     SmallLab small(on_the_past);
-    small.lab().size().choose({false, {64, 48}, 1.0});
-    REQUIRE(small.turn_until(
-        [&] { return !small.lab().drive().source_extent().is_empty() && small.frames() > 40.0f; }));
+    small.lab().work().size.choose({false, {64, 48}, 1.0});
+    REQUIRE(small.turn_until([&] {
+        return !small.lab().work().drive.source_extent().is_empty() && small.frames() > 40.0f;
+    }));
     // The harbour moves by one step in ten frames.
     const double end = small.lab().player().time();
     REQUIRE(make_pattern("harbour,size=64x48", end)->pixels !=
             make_pattern("harbour,size=64x48", end - 10.0 / 60.0)->pixels);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(2);
     const auto shown = [&] {
         return gpu::read_picture(small.lab().renderer()->executor().target(1)).pixels;

@@ -52,7 +52,7 @@ TEST_CASE("looks are compared at a time when a frame of every rate ends") {
 
 TEST_CASE("a decay per second is equal at every rate") {
     Fading lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
-    const auto found = lab.compare();
+    const auto found = lab.frames().comparison().choose();
     REQUIRE(found.has_value());
     CHECK(found->size == Extent{8, 6});
     CHECK(found->pairs.size() == 6);
@@ -61,7 +61,7 @@ TEST_CASE("a decay per second is equal at every rate") {
 
 TEST_CASE("a decay per frame differs, and the most different rates are reported") {
     Fading lab("decay", "decay");
-    const auto found = lab.compare();
+    const auto found = lab.frames().comparison().choose();
     REQUIRE(found.has_value());
     CHECK(found->worst().first == 24.0);
     CHECK(found->worst().second == 144.0);
@@ -84,10 +84,10 @@ TEST_CASE("a rate comparison runs in the background and can be cancelled and res
     REQUIRE(lab.lab().jobs().rates().outcome());
     REQUIRE(lab.lab().jobs().rates().outcome()->has_value());
     const RateComparison& found = **lab.lab().jobs().rates().outcome();
-    REQUIRE(lab.lab().rate_pictures().shown());
-    CHECK(lab.lab().rate_pictures().shown()->pair == found.worst_place());
-    lab.lab().show_rate_pair(0);
-    CHECK(lab.lab().rate_pictures().shown()->pair == 0);
-    CHECK(lab.lab().rate_pictures().shown()->gain ==
+    REQUIRE(lab.lab().jobs().rate_pictures().shown());
+    CHECK(lab.lab().jobs().rate_pictures().shown()->pair == found.worst_place());
+    lab.lab().jobs().show_rate_pair(0);
+    CHECK(lab.lab().jobs().rate_pictures().shown()->pair == 0);
+    CHECK(lab.lab().jobs().rate_pictures().shown()->gain ==
           gain_to_see(found.pairs[0].difference.largest));
 }

@@ -118,10 +118,10 @@ TEST_CASE("a change after a failed edit is drawn") {
 
 TEST_CASE("an edit is drawn with programs that can be turned where it is compared") {
     SettlingLab small;
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("gain", 2.0);
     REQUIRE(small.settles());
-    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
     REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
     small.save_times(5);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
@@ -129,12 +129,12 @@ TEST_CASE("an edit is drawn with programs that can be turned where it is compare
 
 TEST_CASE("an edit after the end of a comparison is drawn with specialised programs") {
     SettlingLab small;
-    small.lab().keep_in_slot(0);
+    small.lab().frames().comparison().store(0);
     small.set("gain", 2.0);
     REQUIRE(small.settles());
-    small.lab().compare({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
+    small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
     REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
-    small.lab().compare({});
+    small.lab().frames().comparison().choose({});
     REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() == nullptr; }));
     small.turn(1);
     small.save_times(5);
@@ -180,7 +180,7 @@ TEST_CASE("another renderer with the same programs draws its own values") {
 
 TEST_CASE("a paused picture is not specialised") {
     SettlingLab small;
-    small.lab().transport().pause();
+    small.lab().player().pause();
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
     small.turn_until([&] { return small.is_settled() || std::chrono::steady_clock::now() > end; });
     CHECK_FALSE(small.lab().is_moving());

@@ -44,7 +44,7 @@ public:
     Turning() { begin(); }
     void begin() {
         start(std::make_unique<FakeMidi>(device));
-        lab().open("small");
+        lab().looks().open("small");
         wait_for_frames();
     }
     void knob(int controller, int value, double seconds = 1.0 / 60.0) {

@@ -41,11 +41,11 @@ public:
         turn(30);
     }
     const StepProbe& ask(const char* parameter, bool is_up = true) {
-        lab().ask_for_step({parameter, 0, is_up});
+        lab().frames().previews().probe().ask({parameter, 0, is_up});
         REQUIRE(turn_until([&] { return !probe().is_busy(); }));
         return probe();
     }
-    const StepProbe& probe() { return lab().tryouts().probe(); }
+    const StepProbe& probe() { return lab().frames().previews().probe(); }
     double seen() { return static_cast<double>(gpu::read_pixel(*probe().picture(), 3, 3)[1]); }
 };
 
@@ -71,7 +71,7 @@ TEST_CASE("a step is shown as its change of the picture and of each pass") {
 
     small.ask("level", false);
     CHECK(is_near_step(small.seen(), 0.5 - 32.0 * 0.01, 1e-5));
-    small.lab().end_step();
+    small.lab().frames().previews().probe().stop();
     CHECK_FALSE(small.probe().picture());
     CHECK_FALSE(small.probe().question().has_value());
 }
@@ -98,7 +98,7 @@ TEST_CASE("a slider without effect reports the pass in which its effect ends") {
     CHECK(is_near_step(small.seen(), 0.5, 1e-6));
 
     small.lab().edit([](Document& document) { document.set_value("opens", Value(1.0)); });
-    small.lab().end_step();
+    small.lab().frames().previews().probe().stop();
     CHECK(small.ask("hidden").effect()->kind == StepEffect::Kind::seen);
 }
 
@@ -108,7 +108,7 @@ TEST_CASE("probing a step leaves clock, history and values unchanged") {
     small.turn(60);  // reaches 0.25 + 0.25
     const double time = small.lab().player().time();
     const DocumentState before = small.document().state();
-    small.lab().ask_for_step({"light", 0, true});
+    small.lab().frames().previews().probe().ask({"light", 0, true});
     int turns = 0;
     for (; small.probe().is_busy() && turns < 2000; ++turns)
         small.lab().update(1.0 / 60.0);

@@ -25,11 +25,11 @@ public:
         turn(5);
     }
     const VariantSheet& lay_out(const SheetRequest& request) {
-        lab().draw_sheet(request);
+        lab().frames().previews().sheet().begin(request);
         REQUIRE(turn_until([&] { return !sheet().is_running(); }));
         return sheet();
     }
-    const VariantSheet& sheet() { return lab().tryouts().sheet(); }
+    const VariantSheet& sheet() { return lab().frames().previews().sheet(); }
     std::array<float, 4> color(std::size_t cell) {
         return gpu::read_pixel(sheet().cells()[cell].picture->texture(), 3, 3);
     }
@@ -56,7 +56,7 @@ TEST_CASE("a filmstrip shows the look along a slider, and a click applies a valu
         CHECK(is_near_cell(small.color(i)[0], is_linear ? encoded(light) : light));
     }
     CHECK(strip.present(small.document()) == 2);
-    small.lab().take_from_sheet(3);
+    small.lab().frames().previews().sheet().apply(3, *small.lab().work().document);
     CHECK(small.document().value(*find_parameter(small.document().look(), "red")) == Value(0.75));
     CHECK(small.document().history().undo_name() == "Apply Red 0.75");
     CHECK(strip.present(small.document()) == 3);
@@ -76,7 +76,7 @@ TEST_CASE("a contact sheet varies two parameters and is redrawn when others chan
     CHECK(is_near_cell(small.color(7)[0], small.color(1)[0]));
     CHECK(is_near_cell(small.color(8)[0], 1.0));
     CHECK(sheet.cells()[8].values.caption == "Red 1, Kind: All");
-    small.lab().take_from_sheet(8);
+    small.lab().frames().previews().sheet().apply(8, *small.lab().work().document);
     CHECK(small.document().values() == Values{{"kind", Value(2.0)}, {"red", Value(1.0)}});
     CHECK(small.document().history().past().size() == 1);
 
@@ -98,7 +98,7 @@ TEST_CASE("the stops of an axis lie along its slider, and an invalid axis is rep
     const VariantSheet& none = small.lay_out({.across = "place"});
     CHECK(none.problem() == "Place: 'place' is not a single number and can't be swept");
     CHECK(small.lay_out({.across = "gone"}).problem() == "This look has no parameter \"gone\"");
-    small.lab().end_sheet();
+    small.lab().frames().previews().sheet().cancel();
     CHECK(small.sheet().cells().empty());
     CHECK(small.sheet().problem().empty());
 }

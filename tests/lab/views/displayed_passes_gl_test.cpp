@@ -47,7 +47,7 @@ TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
     CHECK(small.has_all_light());
     for (int n = 0; n < 6; ++n) {
         CAPTURE(n);
-        small.lab().look_at(n % 2 == 0 ? picture_alone : SeenPasses());
+        small.lab().frames().set_displayed(n % 2 == 0 ? picture_alone : SeenPasses());
         small.turn(1);
         CHECK(small.is_shared() == (n % 2 == 0));
         CHECK(small.has_all_light());
@@ -55,21 +55,21 @@ TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
         small.turn(n);
         CHECK(small.has_all_light());
     }
-    small.lab().look_at({.are_all = false, .names = {"light"}});
+    small.lab().frames().set_displayed({.are_all = false, .names = {"light"}});
     small.turn(1);
     CHECK_FALSE(small.is_shared());
 }
 
 TEST_CASE("a static picture draws its passes as soon as they are displayed") {
     GlowingLab small;
-    small.lab().look_at(picture_alone);
+    small.lab().frames().set_displayed(picture_alone);
     small.turn(1);
-    small.lab().transport().pause();
+    small.lab().player().pause();
     REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
     const float frames = small.frames();
     CHECK(small.is_shared());
     for (const bool is_seen : {true, false, true}) {
-        small.lab().look_at(is_seen ? SeenPasses() : picture_alone);
+        small.lab().frames().set_displayed(is_seen ? SeenPasses() : picture_alone);
         small.turn(1);
         CHECK(small.lab().renderer()->has_whole_picture());
         CHECK_FALSE(small.lab().is_moving());
@@ -82,21 +82,21 @@ TEST_CASE("a static picture draws its passes as soon as they are displayed") {
 TEST_CASE("specialised programs follow changes of shared targets") {
     GlowingLab small;
     REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
-    small.lab().look_at(picture_alone);
+    small.lab().frames().set_displayed(picture_alone);
     small.turn(1);
     CHECK_FALSE(small.executor().is_settled());
     CHECK(small.has_all_light());
     REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
     CHECK(small.is_shared());
     CHECK(small.has_all_light());
-    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.lab().frames().passes().toggle(PassSwitch::freeze, "light");
     small.turn(2);
     CHECK_FALSE(small.is_shared());
     CHECK(small.has_all_light());
-    small.lab().switch_pass(PassSwitch::freeze, "light");
+    small.lab().frames().passes().toggle(PassSwitch::freeze, "light");
     small.turn(2);
     CHECK(small.has_all_light());
-    small.lab().look_at({});
+    small.lab().frames().set_displayed({});
     small.turn(3);
     CHECK(small.has_all_light());
 }
@@ -125,6 +125,6 @@ TEST_CASE("the picture, inspected and probed passes are displayed, but not the s
     window.probe = Probe{.pass = "glow"};
     CHECK(seen(window) == std::vector<bool>{false, true, true});
     window.probe.reset();
-    small.lab().switch_pass(PassSwitch::solo, "light");
+    small.lab().frames().passes().toggle(PassSwitch::solo, "light");
     CHECK(seen(window) == std::vector<bool>{true, false, true});
 }

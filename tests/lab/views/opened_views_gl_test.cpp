@@ -22,16 +22,16 @@ bool is_open(SmallLab& small, const std::string& look) {
 
 TEST_CASE("the viewers of an opening look are warmed up while the previous look is displayed") {
     SmallLab small;
-    small.lab().new_look("other");
+    small.lab().looks().create("other");
     REQUIRE(is_open(small, "other"));
     bool has_met = false;  // a look that opens before the reader was idle is not warmed up
     for (int rests = 0; !has_met && rests < 10; ++rests) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
         small.turn_until([end] { return std::chrono::steady_clock::now() > end; });
-        small.lab().open("small");
+        small.lab().looks().open("small");
         REQUIRE(is_open(small, "small"));
         has_met = has_met_all(small.lab());
-        small.lab().open("other");
+        small.lab().looks().open("other");
         REQUIRE(is_open(small, "other"));
     }
     CHECK(has_met);

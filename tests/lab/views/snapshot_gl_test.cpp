@@ -21,7 +21,7 @@ Picture saved(SmallLab& small, const PassView& view, const char* name) {
 
 TEST_CASE("a pass is saved with its values as EXR, and as displayed as PNG") {
     SmallLab small;
-    small.lab().transport().pause();
+    small.lab().player().pause();
     small.turn(2);
     const float frames = gpu::read_pixel(small.lab().renderer()->executor().target(0), 0, 0)[0];
     PassView view = view_of("sum");

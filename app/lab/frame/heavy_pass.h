@@ -6,18 +6,17 @@
 #include <optional>
 
 class Lab;
-
 struct Pass;
 struct PictureSize;
 
-/// What a pass may take of a frame before it keeps the window from answering.
+/// Time of a pass per frame above which the window stops responding, ms.
 constexpr double heavy_pass_milliseconds = 1000.0;
 
-/// A pass that took longer than that in each of the last frames. Drivers tell a wild time now and
-/// then, above all of a first frame; it is passed over.
+/// A pass that took longer than that in each of the last frames. Implausible times, which drivers
+/// report occasionally, are ignored.
 std::optional<std::size_t> heavy_pass(const PassTimes& times);
 
-/// What may be done about such a pass: what can be bypassed is, or the picture becomes smaller.
+/// Bypass the pass, or halve the render size.
 ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size);
 
 /// Sets the halved render size, and says where to change it.

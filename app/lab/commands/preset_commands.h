@@ -1,21 +1,26 @@
 #pragma once
 
 #include "io/files/trash.h"
-#include "lab/document/document.h"
-#include "lab/library/library.h"
-#include "model/preset/preset_stars.h"
+#include "lab/commands/preset_navigation.h"
+#include "lab/commands/preset_sharing.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-class Lab;
-
 /// What the user does with presets as files: save, rename, duplicate, delete, star.
 class PresetCommands {
 public:
-    /// `lab` owns this and outlives it.
-    explicit PresetCommands(Lab& lab) : m_lab(lab) {}
+    PresetCommands(Workspace& work, LookLoader& loader, ContentCommands& content)
+        : m_work(work),
+          m_loader(loader),
+          m_navigation(work, loader, content),
+          m_sharing(work, loader, content) {}
+
+    PresetNavigation& navigation() { return m_navigation; }
+    const PresetNavigation& navigation() const { return m_navigation; }
+    PresetSharing& sharing() { return m_sharing; }
+    const PresetSharing& sharing() const { return m_sharing; }
 
     /// Whether save() writes over the open preset: it is the user's own JSON file.
     bool can_save_over() const;
@@ -54,11 +59,6 @@ public:
     void offer_move();
     void move_to_user_folder();
 
-    const PresetStars& stars() const { return m_stars; }
-    void set_stars(PresetStars stars) { m_stars = std::move(stars); }
-    /// `preset` is the id of a preset of the open look.
-    void star(const std::string& preset, bool has_star);
-
 private:
     struct Removal {
         TrashedFile trashed;
@@ -75,7 +75,9 @@ private:
     std::string star_name(const std::filesystem::path& file) const;
     const Removal* last_removal() const;
 
-    Lab& m_lab;
-    PresetStars m_stars;
+    Workspace& m_work;
+    LookLoader& m_loader;
+    PresetNavigation m_navigation;
+    PresetSharing m_sharing;
     std::vector<Removal> m_removals;
 };

@@ -1,9 +1,8 @@
-#include "lab/preset_commands.h"
+#include "lab/commands/preset_commands.h"
 
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
 #include "lab/document/sharing.h"
-#include "lab/lab.h"
 #include "lab/storage/editor.h"
 #include "lab/storage/told_name.h"
 #include "lab/window/preset_list.h"
@@ -30,22 +29,22 @@ bool is_json(const fs::path& file) {
 }  // namespace
 
 bool PresetCommands::can_save_over() const {
-    const Document* document = m_lab.document();
+    const OpenDocument& document = m_work.document;
     return document && is_json(document->preset_file()) &&
-           !m_lab.library().is_shipped(document->preset_file());
+           !m_work.library.is_shipped(document->preset_file());
 }
 
 std::string PresetCommands::proposed_name() const {
-    const Document* document = m_lab.document();
+    const OpenDocument& document = m_work.document;
     if (!document)
         return {};
     std::string name = without_other_letters(document->preset_name());
-    if (name.empty() || !m_lab.library().is_shipped(document->preset_file()))
+    if (name.empty() || !m_work.library.is_shipped(document->preset_file()))
         return name;
     for (int n = 1;; ++n) {
         std::string mine =
             n == 1 ? fmt::format("{} (mine)", name) : fmt::format("{} (mine {})", name, n);
-        const auto place = m_lab.library().preset_path(document->look().id, mine);
+        const auto place = m_work.library.preset_path(document->look().id, mine);
         std::error_code error;
         if (!place || !fs::exists(*place, error))
             return mine;
@@ -53,152 +52,151 @@ std::string PresetCommands::proposed_name() const {
 }
 
 fs::path PresetCommands::destination() const {
-    const std::string look = m_lab.document() ? m_lab.document()->look().id : std::string();
-    return m_lab.library().roots().user / "presets" / look;
+    const std::string look = m_work.document ? m_work.document->look().id : std::string();
+    return m_work.library.roots().user / "presets" / look;
 }
 
 void PresetCommands::save() {
-    Document* document = m_lab.mutable_document();
+    OpenDocument& document = m_work.document;
     if (!document)
         return;
     if (!can_save_over())
-        return m_lab.messages().say("Give the preset a name first", true);
+        return m_work.messages.say("Give the preset a name first", true);
     save_to(document->preset_file(), document->preset_name());
 }
 
 void PresetCommands::save_as(const std::string& name) {
-    if (!m_lab.document())
+    if (!m_work.document)
         return;
-    const auto file = m_lab.library().new_preset_path(m_lab.document()->look().id, name);
-    if (m_lab.messages().succeeded(file))
+    const auto file = m_work.library.new_preset_path(m_work.document->look().id, name);
+    if (m_work.messages.succeeded(file))
         save_to(*file, name);
 }
 
 void PresetCommands::replace(const std::string& name) {
-    if (!m_lab.document())
+    if (!m_work.document)
         return;
-    const auto file = m_lab.library().preset_path(m_lab.document()->look().id, name);
-    if (m_lab.messages().succeeded(file))
+    const auto file = m_work.library.preset_path(m_work.document->look().id, name);
+    if (m_work.messages.succeeded(file))
         save_to(*file, name);
 }
 
 void PresetCommands::save_to(const fs::path& file, const std::string& name) {
-    Document& document = *m_lab.mutable_document();
-    const RecentMedia& recent = m_lab.drive().recent();
+    Document& document = *m_work.document;
+    const RecentMedia& recent = m_work.drive.recent();
     remember_files(document, recent);
     Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
     preset.name = name;
-    if (!m_lab.messages().succeeded(::save_preset(file, preset, &document.look())))
+    if (!m_work.messages.succeeded(::save_preset(file, preset, &document.look())))
         return;
     document.set_identity(preset, file);
     document.mark_saved();
-    m_lab.watch_extra_files();
-    m_lab.messages().say(saved_words(name));
+    m_work.messages.say(saved_words(name));
 }
 
 bool PresetCommands::has_source_checkout() const {
-    const fs::path& root = m_lab.library().roots().program;
+    const fs::path& root = m_work.library.roots().program;
     std::error_code error;
     return fs::exists(root / "app" / "CMakeLists.txt", error) &&
            access((root / "presets").c_str(), W_OK) == 0;
 }
 
 void PresetCommands::save_into_shipped() {
-    const Document* document = m_lab.document();
+    const OpenDocument& document = m_work.document;
     if (!document || document->preset_file().empty())
-        return m_lab.messages().say("Open or save a preset first", true);
-    const fs::path folder = m_lab.library().roots().program / "presets" / document->look().id;
+        return m_work.messages.say("Open or save a preset first", true);
+    const fs::path folder = m_work.library.roots().program / "presets" / document->look().id;
     save_to(folder / document->preset_file().filename().replace_extension(".json"),
             document->preset_name());
 }
 
 bool PresetCommands::is_open(const fs::path& file) const {
-    return m_lab.document() && !file.empty() && is_open_preset(*m_lab.document(), file);
+    return m_work.document && !file.empty() && is_open_preset(*m_work.document, file);
 }
 
 // As the list of presets calls it.
 std::string PresetCommands::star_name(const fs::path& file) const {
-    const std::string look = m_lab.document() ? m_lab.document()->look().id : std::string();
-    for (const PresetEntry& preset : m_lab.library().presets(look))
+    const std::string look = m_work.document ? m_work.document->look().id : std::string();
+    for (const PresetEntry& preset : m_work.library.presets(look))
         if (preset.file == file)
             return star_of(look, preset.id);
     return star_of(look, file.stem().string());
 }
 
 void PresetCommands::rename(const fs::path& before, const std::string& name) {
-    if (!m_lab.document() || before.empty())
+    if (!m_work.document || before.empty())
         return;
     const std::string star = star_name(before);
     const bool was_open = is_open(before);
-    const auto file = m_lab.library().rename_preset(before, name);
-    if (!m_lab.messages().succeeded(file))
+    const auto file = m_work.library.rename_preset(before, name);
+    if (!m_work.messages.succeeded(file))
         return;
-    if (m_stars.erase(star) > 0)
-        m_stars.insert(star_name(*file));
+    if (m_navigation.stars().erase(star) > 0)
+        m_navigation.stars().insert(star_name(*file));
     if (was_open) {
-        Document& document = *m_lab.mutable_document();
+        Document& document = *m_work.document;
         Preset identity = document.identity();
         identity.name = name;
         document.set_identity(identity, *file);
-        m_lab.watch_extra_files();
     }
-    m_lab.messages().say(fmt::format("Renamed to \"{}\"", name));
+    m_work.messages.say(fmt::format("Renamed to \"{}\"", name));
 }
 
 void PresetCommands::duplicate(const fs::path& before) {
-    if (!m_lab.document() || before.empty())
+    if (!m_work.document || before.empty())
         return;
-    const auto file = m_lab.library().duplicate_preset(before);
-    if (!m_lab.messages().succeeded(file))
+    const auto file = m_work.library.duplicate_preset(before);
+    if (!m_work.messages.succeeded(file))
         return;
     const auto copy = load_preset(*file);
     if (is_open(before) && copy) {
-        Document& document = *m_lab.mutable_document();
+        Document& document = *m_work.document;
         Preset identity = document.identity();
         identity.name = copy->name;
         document.set_identity(identity, *file);
-        m_lab.watch_extra_files();
     }
-    m_lab.messages().say(
+    m_work.messages.say(
         fmt::format("Duplicated as \"{}\"", copy ? copy->name : file->stem().string()));
 }
 
 void PresetCommands::remove(const fs::path& file) {
-    Document* document = m_lab.mutable_document();
+    OpenDocument& document = m_work.document;
     if (!document || file.empty())
         return;
-    if (m_lab.library().is_shipped(file))
-        return m_lab.messages().say("Shipped presets can't be deleted", true);
+    if (m_work.library.is_shipped(file))
+        return m_work.messages.say("Shipped presets can't be deleted", true);
     const auto preset = load_preset(file);
     const std::string star = star_name(file);
     const bool was_open = is_open(file);
     const auto trashed = move_to_trash(file);
-    if (!m_lab.messages().succeeded(trashed))
+    if (!m_work.messages.succeeded(trashed))
         return;
-    if (m_lab.loader().is_opening_preset(file))
-        m_lab.cancel_opening();
+    if (m_loader.is_opening_preset(file))
+        m_loader.cancel();
     Removal removal{.trashed = *trashed,
                     .look = document->look().id,
                     .name = preset ? preset->name : file.stem().string(),
-                    .has_star = m_stars.erase(star) > 0,
+                    .has_star = m_navigation.stars().erase(star) > 0,
                     .identity = was_open ? std::optional(document->identity()) : std::nullopt,
                     .saved = document->saved(),
                     .steps = document->history().past().size()};
     if (was_open) {
         document->set_identity({}, {});
         document->mark_saved(initial_state(document->look()));
-        m_lab.watch_extra_files();
     }
-    m_lab.messages().offer(
+    m_work.messages.offer(
         was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
                  : fmt::format("Deleted \"{}\"", removal.name),
-        {.name = "Undo", .deeds = {[](Lab& lab) { lab.undo(); }}});
+        {.name = "Undo", .deeds = {[this](Document& open) {
+                             if (!undo_removal())
+                                 open.undo();
+                         }}});
     m_removals.push_back(std::move(removal));
 }
 
 // The document's newer steps are undone first.
 const PresetCommands::Removal* PresetCommands::last_removal() const {
-    const Document* document = m_lab.document();
+    const OpenDocument& document = m_work.document;
     const bool is_next = document && !m_removals.empty() &&
                          m_removals.back().look == document->look().id &&
                          m_removals.back().steps == document->history().past().size();
@@ -215,61 +213,47 @@ bool PresetCommands::undo_removal() {
         return false;
     const Removal removal = std::move(m_removals.back());
     m_removals.pop_back();
-    if (!m_lab.messages().succeeded(restore_from_trash(removal.trashed)))
+    if (!m_work.messages.succeeded(restore_from_trash(removal.trashed)))
         return true;
-    Document& document = *m_lab.mutable_document();
+    Document& document = *m_work.document;
     if (removal.has_star)
-        m_stars.insert(star_name(removal.trashed.original));
+        m_navigation.stars().insert(star_name(removal.trashed.original));
     if (removal.identity && document.preset_file().empty()) {
         document.set_identity(*removal.identity, removal.trashed.original);
         document.mark_saved(removal.saved);
-        m_lab.watch_extra_files();
     }
-    m_lab.messages().say(fmt::format("Restored \"{}\"", removal.name));
+    m_work.messages.say(fmt::format("Restored \"{}\"", removal.name));
     return true;
 }
 
 void PresetCommands::show_in_folder(const fs::path& file) {
-    m_lab.messages().succeeded(open_folder(file.parent_path()));
+    m_work.messages.succeeded(open_folder(file.parent_path()));
 }
 
 void PresetCommands::offer_move() {
-    const std::size_t count = m_lab.library().presets_in_program_folder().size();
+    const std::size_t count = m_work.library.presets_in_program_folder().size();
     if (count == 0)
         return;
-    m_lab.messages().offer(count == 1
-                               ? "1 of your presets is in the program folder"
-                               : fmt::format("{} of your presets are in the program folder", count),
-                           {.name = "Move to my presets",
-                            .deeds = {[](Lab& lab) { lab.presets().move_to_user_folder(); }}});
+    m_work.messages.offer(
+        count == 1 ? "1 of your presets is in the program folder"
+                   : fmt::format("{} of your presets are in the program folder", count),
+        {.name = "Move to my presets", .deeds = {[this](Lab&) { move_to_user_folder(); }}});
 }
 
 void PresetCommands::move_to_user_folder() {
     std::size_t count = 0;
-    for (const PresetEntry& preset : m_lab.library().presets_in_program_folder()) {
+    for (const PresetEntry& preset : m_work.library.presets_in_program_folder()) {
         const bool was_open = is_open(preset.file);
-        const auto moved = m_lab.library().move_to_user_folder(preset);
-        if (!m_lab.messages().succeeded(moved))
+        const auto moved = m_work.library.move_to_user_folder(preset);
+        if (!m_work.messages.succeeded(moved))
             return;
         ++count;
         if (was_open) {
-            Document& document = *m_lab.mutable_document();
+            Document& document = *m_work.document;
             document.set_identity(document.identity(), *moved);
         }
     }
-    if (m_lab.document())
-        m_lab.watch_extra_files();
-    const std::string folder = told_folder(m_lab.library().roots().user / "presets");
-    m_lab.messages().say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
-                                    : fmt::format("Moved {} presets to {}", count, folder));
-}
-
-void PresetCommands::star(const std::string& preset, bool has_star) {
-    if (!m_lab.document())
-        return;
-    const std::string star = star_of(m_lab.document()->look().id, preset);
-    if (has_star)
-        m_stars.insert(star);
-    else
-        m_stars.erase(star);
+    const std::string folder = told_folder(m_work.library.roots().user / "presets");
+    m_work.messages.say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
+                                   : fmt::format("Moved {} presets to {}", count, folder));
 }

@@ -1,4 +1,4 @@
-#include "lab/compare/rate_pictures.h"
+#include "lab/offline/rate_pictures.h"
 
 #include "gpu/objects/texels.h"
 

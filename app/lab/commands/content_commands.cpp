@@ -1,0 +1,174 @@
+#include "lab/commands/content_commands.h"
+
+#include "formats/preset/preset_format.h"
+#include "formats/scene/scene_file.h"
+#include "lab/document/users_content.h"
+#include "lab/frame/frame_loop.h"
+#include "lab/media/source.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+// The present setting with another file; other kinds of signal leave nothing to a sound.
+Spec playing(const fs::path& file, const Spec& present) {
+    const Spec fresh =
+        is_scene_file(file) ? Spec{"scene", {}} : Spec{"audio", {{"mode", std::string("xy")}}};
+    Spec spec = present.kind == fresh.kind ? present : fresh;
+    spec.settings.erase("");
+    spec.settings["file"] = fs::absolute(file).string();
+    return with_round_circles(std::move(spec));
+}
+}  // namespace
+
+bool ContentCommands::is_content(const fs::path& file) {
+    const bool is_source = is_source_file(file) && !(is_picture_file(file) && load_preset(file));
+    return is_sound_file(file) || is_svg_file(file) || is_scene_file(file) || is_source;
+}
+
+std::string ContentCommands::look_for(const fs::path& file) const {
+    const bool is_beam = is_sound_file(file) || is_svg_file(file) || is_scene_file(file);
+    const Driver needed = is_beam ? Driver::signal : Driver::picture;
+    if (m_work.document && m_work.document->look().driven_by == needed)
+        return "";
+    return is_beam ? "phosphor" : "crt";
+}
+
+void ContentCommands::open(const fs::path& file) {
+    if (is_svg_file(file))
+        return m_drawing.load(file);
+    const bool is_sound = is_sound_file(file) || is_scene_file(file);
+    const Driver needed = is_sound ? Driver::signal : Driver::picture;
+    if (m_work.document && is_picture_file(file) && m_comparison.is_file_wanted())
+        return m_comparison.compare_with_file(file);
+    if (!m_work.document || m_work.document->look().driven_by != needed) {
+        return m_work.messages.say(is_sound ? needs_signal_look : needs_picture_look, true);
+    }
+    if (is_sound)
+        return m_work.drive.choose({.driver = Driver::signal,
+                                    .signal = playing(file, m_work.document->state().signal),
+                                    .file = file});
+    SourceSpec source = parse_source(m_work.document->state().source).value_or(SourceSpec{});
+    const bool is_first =
+        !is_users_content(m_work.document->state().source) && source.fit == Fit::stretch;
+    source.picture = fs::absolute(file).string();
+    const std::string text = to_string(source);
+    m_work.drive.choose(
+        {.driver = Driver::picture,
+         .source = is_first ? with_users_defaults(text, m_work.document->look()) : text,
+         .file = file});
+}
+
+void ContentCommands::choose_picture(const std::string& parameter, const fs::path& file) {
+    if (m_work.document)
+        m_work.pictures.chosen().choose(m_work.document->look(), {parameter, file});
+}
+
+void ContentCommands::cancel_loading() {
+    const std::string name = m_work.drive.loading();
+    if (name.empty() || !m_work.document)
+        return;
+    m_work.drive.cancel();
+    m_work.messages.say(
+        fmt::format("Cancelled loading \"{}\"", fs::path(name).filename().string()));
+}
+
+void ContentCommands::update() {
+    take_pictures();
+    if (!m_work.document->is_restacking())
+        take_content();
+}
+
+void ContentCommands::take_pictures() {
+    if (const auto chosen = m_work.pictures.chosen().take_chosen();
+        chosen && m_work.messages.succeeded(*chosen)) {
+        m_work.document->set_value((*chosen)->parameter, Value::of_path((*chosen)->file.string()));
+        m_work.opened_files.add((*chosen)->file);
+        m_work.drive.recent().remember((*chosen)->file, {});
+    }
+    Diagnostics problems;
+    const auto names =
+        m_work.pictures.chosen().take_read(m_work.document->look(), *m_work.renderer, problems);
+    if (names.empty())
+        return;
+    if (!problems.empty())
+        m_work.messages.say(problems.front());
+    report_content_problems(m_work);
+    m_work.redraw.add(redraw_after(m_work.document->look(), names));
+}
+
+void ContentCommands::take_content() {
+    const auto taken = m_work.drive.take_chosen(m_work.document->look(), m_work.player);
+    if (!taken || !m_work.messages.succeeded(*taken))
+        return;
+    const ChosenContent& chosen = **taken;
+    m_work.opened_files.add(chosen.file);
+    const bool is_signal = chosen.driver == Driver::signal;
+    if (m_work.document->look().driven_by != chosen.driver) {
+        Content content = m_work.document->content();  // for the next look that it drives
+        (is_signal ? content.locks.signal : content.locks.source) = true;
+        is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
+        return m_work.document->keep_content(content);
+    }
+    for (const Diagnostic& note : m_work.drive.problems())
+        m_work.messages.say(note);
+    if (!is_signal)
+        return m_work.document->set_source(chosen.source);
+    m_work.document->set_signal(chosen.signal);
+    m_work.player.restart();
+    m_work.player.play();
+}
+
+void ContentCommands::offer_outside(const OutsideContent& content) {
+    const auto use = [this, content](Document& document) {
+        m_work.messages.dismiss();
+        if (content.source.empty() && content.signal)
+            document.set_signal(*content.signal);
+        else if (!content.source.empty())
+            document.set_source(content.source);
+        if (!content.files.empty())
+            document.set_values(content.files, "Use the preset's files");
+        for (const auto& [name, value] : content.files)
+            m_work.drive.recent().remember(value.path, {});
+    };
+    m_work.messages.ask(
+        content.notice(),
+        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .deeds = {use}}});
+}
+
+// While the user's own content is locked, a button offers the preset's.
+void ContentCommands::offer_own(const Preset& preset) {
+    const Look& look = m_work.document->look();
+    const bool is_signal = look.driven_by == Driver::signal;
+    const bool names_content = is_signal ? preset.signal.has_value() : !preset.source.empty();
+    if (!m_work.document->is_content_locked() || !names_content)
+        return;
+    const Content own{preset.signal.value_or(Spec{}), preset.source, {}};
+    const Content present = m_work.document->content();
+    if (is_signal ? is_same_content(own.signal, present.signal)
+                  : is_same_content(own.source, present.source))
+        return;
+    const std::string kept = fmt::format("Kept {}", content_name(present, look));
+    m_work.messages.append(kept,
+                           {.name = use_content_words(look),
+                            .deeds = {[own](Document& document) { document.use_content(own); }}});
+}
+
+void ContentCommands::offer(const CheckedPreset& checked) {
+    const bool is_locked = m_work.document->is_content_locked();
+    if (checked.outside && (!is_locked || !checked.outside->files.empty())) {
+        OutsideContent asked = *checked.outside;
+        if (is_locked)
+            asked = {.files = std::move(asked.files)};
+        return offer_outside(asked);
+    }
+    if (!is_locked)
+        return;
+    Preset whole = checked.preset;
+    if (checked.outside) {
+        whole.signal = checked.outside->signal;
+        whole.source = checked.outside->source;
+    }
+    offer_own(whole);
+}

@@ -1,0 +1,150 @@
+#include "lab/commands/look_commands.h"
+
+#include "formats/look/manifest_edit.h"
+#include "lab/storage/editor.h"
+#include "lab/storage/include_store.h"
+#include "lab/window/window_state.h"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+LookCommands::LookCommands(Workspace& work, LookLoader& loader, ContentCommands& content)
+    : m_work(work),
+      m_loader(loader),
+      m_content(content),
+      m_includes(load_include_folders(work.library.roots())),
+      m_kept_sessions(work.library.roots()) {
+    search_includes();
+}
+
+void LookCommands::open(const std::string& argument) {
+    const auto request = resolve(argument, m_work.library);
+    if (m_work.messages.succeeded(request))
+        m_loader.open(*request);
+}
+
+void LookCommands::open_with_content(const std::string& argument) {
+    auto request = resolve(argument, m_work.library);
+    if (!m_work.messages.succeeded(request))
+        return;
+    request->brings_content = true;
+    m_loader.open(*request);
+}
+
+void LookCommands::open_file(const fs::path& file) {
+    if (ContentCommands::is_content(file))
+        return m_content.open(file);
+    const auto request = resolve(file.string(), m_work.library);
+    if (m_work.messages.succeeded(request))
+        m_loader.open(*request, [this, file] { m_work.opened_files.add(file); });
+}
+
+void LookCommands::cancel_opening() {
+    if (!m_work.document || !m_work.document->is_restacking())
+        m_loader.cancel();
+}
+
+void LookCommands::dismiss_problems() {
+    m_work.messages.dismiss_problems();
+    m_loader.dismiss_failed();
+}
+
+void LookCommands::create(const std::string& id) {
+    const auto folder = m_work.library.new_look(id);
+    if (m_work.messages.succeeded(folder))
+        m_loader.open(OpenRequest{*folder, {}, {}});
+}
+
+void LookCommands::duplicate(const std::string& id) {
+    if (!m_work.document)
+        return;
+    if (m_work.document->look().stack.size() > 1)
+        return m_work.messages.say("A stack can't be duplicated. Open one of its looks first.",
+                                   true);
+    if (is_foreign_look(m_work.document->look().manifest))
+        return m_work.messages.say("Looks of other programs can't be duplicated", true);
+    const auto folder =
+        m_work.library.duplicate_look(m_work.document->look().manifest.parent_path(), id);
+    if (!m_work.messages.succeeded(folder))
+        return;
+    Preset present = m_work.document->preset();
+    present.look = id;
+    m_loader.open(OpenRequest{*folder, present, {}});
+}
+
+void LookCommands::write_overrides() {
+    if (!m_work.document || m_work.document->state().overrides.empty())
+        return;
+    const Stack& stack = m_work.document->look().stack;
+    for (const StackPart& part : stack)
+        if (m_work.library.is_shipped(manifest_of(part.place)))
+            return offer_duplicate(
+                fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
+    for (std::size_t i = 0; i < stack.size(); ++i) {
+        PassOverrides own;
+        const std::string scope = scope_of(stack, i);
+        for (const auto& [pass, override] : m_work.document->state().overrides)
+            if (pass.starts_with(scope))
+                own.emplace(pass.substr(scope.size()), override);
+        if (!own.empty() && is_foreign_look(stack[i].place))
+            return m_work.messages.say("Pass settings can't be saved to looks of other programs",
+                                       true);
+        if (!own.empty() &&
+            !m_work.messages.succeeded(::write_overrides(manifest_of(stack[i].place), own)))
+            return;
+    }
+    m_work.document->clear_overrides();
+    m_work.messages.say("Saved to look.json");
+}
+
+// A shipped file that the user may not write to.
+bool LookCommands::must_duplicate(const fs::path& file) const {
+    return m_work.library.is_shipped(file) &&
+           faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0;
+}
+
+void LookCommands::offer_duplicate(const std::string& reason) {
+    const std::string id = m_work.document->look().id + "-copy";
+    m_work.messages.offer(reason, {.name = "Duplicate look",
+                                   .deeds = {[id](WindowState& window) {
+                                       window.dialog = {.kind = Dialog::Kind::duplicate_look,
+                                                        .text = id};
+                                   }}});
+}
+
+void LookCommands::open_in_editor(const Location& place) {
+    if (m_work.document && must_duplicate(place.file))
+        return offer_duplicate(fmt::format("\"{}\" is a shipped look in a read-only folder",
+                                           m_work.document->look().name));
+    m_work.messages.succeeded(::open_in_editor(place));
+}
+
+void LookCommands::search_includes() {
+    IncludeFolders folders = m_work.library.roots().include_folders();
+    folders.named.insert(folders.named.end(), m_includes.begin(), m_includes.end());
+    m_loader.worker().reader().set_include_folders(std::move(folders));
+    m_loader.reload();
+}
+
+void LookCommands::set_include_folders(const std::vector<fs::path>& folders) {
+    for (const fs::path& folder : folders) {
+        std::error_code error;
+        if (!fs::is_directory(folder, error))
+            return m_work.messages.say(
+                {folder, 0, "is not a folder. Includes are searched for in folders."});
+    }
+    m_includes = folders;
+    m_work.messages.succeeded(save_include_folders(m_work.library.roots(), m_includes));
+    search_includes();
+}
+
+void LookCommands::keep_unsaved(const Session& session,
+                                const std::function<std::optional<Picture>()>& picture) {
+    const auto kept = m_kept_sessions.keep(session, picture);
+    if (m_work.messages.succeeded(kept) && *kept)
+        m_work.messages.say("Your unsaved changes are kept in File > Unsaved changes");
+}

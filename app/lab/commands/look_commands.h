@@ -1,0 +1,61 @@
+#pragma once
+
+#include "lab/commands/content_commands.h"
+#include "lab/frame/workspace.h"
+#include "lab/reload/look_loader.h"
+#include "lab/storage/kept_sessions.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct Session;
+
+/// Opens, creates and edits looks. Failures are shown as notices.
+class LookCommands {
+public:
+    LookCommands(Workspace& work, LookLoader& loader, ContentCommands& content);
+
+    /// A look, stack or preset: id, name, file or line of text.
+    void open(const std::string& argument);
+    /// The same; a preset's own signal or source is used although the user's is locked.
+    void open_with_content(const std::string& argument);
+    /// Keeps the open look instead of the one that is being opened. Undo reverts a change of a
+    /// stack.
+    void cancel_opening();
+    /// Hides the problems. Those of a look that could not be opened are replaced by those of the
+    /// open one.
+    void dismiss_problems();
+    /// Any file that was dropped or chosen.
+    void open_file(const std::filesystem::path& file);
+    void create(const std::string& id);
+    void duplicate(const std::string& id);
+    /// Writes the pass overrides into look.json.
+    void write_overrides();
+    /// Offers to duplicate a shipped look in a folder that the user cannot write to.
+    void open_in_editor(const Location& place);
+
+    const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
+    /// The user's folders for includes, besides those of --include. They are stored.
+    void set_include_folders(const std::vector<std::filesystem::path>& folders);
+
+    /// Unsaved changes of looks that were closed.
+    const KeptSessions& kept_sessions() const { return m_kept_sessions; }
+    KeptSessions& kept_sessions() { return m_kept_sessions; }
+    /// Stores unsaved changes, if there are any, and says so.
+    void keep_unsaved(const Session& session,
+                      const std::function<std::optional<Picture>()>& picture = {});
+
+private:
+    bool must_duplicate(const std::filesystem::path& file) const;
+    void offer_duplicate(const std::string& reason);
+    void search_includes();
+
+    Workspace& m_work;
+    LookLoader& m_loader;
+    ContentCommands& m_content;
+    std::vector<std::filesystem::path> m_includes;
+    KeptSessions m_kept_sessions;
+};

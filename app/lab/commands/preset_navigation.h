@@ -1,0 +1,50 @@
+#pragma once
+
+#include "lab/commands/content_commands.h"
+#include "lab/document/morphing.h"
+#include "lab/frame/workspace.h"
+#include "lab/library/preset_ring.h"
+#include "lab/reload/look_loader.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+/// Next, previous and favourite presets, opened at once or morphed to.
+class PresetNavigation {
+public:
+    PresetNavigation(Workspace& work, LookLoader& loader, ContentCommands& content)
+        : m_work(work), m_loader(loader), m_content(content) {}
+
+    const PresetStars& stars() const { return m_stars; }
+    PresetStars& stars() { return m_stars; }
+    /// `preset` is the id of a preset of the open look.
+    void star(const std::string& preset, bool has_star);
+
+    /// Opens the preset `by` entries further in the list of the open look, or in that of its
+    /// favourites. Repeated before the last one is open, it continues from there.
+    void step(int by, bool only_starred = false);
+    /// Morphs to a preset of the open look, as one undo step, and opens it at the end; "": to the
+    /// look's defaults.
+    void morph_to(const std::filesystem::path& preset, double seconds);
+    void morph_by(int by, double seconds, bool only_starred = false);
+    void end_morph();
+    /// null: none is running.
+    const Morphing* morphing() const { return m_morphing.get(); }
+
+    /// Advances the morph.
+    void update(double wall_seconds);
+    /// A look or preset was opened: says which, and how to restore unsaved changes that it
+    /// replaced.
+    void note_opened(const OpenRequest& request, bool had_changes);
+
+private:
+    std::optional<PresetPlace> target(int by, bool only_starred);
+
+    Workspace& m_work;
+    LookLoader& m_loader;
+    ContentCommands& m_content;
+    PresetStars m_stars;
+    std::unique_ptr<Morphing> m_morphing;
+    std::optional<PresetPlace> m_step;  // that is being opened
+};

@@ -1,0 +1,97 @@
+#include "lab/commands/preset_sharing.h"
+
+#include "formats/preset/preset_format.h"
+#include "formats/preset/share_line.h"
+#include "formats/slang/slang_format.h"
+#include "formats/slang/write.h"
+#include "io/files/atomic_file.h"
+#include "lab/document/sharing.h"
+#include "lab/storage/told_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fs = std::filesystem;
+
+std::string PresetSharing::line() const {
+    return m_work.document ? share_line_of(*m_work.document, m_work.drive.recent()) : std::string();
+}
+
+void PresetSharing::paste(const std::string& line) {
+    const auto preset = parse_share_line(line);
+    if (!m_work.messages.succeeded(preset))
+        return;
+    if (m_work.document && preset->look == m_work.document->look().id) {
+        const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
+                                                         fs::current_path(), m_work.drive.recent());
+        m_work.document->take(checked.preset, "Paste");
+        return m_content.offer(checked);
+    }
+    const auto request = resolve(line, m_work.library);
+    if (m_work.messages.succeeded(request))
+        m_loader.open(*request);
+}
+
+bool PresetSharing::can_save_slang() const {
+    return m_work.document && m_work.document->look().stack.size() <= 1 &&
+           is_slang_file(m_work.document->look().manifest);
+}
+
+void PresetSharing::save_slang(const fs::path& given) {
+    if (!can_save_slang())
+        return m_work.messages.say("Only RetroArch looks can be saved as .slangp", true);
+    const fs::path file =
+        given.extension() == ".slangp" ? given : fs::path(given.string() + ".slangp");
+    const Look& look = m_work.document->look();
+    std::error_code error;
+    if (fs::equivalent(file, look.manifest, error))
+        return m_work.messages.say("A .slangp file can't reference itself. Choose another name.",
+                                   true);
+    const auto is_read = [&](const fs::path& read) { return fs::equivalent(file, read, error); };
+    if (std::ranges::any_of(m_loader.files().look_files(), is_read))
+        return m_work.messages.say("The open look uses this file. Choose another name.", true);
+    std::map<std::string, double> values;
+    std::string left_out;
+    for (const Parameter& parameter : look.parameters)
+        if (m_work.document->is_changed(parameter) && parameter.is_constant)
+            left_out += (left_out.empty() ? "" : ", ") + parameter.label;
+        else if (m_work.document->is_changed(parameter))
+            values[parameter.name] = m_work.document->value(parameter).number();
+    if (!m_work.messages.succeeded(
+            write_atomically(file, simple_slang_preset(look.manifest, values, file))))
+        return;
+    const std::string name = file.filename().string();
+    m_work.messages.say(
+        left_out.empty()
+            ? saved_words(name)
+            : fmt::format("Saved \"{}\". A .slangp file can't store {}.", name, left_out));
+}
+
+void PresetSharing::file_changed(const fs::path& file) {
+    const auto preset = load_preset(file);
+    if (!m_work.messages.succeeded(preset))
+        return;
+    m_work.messages.withdraw(file.string());
+    const fs::path folder = media_folder(file);
+    remember_files(*m_work.document, m_work.drive.recent());
+    const Preset present =
+        with_portable_media(m_work.document->preset(), folder, m_work.drive.recent());
+    if (is_written_alike(*preset, present, m_work.document->look()))
+        return;
+    if (m_work.document->is_modified()) {
+        m_work.messages.say(fmt::format("\"{}\" changed on disk. Your changes are kept.",
+                                        m_work.document->preset_name()),
+                            true);
+        return;
+    }
+    const CheckedPreset checked =
+        with_checked_media(*preset, m_work.document->look(), folder, m_work.drive.recent());
+    m_work.document->take(checked.preset, "Preset changed on disk");
+    DocumentState saved = m_work.document->state();
+    saved.signal = checked.preset.signal.value_or(saved.signal);
+    saved.source = checked.preset.source.empty() ? saved.source : checked.preset.source;
+    m_work.document->mark_saved(std::move(saved));
+    if (checked.outside)
+        m_content.offer(checked);
+}

@@ -1,0 +1,243 @@
+#include "lab/frame/comparison_view.h"
+
+#include "model/look/value_changes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+const Slots& ComparisonView::slots() const {
+    static const Slots none;
+    return m_work.document ? m_selection.slots(m_work.document->look().id) : none;
+}
+
+bool ComparisonView::is_in_slot(std::size_t number) const {
+    const std::optional<Slot>& slot = slots().at(number);
+    return slot && values_of(*slot, m_work.document->look()) ==
+                       changed_values(m_work.document->look(), m_work.document->values());
+}
+
+void ComparisonView::store(std::size_t number) {
+    if (!m_work.document || m_work.document->is_restacking())
+        return;  // names are about to change
+    const Look& look = m_work.document->look();
+    m_selection.set_slot(
+        look.id, number,
+        Slot{m_work.document->preset_name(), changed_values(look, m_work.document->values())});
+    m_work.messages.say(fmt::format("Stored in slot {}", slot_name(number)));
+}
+
+void ComparisonView::recall(std::size_t number) {
+    if (!m_work.document || m_work.document->is_restacking())
+        return;
+    const std::optional<Slot>& slot = slots().at(number);
+    if (!slot)
+        return m_work.messages.say(fmt::format("Slot {} is empty", slot_name(number)));
+    Preset preset = m_work.document->preset();
+    preset.values = values_of(*slot, m_work.document->look());
+    m_work.document->take(preset, fmt::format("Recall slot {}", slot_name(number)));
+}
+
+void ComparisonView::clear_slot(std::size_t number) {
+    if (m_work.document)
+        m_selection.set_slot(m_work.document->look().id, number, std::nullopt);
+}
+
+CompareMode ComparisonView::mode() const {
+    return sides() ? m_selection.chosen().mode : CompareMode::off;
+}
+
+std::optional<Sides> ComparisonView::sides() const {
+    const Comparison& chosen = m_selection.chosen();
+    if (!m_work.document || !m_selection.is_wanted())
+        return std::nullopt;
+    if (chosen.other.kind != Other::Kind::file)
+        return m_variant && m_work.renderer->variant() && !m_work.renderer->is_replaying_variant()
+                   ? std::optional(m_variant->sides)
+                   : std::nullopt;
+    const auto& picture = m_selection.reference().picture();
+    if (!picture)
+        return std::nullopt;
+    std::string name = m_selection.reference().file().filename().string();
+    if (picture->extent != m_work.size.extent())
+        name = fmt::format("{} · {} × {}, scaled", name, picture->extent.width,
+                           picture->extent.height);
+    return Sides{std::move(name), "Now", true};
+}
+
+bool ComparisonView::find_other(Comparison& comparison) {
+    if (comparison.other.kind == Other::Kind::file &&
+        (m_selection.reference().file() != comparison.other.file ||
+         !m_selection.reference().picture()) &&
+        !m_work.messages.succeeded(m_selection.reference().read(comparison.other.file)))
+        return false;
+    m_selection.choose(comparison);
+    const auto other =
+        m_selection.nearest_other(m_work.document->look(), m_work.document->values());
+    if (!other) {
+        m_work.messages.say(
+            fmt::format("\"{}\" has no switch as_written, and all slots are empty. Store the "
+                        "settings in a slot or choose an image file to compare with.",
+                        m_work.document->look().name),
+            true);
+        return false;
+    }
+    comparison.other = *other;
+    return true;
+}
+
+void ComparisonView::choose(Comparison comparison) {
+    if (!m_work.document)
+        return;
+    const Comparison before = m_selection.chosen();
+    const bool is_asked = comparison.mode != CompareMode::off || comparison.other != before.other;
+    if (is_asked && !find_other(comparison)) {
+        comparison.mode = CompareMode::off;
+        comparison.other = before.other;
+    }
+    m_selection.choose(comparison);
+}
+
+void ComparisonView::set_mode(CompareMode mode) {
+    Comparison comparison = m_selection.chosen();
+    comparison.mode = mode;
+    choose(comparison);
+}
+
+void ComparisonView::compare_with(const Other& other) {
+    Comparison comparison = m_selection.chosen();
+    if (other.kind == Other::Kind::slot && !slots().at(other.slot))
+        return m_work.messages.say(
+            fmt::format("Slot {} is empty. Store settings in it first.", slot_name(other.slot)));
+    comparison.other = other;
+    if (comparison.mode == CompareMode::off)
+        comparison.mode = CompareMode::wipe;
+    choose(comparison);
+}
+
+void ComparisonView::compare_with_file(const fs::path& file) {
+    std::error_code error;
+    compare_with({Other::Kind::file, 0, fs::absolute(file, error)});
+    const auto& picture = m_selection.reference().picture();
+    if (m_selection.chosen().other.kind != Other::Kind::file || !picture)
+        return;
+    m_work.opened_files.add(file);
+    const std::string name = file.filename().string();
+    const Extent own = picture->extent;
+    const Extent shown = m_work.size.extent();
+    m_work.messages.say(own == shown
+                            ? fmt::format("Comparing with \"{}\"", name)
+                            : fmt::format("Comparing with \"{}\" ({} × {}, scaled to {} × {})",
+                                          name, own.width, own.height, shown.width, shown.height));
+}
+
+bool ComparisonView::is_file_wanted() const {
+    const bool is_compared = m_selection.chosen().mode != CompareMode::off &&
+                             m_selection.chosen().other.kind == Other::Kind::file;
+    return is_compared || m_work.document->look().driven_by != Driver::picture;
+}
+
+void ComparisonView::flash(bool is_flashing) {
+    if (!m_work.document || is_flashing == m_selection.is_flashing())
+        return;
+    Comparison comparison = m_selection.chosen();
+    if (is_flashing && !find_other(comparison))
+        return m_selection.choose(comparison);
+    m_selection.choose(comparison);
+    m_selection.flash(is_flashing);
+}
+
+bool ComparisonView::file_changed(const fs::path& file) {
+    if (file != m_selection.reference().file())
+        return false;
+    if (m_work.messages.succeeded(m_selection.reference().read(file)))
+        m_work.messages.withdraw(file.string());
+    return true;
+}
+
+bool ComparisonView::update(double wall_seconds) {
+    m_selection.pass_time(wall_seconds);
+    if (m_work.document->is_restacking())
+        return false;
+    const Look& look = m_work.document->look();
+    const Other& other = m_selection.chosen().other;
+    auto next = m_selection.is_wanted()
+                    ? m_selection.variant(other, look, m_work.document->values())
+                    : std::nullopt;
+    const bool is_lost =
+        m_variant && !m_work.renderer->variant();  // out of memory, which was reported
+    if (is_lost || (!next && other.kind != Other::Kind::file)) {
+        m_selection.end();
+        next.reset();
+    }
+    if (next && !m_constants.has_programs_for(*m_work.document, next->values))
+        return false;
+    if (next == m_variant) {
+        update_constants();
+        return false;
+    }
+    const auto previous = std::exchange(m_variant, std::move(next));
+    if (!m_variant) {
+        m_work.renderer->end_variant();
+        m_work.pictures.clear_variant();
+        return false;
+    }
+    if (!previous || !m_work.renderer->variant()) {
+        start_variant();
+        return false;
+    }
+    update_constants();
+    m_work.renderer->set_variant_values(m_variant->values);
+    show_pictures();
+    m_work.redraw.add(
+        redraw_after(look, changed_parameters(look, previous->values, m_variant->values)));
+    return true;
+}
+
+void ComparisonView::show_pictures() {
+    if (m_variant)
+        m_work.messages.succeeded(m_work.pictures.show_variant(
+            m_work.document->look(), m_variant->values, *m_work.renderer));
+}
+
+// The variant needs all inputs of the picture, and its past. The clock waits for it.
+void ComparisonView::start_variant() {
+    if (m_work.renderer->replay().is_running())
+        m_work.redraw.add_replay();  // it was the picture's
+    if (!m_work.messages.succeeded(m_work.renderer->start_variant(m_variant->values)))
+        return;
+    const Look& look = m_work.document->look();
+    update_constants();
+    m_work.messages.succeeded(
+        m_work.pictures.show_new_variant(look, m_variant->values, *m_work.renderer));
+    m_work.messages.succeeded(m_work.drive.show_anew(m_work.player, *m_work.renderer));
+    constexpr double patience_seconds = 1.0;
+    constexpr double fewest = 4;
+    const double all = std::max(look.settle_frames, 1);
+    const double bearable = std::max(patience_seconds / m_work.renderer->frame_seconds(), fewest);
+    const double frames = m_work.player.is_playing() ? std::min(all, bearable) : all;
+    m_work.renderer->replay_variant(m_work.player, static_cast<std::size_t>(frames));
+}
+
+// The picture may have new programs, or the variant those that it waits for.
+void ComparisonView::update_constants() {
+    if (!m_variant || !m_work.renderer->variant())
+        return;
+    const Look& look = m_work.document->look();
+    const Values wanted = constants_of(look, m_variant->values);
+    const Look& drawn = m_work.renderer->variant()->look();
+    if (drawn.constants == wanted ||
+        !m_constants.has_programs_for(*m_work.document, m_variant->values))
+        return;
+    const bool is_as_picture = wanted == look.constants;
+    const Look next = with_overrides(is_as_picture ? look : m_constants.variant()->look,
+                                     m_work.document->state().overrides);
+    const Programs& programs =
+        is_as_picture ? m_loader.programs().generic() : m_constants.variant()->programs;
+    if (m_work.messages.succeeded(
+            m_work.renderer->replace(Renderer::Whose::variant, next, programs)))
+        m_work.redraw.add_replay();
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "lab/compare/comparing.h"
+#include "lab/frame/workspace.h"
+#include "lab/reload/text_constants.h"
+
+#include <optional>
+
+/// Compares the picture with a reference: the article's picture, a slot of stored values, an image
+/// file. Article and slots are drawn as a variant: the same look and frames with other values.
+class ComparisonView {
+public:
+    ComparisonView(Workspace& work, const LookLoader& loader, TextConstants& constants)
+        : m_work(work), m_loader(loader), m_constants(constants) {}
+
+    /// What the user chose.
+    const Comparing& selection() const { return m_selection; }
+    /// How both pictures are shown; off while there is no reference.
+    CompareMode mode() const;
+    /// The names of both; nullopt while the reference is not ready.
+    std::optional<Sides> sides() const;
+
+    /// Shows a notice with the reason if there is nothing to compare with.
+    void choose(Comparison comparison);
+    void set_mode(CompareMode mode);
+    /// As a wipe if nothing was compared before.
+    void compare_with(const Other& other);
+    void compare_with_file(const std::filesystem::path& file);
+    /// Shows the reference instead of the picture while this is on.
+    void flash(bool is_flashing);
+    /// Whether an opened picture file becomes the reference, and not the source.
+    bool is_file_wanted() const;
+    /// Reads the reference file again; false if it is another file.
+    bool file_changed(const std::filesystem::path& file);
+
+    /// The slots of the open look.
+    const Slots& slots() const;
+    void set_all_slots(LookSlots slots) { m_selection.set_slots(std::move(slots)); }
+    /// Whether a slot holds the current values.
+    bool is_in_slot(std::size_t number) const;
+    void store(std::size_t number);
+    void recall(std::size_t number);  // one undo step
+    void clear_slot(std::size_t number);
+
+    /// Before a frame is drawn: starts, changes or ends the variant. Returns whether its values
+    /// changed.
+    bool update(double wall_seconds);
+    /// Uploads the chosen pictures of the variant.
+    void show_pictures();
+    /// Another look is opened, or its programs were replaced.
+    void reset_variant() { m_variant.reset(); }
+    void end() { m_selection.end(); }
+
+private:
+    bool find_other(Comparison& comparison);
+    void start_variant();
+    void update_constants();
+
+    Workspace& m_work;
+    const LookLoader& m_loader;
+    TextConstants& m_constants;
+    Comparing m_selection;
+    std::optional<Variant> m_variant;  // that the renderer draws
+};

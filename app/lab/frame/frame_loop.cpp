@@ -1,0 +1,448 @@
+#include "lab/frame/frame_loop.h"
+
+#include "base/elapsed.h"
+#include "lab/document/users_content.h"
+#include "lab/rendering/frame_limit.h"
+#include "lab/storage/local_date.h"
+#include "model/look/value_changes.h"
+#include "signals/signal_table.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace {
+// With the panels an update stays below 1/20 s.
+constexpr double slice_seconds = 0.024;
+
+// Whether pictures that were uploaded for one serve the other.
+bool reads_images_alike(const Look& one, const Look& other) {
+    return one.images == other.images && one.source_encoding == other.source_encoding &&
+           one.source_rows == other.source_rows && one.source_format == other.source_format &&
+           std::ranges::equal(one.passes, other.passes, {}, &Pass::inputs, &Pass::inputs);
+}
+
+// Constants in texts are applied when they are compiled.
+std::vector<std::string> changed_uniforms(const Look& look, const Values& before,
+                                          const Values& now) {
+    std::vector<std::string> names = changed_parameters(look, before, now);
+    std::erase_if(names,
+                  [&](const std::string& name) { return find_parameter(look, name)->is_constant; });
+    return names;
+}
+
+// Copies what changed: of the many values it is mostly one.
+void copy_changes(std::optional<DocumentState>& applied, const DocumentState& state) {
+    if (!applied)
+        applied = state;
+    // Names every member, so that a new one cannot be forgotten.
+    const auto& [values, signal, source, overrides, origin, stack, modulations, locks] = state;
+    follow_values(applied->values, values);
+    applied->signal = signal;
+    applied->source = source;
+    applied->overrides = overrides;
+    applied->origin = origin;
+    applied->stack = stack;
+    applied->modulations = modulations;
+    applied->locks = locks;
+    assert(*applied == state);
+}
+}  // namespace
+
+void report_content_problems(Workspace& work) {
+    Diagnostics problems = work.drive.problems();
+    const auto add = [&problems](const Diagnostics& more) {
+        problems.insert(problems.end(), more.begin(), more.end());
+    };
+    add(work.pictures.chosen().problems());
+    if (work.document && work.document->look().driven_by == Driver::signal)
+        add(notes_about(work.document->state().signal));
+    work.messages.set_content_problems(problems);
+}
+
+FrameLoop::FrameLoop(Workspace& work, LookLoader& loader, const DrawingBoard& board)
+    : m_work(work), m_loader(loader), m_board(board) {}
+
+void FrameLoop::begin_look(BuiltLook& built) {
+    m_constants.clear();
+    m_heavy_pass.reset();
+    m_guard.reset();
+    m_loader.programs().set(std::move(*built.programs));
+    m_specialization.stop();
+    m_previews.stop();  // they draw with the previous programs
+}
+
+void FrameLoop::end_look(const BuiltLook& built) {
+    m_passes.apply();
+    m_work.pictures.show_look_images(built.images, *m_work.renderer);
+    m_applied.reset();
+}
+
+void FrameLoop::open(BuiltLook& built, bool is_same) {
+    begin_look(built);
+    const Look look = m_work.document->drawn_look();
+    // The executor of the first draws is reused if no pass setting is overridden.
+    if (built.executor && built.executor->look() == look)
+        m_work.renderer = std::make_unique<Renderer>(std::move(*built.executor));
+    else
+        m_work.renderer = std::make_unique<Renderer>(look, m_loader.programs().generic());
+    constexpr double patience_seconds = 0.05;
+    m_work.renderer->set_patience(patience_seconds);
+    m_comparison.reset_variant();
+    if (!is_same) {
+        m_comparison.end();
+        m_passes.reset();
+    }
+    m_drawn_extent = {};
+    m_work.pictures.clear();
+    m_work.drive.forget();
+    m_work.player.restart();
+    m_work.player.play();
+    end_look(built);
+}
+
+// Specialised programs serve while the values are those that the picture was specialised for.
+void FrameLoop::replace(BuiltLook& built) {
+    if (!reads_images_alike(m_work.document->look(), *built.look))
+        m_work.pictures.clear();
+    const bool is_specialized = m_work.renderer->executor().is_settled() &&
+                                !m_work.renderer->variant() && m_applied &&
+                                m_applied->values == m_work.document->values();
+    begin_look(built);
+    m_work.document->replace_look(std::move(*built.look));
+    m_work.messages.succeeded(
+        m_work.renderer->replace(m_work.document->drawn_look(), m_loader.programs().generic()));
+    if (built.specialized && is_specialized)
+        m_specialization.draw(std::move(*built.specialized), drawn(), *m_work.renderer);
+    end_look(built);
+}
+
+void FrameLoop::replace_constants(BuiltLook built) {
+    if (!m_work.document || !m_work.renderer || m_work.document->is_restacking())
+        return;
+    if (built.kind == JobKind::variant_constants)
+        return m_constants.set_variant({std::move(*built.look), std::move(*built.programs)});
+    const Values before = m_work.document->look().constants;
+    m_loader.programs().set(std::move(*built.programs));
+    m_specialization.stop();
+    m_previews.stop();  // they draw with the previous programs
+    m_work.document->replace_look(std::move(*built.look));
+    const Look& look = m_work.document->look();
+    std::vector<std::string> turned;
+    for (const auto& [name, value] : look.constants)
+        if (const auto former = before.find(name);
+            former == before.end() || former->second != value)
+            turned.push_back(name);
+    m_work.messages.succeeded(m_work.renderer->replace(
+        Renderer::Whose::picture, m_work.document->drawn_look(), m_loader.programs().generic()));
+    m_passes.apply();
+    m_work.pictures.show_look_images(built.images, *m_work.renderer);
+    m_work.renderer->restart_samples();
+    m_drawn_extent = {};  // other uniforms may count now
+    const Redraw redraw = redraw_after(look, turned);
+    m_guard.recheck(redraw);
+    m_work.redraw.add(redraw);
+}
+
+Specialization::Drawn FrameLoop::drawn() const {
+    return {*m_work.document, *m_applied, m_work.pictures.look_images(), m_work.size.extent()};
+}
+
+// Quiet: nothing changes values, and nothing else needs the worker thread or the GPU.
+void FrameLoop::specialize(double wall_seconds) {
+    if (!m_applied)
+        return m_specialization.stop();
+    const bool is_quiet = m_work.player.is_playing() && !m_loader.is_loading() &&
+                          !m_previews.is_busy() && !m_work.document->history().is_in_gesture();
+    m_specialization.update(drawn(), *m_work.renderer, is_quiet, wall_seconds);
+}
+
+void FrameLoop::update(double wall_seconds, double loading_seconds) {
+    m_slices.update_begun = std::chrono::steady_clock::now() -
+                            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                std::chrono::duration<double>(loading_seconds));
+    if (m_work.document->is_restacking())  // the picture continues meanwhile
+        m_loader.restack(m_work.document->state().stack, m_work.document->state().values);
+    m_constants.update(*m_work.document);
+    update_displayed();
+    // The worker thread needs the processor and the driver, too.
+    m_work.renderer->set_slice(m_loader.is_reading() ? slice_seconds / 2.0 : slice_seconds);
+    m_slices.was_loading = m_loader.is_loading() && !m_slices.was_loading &&
+                           loading_seconds > slice_seconds && m_work.player.is_playing();
+    if (m_slices.was_loading)
+        m_slices.unfinished_seconds += wall_seconds;  // the next update draws
+    else if (is_amid_frame())
+        continue_frame(wall_seconds);
+    else
+        begin_frame(wall_seconds);
+    specialize(wall_seconds);
+    m_heavy_pass.update();
+}
+
+// Where NaN is looked for or a variant is drawn, each pass needs its own picture.
+void FrameLoop::update_displayed() {
+    const Executor& executor = m_work.renderer->executor();
+    const std::vector<bool> displayed = m_guard.found() || m_work.renderer->variant()
+                                            ? std::vector<bool>()
+                                            : m_displayed.of(executor.look());
+    if (displayed == executor.seen())
+        return;
+    const Plan before = executor.plan();
+    if (!m_work.messages.succeeded(m_work.renderer->set_seen(displayed)))
+        m_displayed = {};
+    if (executor.plan() == before)
+        return;
+    m_specialization.stop();
+    m_work.redraw.add({std::vector<bool>(executor.look().passes.size(), true), false});
+}
+
+bool FrameLoop::is_amid_frame() const {
+    return m_work.renderer && m_work.renderer->is_amid_frame() &&
+           !m_work.renderer->replay().is_running();
+}
+
+// Other changes apply to later frames.
+void FrameLoop::continue_frame(double wall_seconds) {
+    if (m_work.player.is_playing())
+        m_slices.unfinished_seconds += wall_seconds;
+    for (const Parameter& parameter : m_work.document->look().parameters)
+        if (parameter.control == Control::event && m_applied &&
+            m_work.document->value(parameter).number() != 0.0 &&
+            value_of(parameter, m_applied->values).number() == 0.0)
+            m_slices.missed_events[parameter.name] = Value(1.0);
+    m_work.renderer->continue_frame();
+    if (!is_amid_frame())
+        update_previews();
+}
+
+// A click that began and ended while a frame was drawn.
+void FrameLoop::apply_missed_events() {
+    Values missed = std::exchange(m_slices.missed_events, {});
+    if (missed.empty() || !m_applied)
+        return;
+    for (const auto& [name, value] : m_applied->values)
+        missed.emplace(name, value);
+    m_applied->values = std::move(missed);  // until the next frame
+    m_work.renderer->set_values(m_applied->values);
+}
+
+void FrameLoop::begin_frame(double wall_seconds) {
+    wall_seconds += std::exchange(m_slices.unfinished_seconds, 0.0);
+    if (!m_work.document->is_restacking())
+        apply_document();
+    apply_missed_events();
+    if (m_work.renderer->owes_frame() && !m_work.player.is_playing())
+        m_work.redraw.add_replay();
+    if (m_comparison.update(wall_seconds))
+        m_drawn_extent = {};  // sizes may depend on values
+    update_source();
+    draw_picture(wall_seconds);
+    m_guard.update();
+    if (!is_amid_frame())
+        update_previews();
+}
+
+bool FrameLoop::has_converged() const {
+    const auto& source = m_work.drive.source();
+    const bool moves =
+        (source && source->moves()) || (m_applied && !m_applied->modulations.empty());
+    return m_work.renderer && !moves && m_work.renderer->has_converged();
+}
+
+bool FrameLoop::is_moving() const {
+    const Renderer* renderer = m_work.renderer.get();
+    return (m_work.player.is_playing() && !has_converged()) || !m_work.redraw.is_empty() ||
+           m_previews.is_busy() || m_work.pictures.chosen().is_reading() ||
+           !m_work.drive.loading().empty() || m_work.drive.is_source_late() ||
+           (renderer && (renderer->is_amid_frame() || renderer->replay().is_running() ||
+                         renderer->awaits_trip()));
+}
+
+void FrameLoop::apply_document() {
+    const DocumentState& state = m_work.document->state();
+    Spec signal = m_board.shown(state.signal);
+    if (m_applied == state && m_applied_signal == signal)
+        return;
+    const Redraw redraw = apply_changes(state, std::move(signal));
+    copy_changes(m_applied, state);
+    report_content_problems(m_work);
+    m_guard.recheck(redraw);
+    m_work.redraw.add(redraw);
+}
+
+// Returns what must be drawn again.
+Redraw FrameLoop::apply_changes(const DocumentState& state, Spec signal) {
+    const Look& look = m_work.document->look();
+    Renderer& renderer = *m_work.renderer;
+    const bool is_first = !m_applied;
+    Redraw redraw =
+        redraw_after(look, is_first ? parameter_names(look)
+                                    : changed_uniforms(look, m_applied->values, state.values));
+    renderer.set_values(state.values);
+    renderer.set_modulations(state.modulations);
+    m_work.messages.succeeded(m_work.pictures.show_chosen(look, state.values, renderer));
+    m_comparison.show_pictures();
+    m_drawn_extent = {};  // sizes may depend on values
+    if (is_first || m_applied_signal != signal || m_applied->source != state.source) {
+        m_applied_signal = std::move(signal);
+        m_work.messages.succeeded(apply_signal());
+        renderer.restart_samples();
+        redraw.needs_replay = true;
+    }
+    if (!is_first && m_applied->modulations != state.modulations)
+        redraw.needs_replay = true;
+    if (!is_first && m_applied->overrides != state.overrides) {
+        m_specialization.stop();
+        m_work.messages.succeeded(
+            renderer.replace(m_work.document->drawn_look(), m_loader.programs().generic()));
+        redraw.needs_replay = true;
+    }
+    return redraw;
+}
+
+Result<void> FrameLoop::apply_signal() {
+    m_work.renderer->set_beam_fit(beam_fit_of(m_work.document->state().signal));
+    auto followed = m_work.drive.follow(*m_work.document, m_work.player, *m_work.renderer);
+    if (!followed || !m_board.has_pen())
+        return followed;
+    return m_work.player.set_signal(m_applied_signal);
+}
+
+void FrameLoop::update_source() {
+    const Diagnostics problems = m_work.drive.take_problems();
+    for (const Diagnostic& problem : problems)
+        m_work.messages.say(problem);
+    if (!problems.empty())
+        report_content_problems(m_work);
+    if (m_work.drive.is_source_late())
+        show_source(m_work.player.time());
+    const auto taken = m_work.drive.update(*m_work.document, m_work.player, *m_work.renderer);
+    if (!taken)
+        return;
+    m_work.messages.succeeded(*taken);
+    report_content_problems(m_work);
+    m_work.renderer->restart_samples();
+    m_drawn_extent = {};  // sizes may depend on the source
+    m_work.redraw.add_replay();
+}
+
+// A paused picture is drawn again with it.
+void FrameLoop::show_source(double seconds) {
+    const auto is_new = m_work.drive.show_source(seconds, *m_work.renderer);
+    if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.is_playing())
+        m_work.redraw.add_replay();
+}
+
+void FrameLoop::resize_picture() {
+    const Extent extent = m_work.size.extent();
+    if (extent == m_drawn_extent)
+        return;
+    m_drawn_extent = extent;
+    m_loader.worker().builder().set_picture(extent);
+    m_work.drive.set_viewport(extent);
+    show_source(m_work.player.time());
+    const Plan before = m_work.renderer->executor().plan();
+    const Extent source = m_work.drive.source_extent();
+    if (m_work.messages.succeeded(
+            m_work.renderer->resize(extent, source.is_empty() ? extent : source)) &&
+        m_work.renderer->executor().plan() != before)
+        m_work.redraw.add_replay();
+}
+
+// On a slow machine the clock runs slower; frames do not get longer and longer.
+void FrameLoop::limit_frame(double wall_seconds) {
+    if (m_work.player.past().empty())
+        return;
+    const double span = m_work.player.past().back().span.seconds();
+    m_work.player.set_longest_frame(
+        longest_frame({.wall_seconds = wall_seconds,
+                       .beam_seconds = m_work.renderer->beam_seconds_a_second() * span,
+                       .span_seconds = span}));
+}
+
+// The first frames would show nothing, at wrong sizes.
+bool FrameLoop::awaits_source() const {
+    return m_work.document && m_work.document->look().driven_by == Driver::picture &&
+           !m_work.drive.source() && !m_work.drive.loading().empty();
+}
+
+void FrameLoop::draw_picture(double wall_seconds) {
+    if (awaits_source())
+        return;
+    const bool is_first = m_work.renderer->executor().plan().targets.empty();
+    resize_picture();
+    if (is_first && seconds_since(m_slices.update_begun) > slice_seconds)
+        return;  // allocation has taken this update
+    m_guard.prepare();
+    limit_frame(wall_seconds);
+    m_work.renderer->set_loudness(m_work.player.loudness());
+    m_work.renderer->set_sound(m_work.player.sound_texels());
+    m_work.renderer->set_date(local_date());
+    const bool rests = m_work.player.is_playing() && has_converged();
+    const bool comes_next =
+        m_work.player.is_playing() && !rests;  // a frame, which includes all redraws
+    const bool waits = rests || m_work.renderer->is_replaying_variant();
+    const auto frame = waits ? std::nullopt : m_work.player.advance(wall_seconds);
+    if (frame) {
+        m_work.redraw.clear();
+        m_work.renderer->cancel_replay();
+        m_work.messages.succeeded(m_work.drive.show_source(frame->span.end, *m_work.renderer));
+        m_work.renderer->draw(*frame, m_work.player.trace(frame->span));
+        return;
+    }
+    // Fast enough for a drag, and the window still responds.
+    constexpr double replay_seconds = 0.012;
+    if (m_work.renderer->replay().is_running())
+        m_work.renderer->continue_replay(
+            m_work.player, replay_seconds, [this](const PlayedFrame& past) {
+                m_work.messages.succeeded(
+                    m_work.drive.show_past_source(past.span.end, *m_work.renderer));
+            });
+    else if (m_work.redraw.needs_replay() && !comes_next)
+        start_replay();
+    else if (!m_work.redraw.is_empty() && !comes_next)
+        m_work.renderer->redraw(m_work.player, m_work.redraw.take().passes);
+}
+
+// During a drag only as many frames are replayed as take 0.2 s.
+void FrameLoop::start_replay() {
+    constexpr double patience_seconds = 0.2;
+    constexpr std::size_t fewest = 4;
+    const auto all = static_cast<std::size_t>(std::max(m_work.document->look().settle_frames, 1));
+    std::size_t frames = all;
+    if (m_work.document->history().is_in_gesture())
+        frames = std::clamp(
+            static_cast<std::size_t>(patience_seconds / m_work.renderer->frame_seconds()),
+            std::min(fewest, all), all);
+    m_work.renderer->start_replay(m_work.player, frames);
+    if (frames == all || m_work.renderer->replay().total < frames)
+        m_work.redraw.clear();  // else the rest is replayed when the drag ends
+}
+
+void FrameLoop::restart() {
+    m_guard.restart();
+    m_work.player.restart();
+    if (m_work.renderer)
+        m_work.renderer->clear_history();
+    if (!m_work.player.is_playing())
+        m_work.player.step();
+}
+
+void FrameLoop::cancel_replay() {
+    if (!m_work.renderer)
+        return;
+    m_work.renderer->cancel_replay();
+    if (!m_work.renderer->has_drawn())  // shows the current history rather than nothing
+        m_work.redraw.add(
+            {std::vector<bool>(m_work.renderer->executor().look().passes.size(), true), false});
+}
+
+// After the picture.
+void FrameLoop::update_previews() {
+    if (m_work.document->is_restacking() || TextConstants::are_pending(*m_work.document) ||
+        m_work.renderer->executor().plan().targets.empty() ||
+        m_work.renderer->replay().is_running())
+        return;
+    m_previews.update({*m_work.document, m_work.player, m_work.drive, *m_work.renderer,
+                       m_work.pictures.look_images(), m_work.size.extent()});
+}

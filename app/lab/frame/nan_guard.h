@@ -1,0 +1,46 @@
+#pragma once
+
+#include "graph/inspect/tripwire.h"
+#include "lab/frame/workspace.h"
+
+#include <optional>
+
+/// What the user wants done about NaN and infinity.
+enum class TripAnswer {
+    clear,  // history is cleared
+    clamp,  // they are replaced by finite values
+    go_on,  // they are ignored until the look changes
+};
+
+/// Pauses when a pass writes NaN or infinity, and finds the pass that wrote it first.
+class NanGuard {
+public:
+    explicit NanGuard(Workspace& work) : m_work(work) {}
+
+    /// The pixel that paused the picture; nullopt: there is none.
+    const std::optional<Trip>& found() const { return m_found; }
+    void answer(TripAnswer answer);
+    /// Without a user to ask, the values are clamped, and the first one is reported.
+    void set_unattended(bool is_unattended) { m_is_unattended = is_unattended; }
+
+    /// Before a frame is drawn: how the executor detects.
+    void prepare();
+    /// After a frame was drawn.
+    void update();
+    /// After a change that may have removed the cause.
+    void recheck(const Redraw& redraw);
+    /// The clock restarts.
+    void restart() { m_found.reset(); }
+    /// Another look is opened, or the look was edited.
+    void reset();
+
+private:
+    void stop_at(const Trip& found);
+
+    Workspace& m_work;
+    std::optional<Trip> m_found;
+    std::optional<TripAnswer> m_answer;  // until the look changes
+    bool m_is_unattended = false;
+    bool m_was_reported = false;
+    bool m_plays_after = false;  // when another value or text removes the cause
+};

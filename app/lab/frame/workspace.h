@@ -1,0 +1,32 @@
+#pragma once
+
+#include "lab/document/document.h"
+#include "lab/library/library.h"
+#include "lab/library/opened_files.h"
+#include "lab/media/drive.h"
+#include "lab/media/look_pictures.h"
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
+#include "lab/playback/player.h"
+#include "lab/rendering/pending_redraw.h"
+#include "lab/rendering/renderer.h"
+
+#include <memory>
+
+/// The open look and what it plays and shows. The parts of the lab share it.
+struct Workspace {
+    Library library;
+    Messages messages = {};
+    OpenedFiles opened_files = {};
+    OpenDocument document = {};
+    Player player{machine_sound_devices()};
+    Drive drive{RecentMedia(library.roots())};
+    RenderSize size{document, drive};
+    std::unique_ptr<Renderer> renderer = {};  // null until a look has drawn
+    LookPictures pictures = {};
+    PendingRedraw redraw = {};
+
+    explicit Workspace(Library opened) : library(std::move(opened)) {}
+    Workspace(const Workspace&) = delete;
+    Workspace& operator=(const Workspace&) = delete;
+};

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "model/plan/plan.h"
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+/// What must be drawn again in a paused picture.
+class PendingRedraw {
+public:
+    void add(const Redraw& redraw) {
+        if (!m_redraw) {
+            m_redraw = redraw;
+            return;
+        }
+        m_redraw->needs_replay = m_redraw->needs_replay || redraw.needs_replay;
+        for (std::size_t i = 0; i < redraw.passes.size() && i < m_redraw->passes.size(); ++i)
+            m_redraw->passes[i] = m_redraw->passes[i] || redraw.passes[i];
+    }
+    /// With earlier frames.
+    void add_replay() { add({{}, true}); }
+    bool is_empty() const { return !m_redraw; }
+    bool needs_replay() const { return m_redraw && m_redraw->needs_replay; }
+    void clear() { m_redraw.reset(); }
+    Redraw take() { return *std::exchange(m_redraw, std::nullopt); }
+
+private:
+    std::optional<Redraw> m_redraw;
+};
