@@ -1,4 +1,5 @@
 #include "cli/cli.h"
+#include "io/system/environment.h"
 #include "ui/window/application.h"
 
 #include <cstdlib>
@@ -31,7 +32,7 @@ int open_window(const std::string& look, const DataFolders& data) {
     auto shown = run_window(options);
     if (!shown && !std::getenv("LIBGL_ALWAYS_SOFTWARE")) {
         std::cerr << to_string(shown.error()) << "Trying software OpenGL.\n";
-        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
+        set_environment("LIBGL_ALWAYS_SOFTWARE", "1");
         shown = run_window(options);
     }
     if (shown)

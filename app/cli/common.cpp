@@ -1,8 +1,8 @@
 #include "cli/common.h"
 
-#include "base/machine_memory.h"
 #include "base/text.h"
 #include "cli/progress.h"
+#include "io/system/machine_memory.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,8 @@
 
 #include "cli/common.h"
 #include "cli/progress.h"
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
+#include "io/system/process.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -65,8 +66,8 @@ Json json_of_lost(const fs::path& file, const std::string& why) {
 Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const DataFolders& data) {
     constexpr std::size_t most_bytes = 1 << 22;
     std::vector<std::string> command{
-        "/proc/self/exe", "corpus",       file.string(), "--json",
-        "--size",         arguments.size, "--frames",    std::to_string(arguments.frames)};
+        program_command(), "corpus",       file.string(), "--json",
+        "--size",          arguments.size, "--frames",    std::to_string(arguments.frames)};
     if (!data.data.empty())
         command.insert(command.end(), {"--data", data.data});
     for (const std::string& folder : data.includes)

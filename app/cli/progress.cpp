@@ -1,10 +1,11 @@
 #include "cli/progress.h"
 
+#include "io/system/standard_streams.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <iostream>
-#include <unistd.h>
 #include <utility>
 
 namespace {
@@ -23,7 +24,7 @@ const char* pattern_of(Progress::Work work) {
 }  // namespace
 
 Progress::Progress(Work work, int total)
-    : m_work(work), m_total(total), m_is_shown(isatty(STDERR_FILENO) == 1) {}
+    : m_work(work), m_total(total), m_is_shown(is_terminal(standard_error)) {}
 
 Progress::~Progress() {
     if (m_has_shown)
@@ -52,7 +53,7 @@ void OpeningLine::clear() {
 
 void OpeningLine::show(const PassProgress::State& state) {
     const auto now = Clock::now();
-    if (isatty(STDERR_FILENO) != 1 || now - m_last < std::chrono::milliseconds(100))
+    if (!is_terminal(standard_error) || now - m_last < std::chrono::milliseconds(100))
         return;
     m_last = now;
     m_has_shown = true;

@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/pictures/frame_names.h"
 #include "io/pictures/picture_file.h"
+#include "io/system/standard_streams.h"
 #include "lab/document/sharing.h"
 #include "lab/offline/export.h"
 
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <unistd.h>
 
 namespace {
 constexpr std::array render_examples{
@@ -77,7 +77,7 @@ FrameNames output_names(const RenderArguments& arguments) {
     auto names = parse_frame_names(output);
     if (!names)
         throw UsageError(fmt::format("--output: {}", names.error().front().message));
-    if (output == export_pipe && ::isatty(STDOUT_FILENO) == 1)
+    if (output == export_pipe && is_terminal(standard_output))
         throw UsageError("--output: '-' writes video data; pipe it to another program");
     if (output != export_pipe)
         check_ending("--output", output, {".png", ".exr", ".mp4", ".webm", ".gif"});

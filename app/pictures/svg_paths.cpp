@@ -1,6 +1,6 @@
 #include "pictures/svg_paths.h"
 
-#include "pictures/bounded_child.h"
+#include "io/system/bounded_child.h"
 
 #include <fmt/format.h>
 
@@ -176,6 +176,24 @@ std::string convert(std::string_view bytes, const fs::path& file) {
             break;
     return made;
 }
+
+std::string reason_of(const ChildOutput& output, const ChildBounds& bounds) {
+    switch (output.end) {
+        case ChildOutput::End::too_slow:
+            return fmt::format("it takes too long; the limit is {:g} s", bounds.seconds);
+        case ChildOutput::End::output_too_large:
+            return fmt::format("its paths are too large; the limit is {} MB",
+                               bounds.output_bytes >> 20);
+        case ChildOutput::End::failed:
+            return fmt::format("it needs more than {} MB of memory, or it crashes the SVG library",
+                               bounds.memory_bytes >> 20);
+        case ChildOutput::End::not_started:
+            return output.system_error;
+        case ChildOutput::End::finished:
+            break;
+    }
+    return {};
+}
 }  // namespace
 
 Result<std::string> svg_paths(std::string_view bytes, const fs::path& file) {
@@ -183,8 +201,9 @@ Result<std::string> svg_paths(std::string_view bytes, const fs::path& file) {
                                  .memory_bytes = std::size_t{1} << 30,
                                  .output_bytes = std::size_t{256} << 20};
     const ChildOutput made = run_bounded([&] { return convert(bytes, file); }, bounds);
-    if (!made.problem.empty())
-        return fail({file, 0, fmt::format("can't draw this SVG file: {}", made.problem)});
+    if (made.end != ChildOutput::End::finished)
+        return fail(
+            {file, 0, fmt::format("can't draw this SVG file: {}", reason_of(made, bounds))});
     const std::string& text = made.text;
     if (text.starts_with('S'))
         return text.substr(1);

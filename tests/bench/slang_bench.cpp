@@ -3,7 +3,7 @@
 // cost of a frame. `pictures FILE_OR_FOLDER...`: the difference of the pictures, one line of JSON
 // per preset, each in its own process, as shaders crash some drivers.
 #include "bench/side_by_side.h"
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 #include "lab/offline/corpus.h"
 #include "parity/moving_picture.h"
 #include "parity/pair.h"

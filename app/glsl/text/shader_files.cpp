@@ -3,10 +3,8 @@
 #include "base/file.h"
 #include "glsl/text/tokens.h"
 
-#include <algorithm>
 #include <ctime>
 #include <functional>
-#include <sys/stat.h>
 
 namespace fs = std::filesystem;
 
@@ -83,15 +81,12 @@ void ShaderFiles::begin_reading() {
 
 // File timestamps have a resolution of up to two seconds. A file written twice within one tick has
 // the same stamp, so recent stamps are not used.
-std::optional<ShaderFiles::Stamp> ShaderFiles::stamp_of(const fs::path& file) {
+std::optional<FileStamp> ShaderFiles::stamp_of(const fs::path& file) const {
     constexpr std::int64_t longest_tick = 3;  // seconds
-    struct stat is = {};
-    if (::stat(file.c_str(), &is) != 0)
+    const std::optional<FileStamp> stamp = m_read_stamp ? m_read_stamp(file) : std::nullopt;
+    if (!stamp || std::time(nullptr) - stamp->newest_seconds() <= longest_tick)
         return std::nullopt;
-    if (std::time(nullptr) - std::max(is.st_mtim.tv_sec, is.st_ctim.tv_sec) <= longest_tick)
-        return std::nullopt;
-    return Stamp{{is.st_dev, is.st_ino, static_cast<std::uint64_t>(is.st_size)},
-                 {is.st_mtim.tv_sec, is.st_mtim.tv_nsec, is.st_ctim.tv_sec, is.st_ctim.tv_nsec}};
+    return stamp;
 }
 
 const fs::path& ShaderFiles::place_of(const fs::path& path) {

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/file_stamp.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -37,6 +37,12 @@ class ShaderFiles {
 public:
     static constexpr std::size_t most_bytes = std::size_t{4} << 20;
 
+    /// Reads the stamp of a file; nullopt if it is missing.
+    using ReadStamp = std::optional<FileStamp> (*)(const std::filesystem::path& file);
+
+    /// Without `read_stamp`, each reading reads its files again.
+    explicit ShaderFiles(ReadStamp read_stamp = nullptr) : m_read_stamp(read_stamp) {}
+
     /// Starts a new reading: files may have changed. Drops files that the last reading did not use.
     void begin_reading();
 
@@ -53,26 +59,21 @@ public:
     int reads() const { return m_reads; }
 
 private:
-    /// Identifies one state of a file.
-    struct Stamp {
-        std::array<std::uint64_t, 3> what{};  // device, inode, size in bytes
-        std::array<std::int64_t, 4> when{};   // mtime and ctime: seconds, nanoseconds
-        bool operator==(const Stamp&) const = default;
-    };
     struct Known {
         Result<std::string> bytes;
         std::size_t digest = 0;                   // of the bytes, or of the error
         std::optional<Result<ShaderText>> found;  // parsed from the bytes
-        std::optional<Stamp> stamp;   // taken before reading; nullopt: too recent to be reliable
-        std::filesystem::path place;  // the canonical path when read
-        std::uint64_t reading = 0;    // the reading in which they were read
-        std::uint64_t asked = 0;      // the last reading that used them
+        std::optional<FileStamp> stamp;  // taken before reading; nullopt: too recent to be reliable
+        std::filesystem::path place;     // the canonical path when read
+        std::uint64_t reading = 0;       // the reading in which they were read
+        std::uint64_t asked = 0;         // the last reading that used them
     };
     using Path = std::filesystem::path::string_type;
 
-    static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
+    std::optional<FileStamp> stamp_of(const std::filesystem::path& file) const;
     Known& known(const std::filesystem::path& file);
 
+    ReadStamp m_read_stamp;
     std::uint64_t m_reading = 0;
     int m_reads = 0;
     std::unordered_map<Path, Known> m_known;

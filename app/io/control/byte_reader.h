@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "io/files/descriptor.h"
 #include "io/files/passing_file.h"
+#include "io/system/descriptor.h"
 
 #include <filesystem>
 #include <memory>

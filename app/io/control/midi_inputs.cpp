@@ -1,6 +1,6 @@
 #include "io/control/midi_inputs.h"
 
-#include "io/files/descriptor.h"
+#include "io/system/descriptor.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "io/files/descriptor.h"
+#include "io/system/descriptor.h"
 
 #include <cstdint>
 #include <optional>

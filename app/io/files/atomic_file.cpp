@@ -1,7 +1,7 @@
 #include "io/files/atomic_file.h"
 
-#include "io/files/descriptor.h"
 #include "io/files/temporary_file.h"
+#include "io/system/descriptor.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "io/files/file_digest.h"
 
 #include "base/file.h"
-#include "io/files/descriptor.h"
+#include "io/system/descriptor.h"
 
 #include <fmt/format.h>
 

@@ -71,13 +71,7 @@ bool TemporaryFile::set_mode(mode_t mode) {
 }
 
 bool TemporaryFile::write(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(m_descriptor.get(), bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR)
-            return false;
-        bytes.remove_prefix(count < 0 ? 0 : static_cast<std::size_t>(count));
-    }
-    return true;
+    return write_all(m_descriptor.get(), bytes);
 }
 
 bool TemporaryFile::flush() {

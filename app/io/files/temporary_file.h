@@ -1,7 +1,7 @@
 #pragma once
 
-#include "io/files/descriptor.h"
 #include "io/files/passing_file.h"
+#include "io/system/descriptor.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,5 +1,7 @@
 #include "io/files/trash.h"
 
+#include "io/system/local_time.h"
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
@@ -27,8 +29,8 @@ fs::path top_of_volume(const fs::path& file) {
     struct stat here = {};
     struct stat above = {};
     fs::path top = file.parent_path();
-    while (top.has_relative_path() && stat(top.c_str(), &here) == 0 &&
-           stat(top.parent_path().c_str(), &above) == 0 && here.st_dev == above.st_dev)
+    while (top.has_relative_path() && ::stat(top.c_str(), &here) == 0 &&
+           ::stat(top.parent_path().c_str(), &above) == 0 && here.st_dev == above.st_dev)
         top = top.parent_path();
     return top;
 }
@@ -46,11 +48,8 @@ std::string percent_encoded(const std::string& path) {
 }
 
 std::string info_text(const fs::path& path) {
-    const std::time_t now = std::time(nullptr);
-    std::tm local = {};
-    localtime_r(&now, &local);
     return fmt::format("[Trash Info]\nPath={}\nDeletionDate={:%Y-%m-%dT%H:%M:%S}\n",
-                       percent_encoded(path.string()), local);
+                       percent_encoded(path.string()), local_time(std::time(nullptr)));
 }
 
 // Creating the info file reserves the name in both folders.
@@ -62,17 +61,17 @@ Result<fs::path> reserve_name(const fs::path& trash, const fs::path& file,
         const fs::path info =
             trash / "info" /
             (file.stem().string() + number + file.extension().string() + ".trashinfo");
-        const int descriptor = open(info.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+        const int descriptor = ::open(info.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
         if (descriptor < 0 && errno == EEXIST)
             continue;
         if (descriptor < 0)
             return fail({info, 0, std::strerror(errno)});
         const bool is_written =
-            write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-        const bool is_closed = close(descriptor) == 0;
+            ::write(descriptor, text.data(), text.size()) == static_cast<ssize_t>(text.size());
+        const bool is_closed = ::close(descriptor) == 0;
         if (is_written && is_closed)
             return info;
-        unlink(info.c_str());
+        ::unlink(info.c_str());
         return fail({info, 0, "can't write the file"});
     }
     return fail({trash, 0, "the trash contains too many files with this name"});
@@ -84,7 +83,7 @@ Result<TrashedFile> move_into(const fs::path& trash, const fs::path& file, const
     for (const char* part : {"files", "info"})
         if (fs::create_directories(trash / part, error); error)
             return fail({trash / part, 0, error.message()});
-    chmod(trash.c_str(), 0700);
+    ::chmod(trash.c_str(), 0700);
     const auto info = reserve_name(trash, file, info_text(told));
     if (!info)
         return fail(info.error());
@@ -92,7 +91,7 @@ Result<TrashedFile> move_into(const fs::path& trash, const fs::path& file, const
     fs::rename(file, moved, error);
     if (!error)
         return TrashedFile{file, moved, *info};
-    unlink(info->c_str());
+    ::unlink(info->c_str());
     return fail({file, 0, error.message()});
 }
 }  // namespace
@@ -106,7 +105,7 @@ Result<TrashedFile> move_to_trash(const fs::path& given) {
         return moved;
     const fs::path top = top_of_volume(file);
     auto moved =
-        move_into(top / fmt::format(".Trash-{}", getuid()), file, file.lexically_relative(top));
+        move_into(top / fmt::format(".Trash-{}", ::getuid()), file, file.lexically_relative(top));
     if (moved)
         return moved;
     return fail(

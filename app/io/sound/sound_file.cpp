@@ -2,8 +2,8 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "io/files/descriptor.h"
 #include "io/files/memory_file.h"
+#include "io/system/descriptor.h"
 
 #include <fmt/format.h>
 #include <sndfile.h>

@@ -2,7 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "io/files/atomic_file.h"
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 #include "model/look/extent.h"
 #include "model/picture/film_rate.h"
 

@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 
 #include <fmt/format.h>
 

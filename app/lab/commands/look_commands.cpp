@@ -1,14 +1,12 @@
 #include "lab/commands/look_commands.h"
 
 #include "formats/look/manifest_edit.h"
+#include "io/system/file_status.h"
 #include "lab/storage/editor.h"
 #include "lab/storage/include_store.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -104,7 +102,7 @@ void LookCommands::write_overrides() {
 // A shipped file that the user may not write to.
 bool LookCommands::must_duplicate(const fs::path& file) const {
     return m_work.library.is_shipped(file) &&
-           faccessat(AT_FDCWD, file.c_str(), W_OK, AT_EACCESS) != 0;
+           !is_writable(file);
 }
 
 void LookCommands::offer_duplicate(const std::string& reason) {

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
+#include "io/system/file_status.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/editor.h"
 #include "lab/storage/told_name.h"
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -97,8 +97,7 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
 bool PresetCommands::has_source_checkout() const {
     const fs::path& root = m_work.library.roots().program;
     std::error_code error;
-    return fs::exists(root / "app" / "CMakeLists.txt", error) &&
-           access((root / "presets").c_str(), W_OK) == 0;
+    return fs::exists(root / "app" / "CMakeLists.txt", error) && is_writable(root / "presets");
 }
 
 void PresetCommands::save_into_shipped() {

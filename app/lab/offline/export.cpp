@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "io/pictures/picture_file.h"
 #include "io/pictures/png_encoder.h"
+#include "io/system/descriptor.h"
+#include "io/system/standard_streams.h"
 #include "io/video/y4m.h"
 #include "lab/offline/frame_export.h"
 #include "lab/offline/offline.h"
@@ -14,7 +16,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <unistd.h>
 
 namespace {
 using PipedFrame = FramePipeline::Frame;
@@ -43,15 +44,9 @@ Result<std::string> encoded(const RawPicture& picture, std::string_view extensio
     return encode_picture(picture, extension);
 }
 
-Result<void> write_all(int descriptor, std::string_view bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-        if (count < 0 && errno == EINTR)
-            continue;
-        if (count < 0)
-            return fail({{}, 0, fmt::format("can't write the video: {}", std::strerror(errno))});
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
+Result<void> write_video(int descriptor, std::string_view bytes) {
+    if (!write_all(descriptor, bytes))
+        return fail({{}, 0, fmt::format("can't write the video: {}", std::strerror(errno))});
     return {};
 }
 }  // namespace
@@ -102,9 +97,9 @@ FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate&
     };
     auto deliver = [descriptor, header = y4m_header(extent, rate)](
                        std::int64_t, const FromFrame& made) mutable -> Result<void> {
-        if (auto done = write_all(descriptor, std::exchange(header, {})); !done)
+        if (auto done = write_video(descriptor, std::exchange(header, {})); !done)
             return done;
-        return write_all(descriptor, made.bytes);
+        return write_video(descriptor, made.bytes);
     };
     return {make, deliver, false};
 }
@@ -193,7 +188,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
     const FilmRate rate = film_rate_of(job.fps);
     std::unique_ptr<FilmFile> film;
     if (output == export_pipe) {
-        job.stages = pipe_stages(STDOUT_FILENO, extent, rate);
+        job.stages = pipe_stages(standard_output, extent, rate);
     } else if (is_film_output(output)) {
         auto made = FilmFile::create(output, {extent, rate, sound_of(offline, job.part, job.fps)});
         if (!made)

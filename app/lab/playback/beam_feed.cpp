@@ -1,13 +1,11 @@
 #include "lab/playback/beam_feed.h"
 
 #include "base/user_folders.h"
+#include "io/system/private_folder.h"
 #include "signals/beam/sent.h"
 #include "signals/signal/settings.h"
 
 #include <fmt/format.h>
-
-#include <sys/stat.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -19,15 +17,11 @@ Result<void> make_runtime_folder(const fs::path& socket) {
         return {};
     std::error_code error;
     fs::create_directories(folder.parent_path(), error);
-    if (::mkdir(folder.c_str(), S_IRWXU) == 0)
-        return {};
-    struct stat status = {};
-    if (::lstat(folder.c_str(), &status) != 0)
+    const PrivateFolder made = make_private_folder(folder);
+    if (made == PrivateFolder::not_created)
         return fail(
             {folder, 0, "can't create the socket folder. Choose another path with socket:PATH."});
-    const bool is_private = S_ISDIR(status.st_mode) && status.st_uid == ::geteuid() &&
-                            (status.st_mode & (S_IWGRP | S_IWOTH)) == 0;
-    if (!is_private)
+    if (made == PrivateFolder::not_private)
         return fail({folder, 0,
                      "other users can write to this folder, so no socket is created in it. Run "
                      "chmod 700 on it, or choose another path with socket:PATH."});

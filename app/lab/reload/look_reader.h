@@ -3,6 +3,7 @@
 #include "formats/look_format.h"
 #include "glsl/cache/check_cache.h"
 #include "glsl/text/shader_files.h"
+#include "io/system/file_status.h"
 #include "lab/reload/job_queue.h"
 
 #include <mutex>
@@ -22,5 +23,5 @@ private:
     std::mutex m_mutex;
     IncludeFolders m_includes;
     CheckCache m_checks;
-    ShaderFiles m_shader_files;
+    ShaderFiles m_shader_files{read_file_stamp};
 };

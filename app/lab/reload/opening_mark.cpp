@@ -2,11 +2,9 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "io/system/process.h"
 
 #include <algorithm>
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace fs = std::filesystem;
 
@@ -18,18 +16,12 @@ fs::path folder_of(const Roots& roots) {
     return roots.state / "opening";
 }
 
-// No run that goes on holds it. The lock ends with the descriptor.
-bool is_left_behind(const fs::path& file) {
-    const Descriptor descriptor(::open(file.c_str(), O_RDWR | O_CLOEXEC));
-    return descriptor.is_open() && ::flock(descriptor.get(), LOCK_EX | LOCK_NB) == 0;
-}
-
 std::vector<fs::path> left_behind_in(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error))
-        if (is_left_behind(entry->path()))
+        if (is_unlocked(entry->path()))  // its program no longer runs
             files.push_back(entry->path());
     return files;
 }
@@ -64,7 +56,7 @@ bool UnfinishedOpening::has(const fs::path& manifest) const {
 }
 
 OpeningMark::OpeningMark(const Roots& roots)
-    : m_folder(folder_of(roots)), m_name(m_folder / std::to_string(::getpid())) {}
+    : m_folder(folder_of(roots)), m_name(m_folder / std::to_string(process_id())) {}
 
 OpeningMark::~OpeningMark() {
     end();
@@ -77,24 +69,20 @@ void OpeningMark::begin(const OpenRequest& request, const fs::path& edited) {
         for (const fs::path& file : left_behind_in(m_folder))
             fs::remove(file, error);
         fs::create_directories(m_folder, error);
-        m_file = Descriptor(::open(m_name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+        m_file = LockedFile(m_name);
     }
     write(text_of(request, compiled, edited));
 }
 
 void OpeningMark::write(const std::string& text) {
-    const bool is_written =
-        m_file.is_open() && ::flock(m_file.get(), LOCK_EX | LOCK_NB) == 0 &&
-        ::ftruncate(m_file.get(), 0) == 0 &&
-        ::pwrite(m_file.get(), text.data(), text.size(), 0) == static_cast<ssize_t>(text.size());
-    if (!is_written)
+    if (!m_file.replace(text))
         end();
 }
 
 void OpeningMark::leave(const OpenRequest& request) {
     begin(request, {});
     write(text_of(request, reset, {}));
-    m_file = Descriptor();
+    m_file = LockedFile();
 }
 
 void OpeningMark::end() {
@@ -102,7 +90,7 @@ void OpeningMark::end() {
         return;
     std::error_code error;
     fs::remove(m_name, error);
-    m_file = Descriptor();
+    m_file = LockedFile();
 }
 
 void OpeningMark::note_update(bool is_quiet) {

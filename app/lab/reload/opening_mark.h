@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/files/descriptor.h"
+#include "io/system/locked_file.h"
 #include "lab/library/open.h"
 
 #include <filesystem>
@@ -51,7 +51,7 @@ private:
 
     std::filesystem::path m_folder;
     std::filesystem::path m_name;
-    Descriptor m_file;
+    LockedFile m_file;
     int m_quiet_updates = 0;
 };
 

@@ -1,20 +1,14 @@
 #include "lab/storage/editor.h"
 
 #include "base/text.h"
+#include "io/system/process.h"
 #include "lab/storage/command_words.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <cstring>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <thread>
-#include <unistd.h>
-
-extern char** environ;
 
 namespace {
 std::string variable(const char* name) {
@@ -86,27 +80,11 @@ Result<std::vector<std::string>> editor_command(const Location& asked) {
     return with_place({"xdg-open"}, place);
 }
 
-namespace {
-// Returns errno; 0: success.
-int start(const std::vector<std::string>& command) {
-    std::vector<char*> arguments;
-    for (const std::string& word : command)
-        arguments.push_back(const_cast<char*>(word.c_str()));
-    arguments.push_back(nullptr);
-    pid_t process = 0;
-    const int error =
-        posix_spawnp(&process, arguments[0], nullptr, nullptr, arguments.data(), environ);
-    if (error == 0)
-        std::thread([process] { waitpid(process, nullptr, 0); }).detach();
-    return error;
-}
-}  // namespace
-
 Result<void> open_in_editor(const Location& place) {
     const auto command = editor_command(place);
     if (!command)
         return fail(command.error());
-    if (const int error = start(*command); error != 0)
+    if (const int error = start_detached(*command); error != 0)
         return fail({place.file, place.line,
                      fmt::format("can't start '{}': {}. Set $VISUAL to your editor.",
                                  command->front(), std::strerror(error))});
@@ -114,7 +92,7 @@ Result<void> open_in_editor(const Location& place) {
 }
 
 Result<void> open_folder(const std::filesystem::path& folder) {
-    if (const int error = start({"xdg-open", folder.string()}); error != 0)
+    if (const int error = start_detached({"xdg-open", folder.string()}); error != 0)
         return fail({folder, 0, fmt::format("can't start xdg-open: {}", std::strerror(error))});
     return {};
 }

@@ -1,7 +1,9 @@
 #include "lab/storage/injected_fault.h"
 
+#include "io/system/environment.h"
+#include "io/system/process.h"
+
 #include <chrono>
-#include <csignal>
 #include <cstdlib>
 #include <string_view>
 #include <thread>
@@ -20,13 +22,13 @@ InjectedFault injected_fault() {
 }
 
 bool take_injected_reset() {
-    return injected_fault() == InjectedFault::reset && ::unsetenv(variable_name) == 0;
+    return injected_fault() == InjectedFault::reset && unset_environment(variable_name);
 }
 
 void fail_as_injected() {
     const InjectedFault fault = injected_fault();
     if (fault == InjectedFault::crash)
-        std::raise(SIGSEGV);
+        crash_process();
     while (fault == InjectedFault::hang)
         std::this_thread::sleep_for(std::chrono::hours(1));
 }

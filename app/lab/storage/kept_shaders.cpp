@@ -1,6 +1,7 @@
 #include "lab/storage/kept_shaders.h"
 
 #include "io/cache/kept_files.h"
+#include "io/system/process.h"
 #include "lab/storage/file_stamp.h"
 #include "lab/storage/roots.h"
 
@@ -11,9 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 // Identifies this build, because another build can translate differently.
 std::string this_program() {
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    return fmt::format("afterglow {} {}", AFTERGLOW_VERSION, stamp_of({program}));
+    return fmt::format("afterglow {} {}", AFTERGLOW_VERSION, stamp_of({program_file()}));
 }
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "lab/storage/roots.h"
 
 #include "base/user_folders.h"
+#include "io/system/process.h"
 
 #include <cstdlib>
 
@@ -14,9 +15,7 @@ bool holds_shaders(const fs::path& folder) {
 
 std::vector<fs::path> candidates() {
     std::vector<fs::path> folders;
-    std::error_code error;
-    const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    for (fs::path folder = program.parent_path(); folder.has_relative_path();
+    for (fs::path folder = program_file().parent_path(); folder.has_relative_path();
          folder = folder.parent_path()) {
         folders.push_back(folder);
         folders.push_back(folder / "share" / "afterglow");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/files/descriptor.h"
+#include "io/system/readable_wait.h"
 
 #include <functional>
 #include <thread>
@@ -15,9 +15,6 @@ public:
     Waker& operator=(const Waker&) = delete;
 
 private:
-    void run(int descriptor, const std::function<void()>& wake) const;
-
-    Descriptor m_stop_reader;
-    Descriptor m_stop_writer;  // closed to end the thread
+    ReadableWait m_wait;
     std::thread m_thread;
 };

@@ -4,9 +4,22 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
+
 namespace fs = std::filesystem;
 
 namespace {
+// The time must be the one of the file, because a recent stamp is not used.
+std::optional<FileStamp> stamp_of_file(const fs::path& file) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    if (error)
+        return std::nullopt;
+    const auto seconds = std::chrono::floor<std::chrono::seconds>(
+        std::chrono::file_clock::to_sys(time).time_since_epoch());
+    return FileStamp{.bytes = fs::file_size(file), .modified = {seconds.count(), 0}};
+}
+
 std::string text_of(ShaderFiles& files, const fs::path& file) {
     const auto& read = files.read(file);
     return read ? read->text : read.error().front().message;
@@ -59,7 +72,7 @@ TEST_CASE("an unchanged file is read once") {
     const fs::path shaders = fs::path(AFTERGLOW_SOURCE_DIR) / "shaders/include";
     const fs::path link = folder / "link.glsl";
     fs::create_symlink(shaders / "color.glsl", link);
-    ShaderFiles files;
+    ShaderFiles files(stamp_of_file);
     files.begin_reading();
     const std::string color = text_of(files, link);
     CHECK(files.reads() == 1);
@@ -82,6 +95,17 @@ TEST_CASE("an unchanged file is read once") {
     files.begin_reading();
     CHECK(text_of(files, link) != color);
     CHECK(files.reads() == 3);
+}
+
+TEST_CASE("without stamps an unchanged file is read once per reading") {
+    const fs::path file = fs::path(AFTERGLOW_SOURCE_DIR) / "shaders/include/color.glsl";
+    ShaderFiles files;
+    for (int reading = 1; reading < 3; ++reading) {
+        files.begin_reading();
+        files.read(file);
+        files.read(file);
+        CHECK(files.reads() == reading);
+    }
 }
 
 TEST_CASE("directives of a file are parsed with its text") {

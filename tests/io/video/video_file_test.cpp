@@ -1,6 +1,6 @@
 #include "io/video/video_file.h"
 
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 #include "io/temporary_folder.h"
 #include "problems_of.h"
 

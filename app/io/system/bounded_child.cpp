@@ -1,6 +1,6 @@
-#include "pictures/bounded_child.h"
+#include "io/system/bounded_child.h"
 
-#include <fmt/format.h>
+#include "io/system/descriptor.h"
 
 #include <array>
 #include <cerrno>
@@ -11,7 +11,6 @@
 #include <fcntl.h>
 #include <fstream>
 #include <poll.h>
-#include <string_view>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,15 +33,6 @@ void limit(int resource, std::size_t most) {
     ::setrlimit(static_cast<__rlimit_resource>(resource), &bound);
 }
 
-void write_all(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(descriptor, text.data(), text.size());
-        if (written < 0 && errno != EINTR)
-            return;
-        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
-}
-
 // Exits without the program's cleanup: its objects belong to the parent.
 [[noreturn]] void work_in_child(const std::function<std::string()>& work, const ChildBounds& bounds,
                                 int output) {
@@ -62,8 +52,8 @@ void write_all(int descriptor, std::string_view text) {
     ::_exit(0);
 }
 
-// Reads to the end of the output; returns "" or the exceeded limit.
-std::string read_bounded(int input, const ChildBounds& bounds, std::string& text) {
+// Reads to the end of the output, or until it exceeds a limit.
+ChildOutput::End read_bounded(int input, const ChildBounds& bounds, std::string& text) {
     const auto end = Clock::now() + std::chrono::duration<double>(bounds.seconds);
     std::array<char, 65536> block{};
     while (true) {
@@ -74,48 +64,44 @@ std::string read_bounded(int input, const ChildBounds& bounds, std::string& text
         if (ready < 0 && errno == EINTR)
             continue;
         if (ready <= 0)
-            return fmt::format("it takes too long; the limit is {:g} s", bounds.seconds);
+            return ChildOutput::End::too_slow;
         const ssize_t count = ::read(input, block.data(), block.size());
         if (count < 0 && errno == EINTR)
             continue;
         if (count <= 0)
-            return {};
+            return ChildOutput::End::finished;
         text.append(block.data(), static_cast<std::size_t>(count));
         if (text.size() > bounds.output_bytes)
-            return fmt::format("its paths are too large; the limit is {} MB",
-                               bounds.output_bytes >> 20);
+            return ChildOutput::End::output_too_large;
     }
 }
 
-std::string how_it_ended(int status, const ChildBounds& bounds) {
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
-        return {};
-    return fmt::format("it needs more than {} MB of memory, or it crashes the SVG library",
-                       bounds.memory_bytes >> 20);
+ChildOutput not_started() {
+    return {{}, ChildOutput::End::not_started, std::strerror(errno)};
 }
 }  // namespace
 
 ChildOutput run_bounded(const std::function<std::string()>& work, const ChildBounds& bounds) {
-    ChildOutput made;
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-        return {{}, std::strerror(errno)};
+        return not_started();
     const pid_t child = ::fork();
     if (child == 0)
         work_in_child(work, bounds, ends[1]);
-    ::close(ends[1]);
-    if (child > 0) {
-        made.problem = read_bounded(ends[0], bounds, made.text);
-        if (!made.problem.empty())
-            ::kill(child, SIGKILL);
-        int status = 0;
-        while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-        }
-        if (made.problem.empty())
-            made.problem = how_it_ended(status, bounds);
-    } else {
-        made.problem = std::strerror(errno);
+    const Descriptor input(ends[0]);
+    Descriptor output(ends[1]);
+    if (child < 0)
+        return not_started();
+    output = Descriptor();
+    ChildOutput made;
+    made.end = read_bounded(input.get(), bounds, made.text);
+    if (made.end != ChildOutput::End::finished)
+        ::kill(child, SIGKILL);
+    int status = 0;
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    ::close(ends[0]);
+    const bool is_good = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (made.end == ChildOutput::End::finished && !is_good)
+        made.end = ChildOutput::End::failed;
     return made;
 }

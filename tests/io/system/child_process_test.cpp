@@ -1,4 +1,4 @@
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 
 #include "io/files/atomic_file.h"
 #include "io/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "io/files/child_process.h"
+#include "io/system/child_process.h"
 
 #include "base/text.h"
 

@@ -1,4 +1,4 @@
-#include "base/machine_memory.h"
+#include "io/system/machine_memory.h"
 
 #include <algorithm>
 #include <fstream>
