@@ -2,8 +2,9 @@
 
 layers.py ROOT prints one "file:line: error: message" for every breach, and exits with 1 if there is
 one. A layer includes only the layers in its USES line of app/CMakeLists.txt. A room includes only
-itself and the rooms before it in the ROOMS line. GL, EGL and GLFW are used only in gpu/, Dear ImGui
-only in ui/. A file has at most 500 lines, a function at most 60. No file names a package host.
+itself and the rooms before it in the ROOMS line. System calls are used only in io/ and gpu/, GL, EGL
+and GLFW only in gpu/, Dear ImGui only in ui/. A file has at most 500 lines, a function at most 60. No
+file names a package host.
 """
 
 import ast
@@ -18,15 +19,24 @@ CODE = {".cpp", ".h"}
 SHADERS = {".frag", ".vert", ".glsl"}
 TEXT = CODE | SHADERS | {".py", ".cmake", ".txt", ".md", ".json", ".yml", ""}
 
-# Code that belongs to one layer: the layer, its pattern, and its name in messages.
+SYSTEM_HEADER = re.compile(
+    r"#\s*include\s*[<\"]((unistd|fcntl|dlfcn|poll|signal|pwd|grp|spawn|glob|dirent|pthread|sched|semaphore|termios"
+    r"|netdb|ifaddrs|fnmatch|ftw|wordexp|execinfo|link|utime|syslog|strings)\.h\b|csignal\b"
+    r"|(arpa|net|netinet|sys|linux|asm)/)"
+)
+# Code that belongs to some layers: the layers, its pattern, and its name in messages.
 OWNED = [
-    ("gpu", re.compile(r"\bgl[A-Z]\w*\s*\("), "a GL call"),
-    ("gpu", re.compile(r"\begl[A-Z]\w*"), "an EGL call"),
-    ("gpu", re.compile(r"\bglfw[A-Z]\w*"), "a GLFW call"),
-    ("gpu", re.compile(r'#\s*include\s*[<"](GL|EGL|GLES\d?|GLFW|epoxy)/'), "a header of GL, EGL or GLFW"),
-    ("ui", re.compile(r"\bImGui"), "Dear ImGui"),
-    ("ui", re.compile(r'#\s*include\s*[<"](\w+/)*(imgui|imconfig)'), "a header of Dear ImGui"),
+    (["gpu"], re.compile(r"\bgl[A-Z]\w*\s*\("), "a GL call"),
+    (["gpu"], re.compile(r"\begl[A-Z]\w*"), "an EGL call"),
+    (["gpu"], re.compile(r"\bglfw[A-Z]\w*"), "a GLFW call"),
+    (["gpu"], re.compile(r'#\s*include\s*[<"](GL|EGL|GLES\d?|GLFW|epoxy)/'), "a header of GL, EGL or GLFW"),
+    (["ui"], re.compile(r"\bImGui"), "Dear ImGui"),
+    (["ui"], re.compile(r'#\s*include\s*[<"](\w+/)*(imgui|imconfig)'), "a header of Dear ImGui"),
+    (["io", "gpu"], SYSTEM_HEADER, "a header of POSIX or Linux"),
+    (["io", "gpu"], re.compile(r"\b((un)?setenv|putenv|(localtime|gmtime)_r|popen)\s*\("), "a POSIX call"),
 ]
+# The same, also in comments and strings.
+OWNED_IN_TEXT = [(["io", "gpu"], re.compile(r"/(proc|sys)/"), "a file of Linux")]
 INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 PACKAGE_HOST = re.compile(r"https?://([\w-]+\.)*(deb|ftp|pypi|registry|snapshot|archive|packages|mirrors?)\.\w")
 NOT_CODE = re.compile(
@@ -97,12 +107,13 @@ def check_rooms(layer, room, code, order):
             yield line_of(code, match.start(1)), f"{layer}/{room} may not include {layer}/{other}: it is above it"
 
 
-def check_owned(layer, code):
+def check_owned(layer, code, owned):
     for number, line in enumerate(code.split("\n"), 1):
-        for owner, pattern, what in OWNED:
+        for owners, pattern, what in owned:
             found = pattern.search(line)
-            if found and layer != owner:
-                yield number, f"'{found.group().strip()}' is {what}, which belongs in {owner}/"
+            if found and layer not in owners:
+                places = " or ".join(f"{owner}/" for owner in owners)
+                yield number, f"'{found.group().strip()}' is {what}, which belongs in {places}"
 
 
 def is_function(header):
@@ -156,7 +167,8 @@ def check_file(path, text, layers, rooms):
         yield from check_functions(code)
         if path.parts[0] == "app":
             layer = path.parts[1] if len(path.parts) > 2 else ""
-            yield from check_owned(layer, code)
+            yield from check_owned(layer, code, OWNED)
+            yield from check_owned(layer, text, OWNED_IN_TEXT)
             if layer in layers:
                 yield from check_includes(layer, code, layers)
                 yield from check_rooms(layer, "/".join(path.parts[2:-1]) or ".", code, rooms[layer])

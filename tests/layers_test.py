@@ -11,6 +11,7 @@ CMAKE = """
 add_layer(base LINKS fmt)
 add_layer(model USES base
     LINKS fmt)
+add_layer(io USES base)
 add_layer(gpu USES base model)
 add_layer(ui USES gpu)
 add_layer(lab USES base ROOMS media .
@@ -41,7 +42,14 @@ class LayersTest(unittest.TestCase):
     def test_the_uses_of_each_layer_are_read_from_cmake(self):
         self.assertEqual(
             layers.read_layers(CMAKE),
-            {"base": set(), "model": {"base"}, "gpu": {"base", "model"}, "ui": {"gpu"}, "lab": {"base"}},
+            {
+                "base": set(),
+                "model": {"base"},
+                "io": {"base"},
+                "gpu": {"base", "model"},
+                "ui": {"gpu"},
+                "lab": {"base"},
+            },
         )
 
     def test_the_rooms_of_each_layer_are_read_from_cmake(self):
@@ -120,6 +128,29 @@ class LayersTest(unittest.TestCase):
         for line in ("ImGui::Text(name);", "#include <imgui.h>"):
             self.assert_none("app/ui/panel.cpp", line + "\n")
             self.assertEqual(len(breaches_in({"app/gpu/texture.cpp": line + "\n"})), 1)
+
+    def test_system_calls_stay_in_io_and_gpu(self):
+        for line, name, what in [
+            ("#include <unistd.h>", "#include <unistd.h", "a header of POSIX or Linux"),
+            ("#include <csignal>", "#include <csignal", "a header of POSIX or Linux"),
+            ("#include <sys/stat.h>", "#include <sys/", "a header of POSIX or Linux"),
+            ("# include <linux/input.h>", "# include <linux/", "a header of POSIX or Linux"),
+            ('setenv("HOME", home, 1);', "setenv(", "a POSIX call"),
+            ('std::ifstream file("/proc/self/statm");', "/proc/", "a file of Linux"),
+        ]:
+            for path in ("app/io/clock.cpp", "app/gpu/driver_cache.cpp", "tests/io/a_test.cpp"):
+                self.assert_none(path, line + "\n")
+            for path in ("app/lab/lab.cpp", "app/main.cpp"):
+                self.assert_breach(
+                    path, "\n" + line + "\n", f"{path}:2: error: '{name}' is {what}, which belongs in io/ or gpu/"
+                )
+
+    def test_standard_headers_are_not_system_calls(self):
+        self.assert_none(
+            "app/lab/lab.cpp",
+            "#include <cstdlib>\n#include <filesystem>\n#include <signal_path.h>\n"
+            'const char* home = std::getenv("HOME");\n',
+        )
 
     def test_comments_and_texts_are_not_calls(self):
         self.assert_none(
