@@ -228,7 +228,7 @@ def check_tree(root):
                 errors += phrase_problems(str(file.relative_to(root)), texts_of(read(file)))
     if (root / "run").exists():
         errors += phrase_problems("run", script_texts(read(root / "run")))
-    pages = [root / "README.md", *sorted(root.glob("docs/**/*.md")), root / "third_party/README.md"]
+    pages = [*sorted(root.glob("*.md")), *sorted(root.glob("docs/**/*.md")), root / "third_party/README.md"]
     for page in pages:
         if page.exists():
             found, warned = page_problems(str(page.relative_to(root)), read(page))

@@ -119,6 +119,10 @@ class ProseTest(unittest.TestCase):
         self.assert_error("docs/a.md", "[b](#b)\n", "a.md:1: error: the link '#b' leads nowhere")
         self.assert_none("docs/a.md", "[b](https://example.org/b.md)\n")
 
+    def test_every_page_at_the_top_level_is_read(self):
+        self.assert_error("CONTRIBUTING.md", "word\n" * 36, "CONTRIBUTING.md:1: error: a sentence of 36 words")
+        self.assert_error("SECURITY.md", "[b](docs/b.md)\n", "SECURITY.md:1: error: the link 'docs/b.md' leads nowhere")
+
     def test_the_readme_is_short(self):
         self.assert_none("README.md", "line\n\n" * 40)
         self.assert_error("README.md", "line\n\n" * 40 + "end\n", "more than 80 lines")
