@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "cli/common.h"
+#include "lab/library/open.h"
 
 #include <fmt/format.h>
 
@@ -25,13 +26,15 @@ constexpr std::array verbs{
     Verb{"signal", add_signal},     Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
 };
 
-constexpr const char* about =
-    "Afterglow: a lab for CRT, phosphor and oscilloscope looks\n\n"
-    "Without a command, the window opens. All commands work without a display.\n\n"
-    "LOOK is a look (name or folder), a stack of looks (phosphor+crt), a shader of another "
-    "program (RetroArch .slangp and .slang, ISF, Shadertoy, plain fragment shaders), or a preset "
-    "(file, PNG with a preset, or line of text). The window also opens sounds, pictures and "
-    "videos.";
+std::string about() {
+    return fmt::format(
+        "Afterglow: a lab for CRT, phosphor and oscilloscope looks\n\n"
+        "Without a command, the window opens. All commands work without a display.\n\n"
+        "LOOK is a look (name or folder), a stack of looks (phosphor+crt), a shader of another "
+        "program ({}), or a preset (file, PNG with a preset, or line of text). The window also "
+        "opens sounds, pictures and videos.",
+        other_programs());
+}
 
 constexpr std::array program_examples{
     "afterglow",
@@ -94,7 +97,7 @@ int run_parsed(const std::string& verb, const std::map<std::string, Command>& co
 }  // namespace
 
 int run_program(int argc, const char* const* argv, const OpenWindow& open_window) {
-    CommandLine program("afterglow", AFTERGLOW_VERSION, about, note_of_help(), program_examples);
+    CommandLine program("afterglow", AFTERGLOW_VERSION, about(), note_of_help(), program_examples);
     std::string look;
     DataFolders data;
     Options options = program.options();

@@ -1,11 +1,8 @@
 #include "formats/look_format.h"
 
 #include "base/text.h"
-#include "formats/bare/bare_format.h"
-#include "formats/isf/isf_format.h"
+#include "formats/foreign_format.h"
 #include "formats/look/look_manifest.h"
-#include "formats/shadertoy/toy_format.h"
-#include "formats/slang/slang_format.h"
 #include "glsl/parameters/parameters.h"
 #include "glsl/parameters/turned_constants.h"
 #include "glsl/text/include.h"
@@ -109,23 +106,11 @@ Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
         return fail(std::move(problems));
     return look;
 }
-// An ISF file by its extension. The header is checked when loading.
-bool is_fs_file(const fs::path& file) {
-    return to_lower(file.extension().string()) == ".fs";
-}
 
 LoadedLook load_any(const fs::path& manifest, const IncludeFolders& includes,
                     const ReadingHelp& help) {
-    if (is_slang_file(manifest))
-        return load_slang_look(manifest, help);
-    if (is_isf_file(manifest))
-        return load_isf_look(manifest, help);
-    if (is_toy_file(manifest))
-        return load_toy_look(manifest, includes, help);
-    if (is_bare_file(manifest))
-        return load_bare_look(manifest, includes, help);
-    if (is_fs_file(manifest))  // reports what is wrong with the header
-        return load_isf_look(manifest, help);
+    if (const ForeignFormat* format = find_foreign_format(manifest))
+        return format->load(manifest, includes, help);
     LoadedLook loaded;
     loaded.look = read_look(manifest, includes, help, loaded);
     return loaded;
@@ -150,7 +135,7 @@ LoadedLook load_look(const fs::path& folder_or_manifest, const IncludeFolders& i
 }
 
 bool is_foreign_look(const fs::path& file) {
-    return is_slang_file(file) || is_fs_file(file) || is_toy_file(file) || is_bare_file(file);
+    return find_foreign_format(file) != nullptr;
 }
 
 std::string look_id_at(const fs::path& place) {

@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/foreign_format.h"
 #include "formats/json/json_document.h"
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
@@ -214,4 +215,12 @@ LoadedLook load_requested(const OpenRequest& request, const Library& library,
     CheckCache checks(nullptr, library.roots().shader_limits);
     return load_stack(stack_of(request), library.roots().include_folders(),
                       {help.cache ? help.cache : &checks, help.progress, &values});
+}
+
+std::vector<std::string> look_extensions() {
+    return foreign_extensions();  // .json and .glsl are ours, too
+}
+
+std::string other_programs() {
+    return foreign_labels();
 }

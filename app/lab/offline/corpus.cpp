@@ -1,6 +1,7 @@
 #include "lab/offline/corpus.h"
 
 #include "base/text.h"
+#include "formats/foreign_format.h"
 #include "formats/shadertoy/toy_files.h"
 #include "gpu/error_log.h"
 #include "gpu/objects/draw.h"
@@ -31,8 +32,7 @@ private:
 
 // By file name only, so that a sample does not have to read all files.
 bool may_be_of_corpus(const fs::path& file) {
-    constexpr std::array<std::string_view, 8> endings{".slangp", ".slang", ".json", ".frag",
-                                                      ".fsh",    ".fs",    ".glsl", ".txt"};
+    const std::vector<std::string> endings = foreign_extensions();
     return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end() &&
            file.filename() != "look.json";
 }

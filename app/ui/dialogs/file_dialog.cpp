@@ -1,5 +1,6 @@
 #include "ui/dialogs/file_dialog.h"
 
+#include "lab/library/open.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/export_dialog.h"
@@ -33,10 +34,13 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {};
     if (kind == Dialog::Kind::choose_reference)
         return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
-    return {".json", ".slangp", ".slang", ".glsl", ".frag", ".fsh",  ".fs",  ".svg",
-            ".svgz", ".obj",    ".png",   ".exr",  ".jpg",  ".jpeg", ".txt", ".wav",
-            ".flac", ".ogg",    ".oga",   ".mp3",  ".aif",  ".aiff", ".mp4", ".m4v",
-            ".mkv",  ".webm",   ".mov",   ".avi",  ".mpg",  ".mpeg", ".ogv", ".gif"};
+    std::vector<std::string> all{".svg",  ".svgz", ".obj",  ".png",  ".exr", ".jpg",
+                                 ".jpeg", ".wav",  ".flac", ".ogg",  ".oga", ".mp3",
+                                 ".aif",  ".aiff", ".mp4",  ".m4v",  ".mkv", ".webm",
+                                 ".mov",  ".avi",  ".mpg",  ".mpeg", ".ogv", ".gif"};
+    for (std::string& extension : look_extensions())
+        all.push_back(std::move(extension));
+    return all;
 }
 
 const char* title_for(Dialog::Kind kind) {
