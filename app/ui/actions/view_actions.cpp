@@ -4,8 +4,8 @@
 #include "ui/actions/file_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
-#include "ui/library/presets_panel.h"
 #include "ui/picture/picture_menus.h"
+#include "ui/status/bottom_panels.h"
 
 #include <algorithm>
 
@@ -22,29 +22,21 @@ bool is_shown(const Scene& scene) {
     return scene.window.*shown;
 }
 
-// Shows this part of the bottom pane, or hides the pane if it already shows the part.
-template <BottomPart part>
-void toggle_bottom(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) {
-        window.shows_bottom = !window.shows_bottom || window.bottom_part != part;
-        window.bottom_part = part;
-    });
-}
-
-template <BottomPart part>
-bool is_bottom(const Scene& scene) {
-    return scene.window.shows_bottom && scene.window.bottom_part == part;
-}
-
 // A menu item with a check mark while its pane is shown.
 template <bool WindowState::*shown>
 Action toggling(ActionId id, const char* label, Chord chord, bool is_first = false) {
     return {id, Menu::view, label, chord, is_first, toggle<shown>, nullptr, is_shown<shown>};
 }
 
-template <BottomPart part>
-Action bottom(ActionId id, const char* label, Chord chord) {
-    return {id, Menu::view, label, chord, false, toggle_bottom<part>, nullptr, is_bottom<part>};
+Action panel_action(const BottomPanel& panel) {
+    Action action{panel.action, Menu::view, panel.title, panel.chord};
+    action.act = [&panel](const Scene&, Edits& edits) {
+        edits.arrange([&panel](WindowState& window) { toggle(panel, window); });
+    };
+    action.is_on = [&panel](const Scene& scene) { return is_chosen(panel, scene.window); };
+    if (panel.needs_look)
+        action.is_enabled = file_actions::has_document;
+    return action;
 }
 
 // The history panel replaces the library panel while it is shown.
@@ -128,7 +120,7 @@ bool view_actions::shows_only_changed(const Scene& scene) {
 
 std::vector<Action> view_actions::list() {
     using State = WindowState;
-    return {
+    std::vector<Action> actions{
         {ActionId::zoom_one, Menu::view, "Zoom 1:1", {'1'}, true, zoom_one},
         {ActionId::zoom_fit, Menu::view, "Zoom to fit", {'F'}, false, zoom_fit},
         {ActionId::zoom_in, Menu::view, "Zoom in", {'='}, false, zoom<true>},
@@ -143,23 +135,10 @@ std::vector<Action> view_actions::list() {
          shows_library},
         toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),
         toggling<&State::shows_inspector>(ActionId::show_inspector, "Inspector", {'3', true}),
-        toggling<&State::shows_strip>(ActionId::show_strip, "Pass strip", {'4', true}),
-        bottom<BottomPart::problems>(ActionId::show_problems, "Problems", {'5', true}),
-        bottom<BottomPart::timings>(ActionId::show_timings, "Timings", {'6', true}),
-        bottom<BottomPart::pins>(ActionId::show_pins, "Pinned pixels", {'7', true}),
-        bottom<BottomPart::inputs>(ActionId::show_inputs, "Inputs and uniforms", {'8', true}),
-        bottom<BottomPart::text>(ActionId::show_text, "Compiled source", {'9', true}),
-        bottom<BottomPart::graph>(ActionId::show_graph, "Pass graph", {'G'}),
-        bottom<BottomPart::sheet>(ActionId::show_sheet, "Filmstrip and contact sheet", {'0', true}),
-        bottom<BottomPart::waveform>(ActionId::show_waveform, "Waveform along a line", {'L'}),
-        {ActionId::show_presets,
-         Menu::view,
-         "Preset browser",
-         {'L', true},
-         false,
-         toggle_presets,
-         file_actions::has_document,
-         shows_presets},
+        toggling<&State::shows_strip>(ActionId::show_strip, "Pass strip", {'4', true})};
+    for (const BottomPanel& panel : bottom_panels())
+        actions.push_back(panel_action(panel));
+    const std::vector<Action> others{
         toggling<&State::is_picture_only>(ActionId::picture_only, "Full screen", {key_f11}, true),
         toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),
         {ActionId::comfort,
@@ -173,4 +152,6 @@ std::vector<Action> view_actions::list() {
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},
         {ActionId::smaller_text, Menu::view, "Smaller text", {'-', true}, false, scale_text<-1>},
     };
+    actions.insert(actions.end(), others.begin(), others.end());
+    return actions;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -153,12 +154,13 @@ struct Action {
     const char* label;
     Chord chord;
     bool is_first = false;  // a separator is drawn above it
-    void (*act)(const Scene& scene, Edits& edits);
-    bool (*is_enabled)(const Scene& scene) = nullptr;  // null: always enabled
-    bool (*is_on)(const Scene& scene) = nullptr;       // null: no check mark
-    void (*let_go)(const Scene& scene,
-                   Edits& edits) = nullptr;  // on release of its key; null: ignored
-    std::string (*current_label)(const Scene& scene) = nullptr;  // "Undo: Decay"; null: label
+    std::function<void(const Scene& scene, Edits& edits)> act = {};
+    std::function<bool(const Scene& scene)> is_enabled = {};  // null: always enabled
+    std::function<bool(const Scene& scene)> is_on = {};       // null: no check mark
+    std::function<void(const Scene& scene, Edits& edits)> let_go =
+        {};  // on release of its key; null: ignored
+    std::function<std::string(const Scene& scene)> current_label =
+        {};  // "Undo: Decay"; null: label
 };
 
 /// All actions in the order of the menus. Each action of ActionId has exactly one row.

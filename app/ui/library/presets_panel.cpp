@@ -243,19 +243,3 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
     }
     ImGui::EndChild();
 }
-
-bool shows_presets(const Scene& scene) {
-    return scene.window.sees(BottomPart::presets);
-}
-
-void toggle_presets(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) {
-        constexpr float room = 250.0f;
-        const bool shows = window.sees(BottomPart::presets);
-        window.shows_bottom = !shows;
-        window.bottom_part = BottomPart::presets;
-        window.is_picture_only = false;
-        if (!shows)
-            window.panes.bottom = std::max(window.panes.bottom, room);
-    });
-}

@@ -5,7 +5,3 @@
 
 /// The presets of the open look as pictures. Click to open one, Shift+click to morph to it.
 void draw_presets_panel(const Scene& scene, Edits& edits);
-
-/// Opens the preset browser with room for its pictures, or closes it.
-void toggle_presets(const Scene& scene, Edits& edits);
-bool shows_presets(const Scene& scene);

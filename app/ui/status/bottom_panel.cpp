@@ -2,23 +2,16 @@
 
 #include "lab/frame/heavy_pass.h"
 #include "ui/frame/action.h"
-#include "ui/library/presets_panel.h"
-#include "ui/parameters/sheet_panel.h"
-#include "ui/passes/pass_graph_panel.h"
-#include "ui/passes/pass_inputs.h"
-#include "ui/passes/pass_text.h"
-#include "ui/passes/waveform_panel.h"
-#include "ui/picture/pins_panel.h"
+#include "ui/status/bottom_panels.h"
 #include "ui/status/timings_panel.h"
 #include "ui/widgets/icons.h"
-#include "ui/widgets/problem_list.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
 
-#include <array>
+#include <vector>
 
 namespace {
 std::string problems_text(const Lab& lab) {
@@ -132,20 +125,12 @@ std::string pointer_text(const Scene& scene) {
     return fmt::format("{}  {}, {}   {}  {}  {}  {}", probe.pass, probe.x, probe.y, rgba[0],
                        rgba[1], rgba[2], rgba[3]);  // all stored digits
 }
-
-void draw_problems(const Scene& scene, Edits& edits) {
-    if (scene.lab.messages().problems().empty())
-        dim_text("No problems.");
-    for (const Problem& problem : scene.lab.messages().problems()) {
-        draw_problem(problem, scene.fonts, edits);
-        ImGui::Spacing();
-    }
-}
 }  // namespace
 
 void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    static constexpr std::array labels{"Problems", "Timings",   "Pins",     "Inputs", "Compiled",
-                                       "Graph",    "Filmstrip", "Waveform", "Presets"};
+    std::vector<const char*> labels;
+    for (const BottomPanel& panel : bottom_panels())
+        labels.push_back(panel.tab);
     const int present = static_cast<int>(scene.window.bottom_part);
     const int chosen =
         choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
@@ -160,24 +145,9 @@ void draw_bottom_panel(const Scene& scene, Edits& edits) {
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##content");
     }
-    if (scene.window.bottom_part == BottomPart::timings)
-        draw_timings_panel(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::pins)
-        draw_pins_panel(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::inputs)
-        draw_pass_inputs(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::text)
-        draw_pass_text(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::graph)
-        draw_pass_graph(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::sheet)
-        draw_sheet_panel(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::waveform)
-        draw_waveform_panel(scene, edits);
-    else if (scene.window.bottom_part == BottomPart::presets)
-        draw_presets_panel(scene, edits);
-    else
-        draw_problems(scene, edits);
+    for (const BottomPanel& panel : bottom_panels())
+        if (panel.part == scene.window.bottom_part)
+            panel.draw(scene, edits);
     ImGui::EndChild();
 }
 

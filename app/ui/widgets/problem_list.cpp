@@ -65,3 +65,12 @@ void draw_file_problems(const Scene& scene, Edits& edits) {
         edits.mark("media_problem");
     }
 }
+
+void draw_problems_panel(const Scene& scene, Edits& edits) {
+    if (scene.lab.messages().problems().empty())
+        dim_text("No problems.");
+    for (const Problem& problem : scene.lab.messages().problems()) {
+        draw_problem(problem, scene.fonts, edits);
+        ImGui::Spacing();
+    }
+}

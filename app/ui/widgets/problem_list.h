@@ -8,3 +8,6 @@
 void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits);
 /// The problems of the file that drives the look.
 void draw_file_problems(const Scene& scene, Edits& edits);
+
+/// The problems of the open look and its content.
+void draw_problems_panel(const Scene& scene, Edits& edits);
