@@ -4,7 +4,7 @@
 #include "formats/svg/outline_cut.h"
 #include "formats/svg/svg_path.h"
 #include "formats/svg/svg_transform.h"
-#include "formats/svg/xml_tags.h"
+#include "formats/svg/xml_document.h"
 #include "io/pictures/picture_codec.h"
 
 #include <fmt/format.h>
@@ -22,17 +22,11 @@ constexpr double same_place = 0.25;
 constexpr std::size_t most_clip_tests = 200'000'000;
 constexpr int most_open_groups = 500;
 
-std::string attribute_of(const XmlTag& tag, const char* name) {
-    const auto found = tag.attributes.find(name);
-    return found == tag.attributes.end() ? std::string() : found->second;
-}
-
 /// The paint properties in a path's `style`.
 class Paint {
 public:
-    explicit Paint(const XmlTag& tag) {
-        const std::string style = attribute_of(tag, "style");
-        for (const std::string_view part : split(style, ';')) {
+    explicit Paint(const pugi::xml_node& tag) {
+        for (const std::string_view part : split(tag.attribute("style").value(), ';')) {
             const std::size_t colon = part.find(':');
             if (colon != std::string_view::npos)
                 m_words[std::string(trim(part.substr(0, colon)))] = trim(part.substr(colon + 1));
@@ -63,28 +57,17 @@ private:
 /// Reads Cairo's output. A group with opacity is in <defs>, referenced by a <use>.
 class PaintedReader {
 public:
-    PaintedReader(const std::vector<XmlTag>& tags, const SvgTransform& to_page)
-        : m_tags(tags), m_to_page(to_page), m_ends(tags.size(), tags.size()) {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < tags.size(); ++i) {
-            if (tags[i].is_closing) {
-                if (!open.empty()) {
-                    m_ends[open.back()] = i;
-                    open.pop_back();
-                }
-                continue;
-            }
-            if (const std::string id = attribute_of(tags[i], "id"); !id.empty())
-                m_ids[id] = i;
-            if (tags[i].is_empty)
-                m_ends[i] = i;
-            else
-                open.push_back(i);
-        }
+    PaintedReader(const pugi::xml_document& document, const SvgTransform& to_page)
+        : m_document(document), m_to_page(to_page) {
+        document.find_node([this](const pugi::xml_node& node) {
+            if (const pugi::xml_attribute id = node.attribute("id"))
+                m_ids[id.value()] = node;
+            return false;  // continues with the next node
+        });
     }
 
     std::vector<ScenePath> read() {
-        walk(0, m_tags.size(), {});
+        walk(m_document, {});
         return std::move(m_paths);
     }
     /// The error that stopped reading; "": none.
@@ -97,30 +80,30 @@ private:
         int depth = 0;
     };
 
-    void walk(std::size_t begin, std::size_t end, const State& state) {
+    // The depth of recursion is limited by most_open_groups.
+    void walk(const pugi::xml_node& parent, const State& state) {
         if (state.depth > most_open_groups)
             m_problem = fmt::format("groups are nested too deeply; the limit is {} levels",
                                     most_open_groups);
-        for (std::size_t i = begin; i < end && m_problem.empty(); ++i) {
-            const XmlTag& tag = m_tags[i];
-            if (tag.is_closing)
-                continue;
-            if (tag.name == "svg" || tag.name == "g")
-                walk(i + 1, m_ends[i], entered(tag, state));
-            else if (tag.name == "use")
+        for (const pugi::xml_node& tag : parent) {
+            if (!m_problem.empty())
+                return;
+            const std::string_view name = tag.name();
+            if (name == "svg" || name == "g")
+                walk(tag, entered(tag, state));
+            else if (name == "use")
                 draw_used(tag, state);
-            else if (tag.name == "path" || tag.name == "rect")
+            else if (name == "path" || name == "rect")
                 draw(tag, entered(tag, state));
-            i = m_ends[i];
         }
     }
 
-    State entered(const XmlTag& tag, const State& outer) {
+    State entered(const pugi::xml_node& tag, const State& outer) {
         State state = outer;
         ++state.depth;
-        if (const auto own = parse_svg_transform(attribute_of(tag, "transform")))
+        if (const auto own = parse_svg_transform(tag.attribute("transform").value()))
             state.transform = state.transform * *own;
-        const std::string clip = attribute_of(tag, "clip-path");
+        const std::string clip = tag.attribute("clip-path").value();
         if (clip.starts_with("url(#") && clip.ends_with(')'))
             if (const auto found = m_ids.find(clip.substr(5, clip.size() - 6));
                 found != m_ids.end())
@@ -128,30 +111,30 @@ private:
         return state;
     }
 
-    void draw_used(const XmlTag& tag, const State& outer) {
-        const std::string href = attribute_of(tag, "href");
+    void draw_used(const pugi::xml_node& tag, const State& outer) {
+        const std::string href = tag.attribute("xlink:href").value();
         const auto found = href.starts_with('#') ? m_ids.find(href.substr(1)) : m_ids.end();
-        if (found == m_ids.end() || m_tags[found->second].name != "g")
+        if (found == m_ids.end() || found->second.name() != std::string_view("g"))
             return;
         State state = entered(tag, outer);
         state.transform =
             state.transform * SvgTransform{1, 0, 0, 1, number(tag, "x"), number(tag, "y")};
-        walk(found->second + 1, m_ends[found->second], entered(m_tags[found->second], state));
+        walk(found->second, entered(found->second, state));
     }
 
-    static double number(const XmlTag& tag, const char* name) {
-        return parse_number(attribute_of(tag, name)).value_or(0.0);
+    static double number(const pugi::xml_node& tag, const char* name) {
+        return parse_number(tag.attribute(name).value()).value_or(0.0);
     }
 
-    static std::vector<ScenePath> shape_of(const XmlTag& tag) {
-        if (tag.name == "rect") {
+    static std::vector<ScenePath> shape_of(const pugi::xml_node& tag) {
+        if (tag.name() == std::string_view("rect")) {
             const double x = number(tag, "x");
             const double y = number(tag, "y");
             const double w = number(tag, "width");
             const double h = number(tag, "height");
             return {{{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}}}};
         }
-        auto paths = parse_svg_path(attribute_of(tag, "d"));
+        auto paths = parse_svg_path(tag.attribute("d").value());
         return paths ? std::move(*paths) : std::vector<ScenePath>();
     }
 
@@ -161,22 +144,26 @@ private:
                 point = by(point);
     }
 
-    const ClipRegion* region(std::size_t at, const XmlTag& user, const SvgTransform& by) {
+    static bool is_even_odd(const pugi::xml_node& tag) {
+        return tag.attribute("clip-rule").value() == std::string_view("evenodd");
+    }
+
+    const ClipRegion* region(const pugi::xml_node& clip, const pugi::xml_node& user,
+                             const SvgTransform& by) {
         ClipRegion region;
-        for (std::size_t i = at + 1; i < m_ends[at]; ++i) {
-            std::vector<ScenePath> rings = shape_of(m_tags[i]);
-            const auto own = parse_svg_transform(attribute_of(m_tags[i], "transform"));
+        for (const pugi::xml_node& tag : clip) {
+            std::vector<ScenePath> rings = shape_of(tag);
+            const auto own = parse_svg_transform(tag.attribute("transform").value());
             transform(rings, own ? by * *own : by);
             region.rings.insert(region.rings.end(), rings.begin(), rings.end());
-            region.is_even_odd =
-                region.is_even_odd || attribute_of(m_tags[i], "clip-rule") == "evenodd";
+            region.is_even_odd = region.is_even_odd || is_even_odd(tag);
         }
-        region.is_even_odd = region.is_even_odd || attribute_of(user, "clip-rule") == "evenodd";
+        region.is_even_odd = region.is_even_odd || is_even_odd(user);
         m_regions.push_back(std::make_unique<ClipRegion>(std::move(region)));
         return m_regions.back().get();
     }
 
-    void draw(const XmlTag& tag, const State& state) {
+    void draw(const pugi::xml_node& tag, const State& state) {
         const Paint paint(tag);
         if (!paint.paints("fill") && !paint.paints("stroke"))
             return;
@@ -227,10 +214,9 @@ private:
             m_problem = "the clip paths have too many points; simplify them";
     }
 
-    const std::vector<XmlTag>& m_tags;
+    pugi::xml_node m_document;
     SvgTransform m_to_page;
-    std::vector<std::size_t> m_ends;  // index of the closing tag of each tag
-    std::map<std::string, std::size_t> m_ids;
+    std::map<std::string, pugi::xml_node> m_ids;
     std::vector<std::unique_ptr<ClipRegion>> m_regions;
     std::vector<ScenePath> m_last;
     std::vector<ScenePath> m_paths;
@@ -283,12 +269,13 @@ Result<std::vector<ScenePath>> painted_outlines(std::string_view bytes, const fs
         return fail(drawn.error());
     const std::size_t first_line = drawn->find('\n');
     const auto to_page = parse_svg_transform(std::string_view(*drawn).substr(0, first_line));
-    const auto tags = parse_xml_tags(std::string_view(*drawn).substr(first_line + 1), file);
-    if (!to_page || !tags)
-        return fail({file, 0,
-                     fmt::format("can't read the SVG: {}",
-                                 tags ? "the page has no size" : tags.error().front().message)});
-    PaintedReader reader(*tags, *to_page);
+    const auto document = parse_xml(std::string_view(*drawn).substr(first_line + 1), file);
+    if (!to_page || !document)
+        return fail(
+            {file, 0,
+             fmt::format("can't read the SVG: {}",
+                         document ? "the page has no size" : document.error().front().message)});
+    PaintedReader reader(*document, *to_page);
     std::vector<ScenePath> paths = reader.read();
     if (!reader.problem().empty())
         return fail({file, 0, reader.problem()});

@@ -5,7 +5,7 @@
 #include "formats/svg/painted_svg.h"
 #include "formats/svg/svg_path.h"
 #include "formats/svg/svg_transform.h"
-#include "formats/svg/xml_tags.h"
+#include "formats/svg/xml_document.h"
 #include "signals/drawing/shapes.h"
 #include "signals/drawing/stroke_line.h"
 
@@ -30,13 +30,13 @@ struct SvgOutlines {
 };
 
 /// Reads an Afterglow drawing, which may have been edited by another program.
-class DrawingReader {
+class DrawingReader : private pugi::xml_tree_walker {
 public:
-    explicit DrawingReader(const std::filesystem::path& file) : m_file(file) {}
+    DrawingReader(std::string_view text, const std::filesystem::path& file)
+        : m_text(text), m_file(file) {}
 
-    Result<SvgOutlines> read(const std::vector<XmlTag>& tags) {
-        for (const XmlTag& tag : tags)
-            tag.is_closing ? leave(tag) : enter(tag);
+    Result<SvgOutlines> read(pugi::xml_node document) {
+        document.traverse(*this);
         if (m_problems.empty() && m_found.outlines.empty())
             m_problems.push_back({m_file, 1, "the drawing is empty: no paths, lines or shapes"});
         if (m_count > most_scene_points)
@@ -49,40 +49,38 @@ public:
 
 private:
     struct Level {
-        std::string name;
         SvgTransform transform;
         bool is_hidden = false;
         std::size_t keyframe = 0;
     };
 
-    void problem(const XmlTag& tag, const std::string& message) {
+    bool for_each(pugi::xml_node& node) override {
+        if (node.type() == pugi::node_element)
+            enter(node);
+        return true;
+    }
+
+    void problem(const pugi::xml_node& tag, const std::string& message) {
         constexpr std::size_t most_problems = 20;
         if (m_problems.size() < most_problems)
-            m_problems.push_back({m_file, tag.line, message});
+            m_problems.push_back({m_file, line_of(tag, m_text), message});
     }
 
-    void leave(const XmlTag& tag) {
-        const auto open = std::find_if(m_levels.rbegin(), m_levels.rend(),
-                                       [&](const Level& level) { return level.name == tag.name; });
-        if (open != m_levels.rend())
-            m_levels.erase(std::prev(open.base()), m_levels.end());
+    static std::string_view name_without_prefix(const pugi::xml_node& tag) {
+        const std::string_view name = tag.name();
+        return name.substr(name.rfind(':') + 1);  // npos + 1 is 0
     }
 
-    static std::string attribute(const XmlTag& tag, const char* name) {
-        const auto found = tag.attributes.find(name);
-        return found == tag.attributes.end() ? std::string() : found->second;
-    }
-
-    static bool is_displayed(const XmlTag& tag) {
-        std::string style = attribute(tag, "style");
+    static bool is_displayed(const pugi::xml_node& tag) {
+        std::string style = tag.attribute("style").value();
         std::erase(style, ' ');
-        return attribute(tag, "display") != "none" &&
+        return tag.attribute("display").value() != std::string_view("none") &&
                style.find("display:none") == std::string::npos;
     }
 
     // A keyframe counts even if it is hidden for other programs.
-    void enter_keyframe(const XmlTag& tag, Level& level) {
-        const bool is_keyframe = tag.attributes.count("data-keyframe") != 0;
+    void enter_keyframe(const pugi::xml_node& tag, Level& level) {
+        const bool is_keyframe = static_cast<bool>(tag.attribute("data-keyframe"));
         if (is_keyframe)
             level.keyframe = m_found.keyframes++;
         else if (!is_displayed(tag))
@@ -91,15 +89,15 @@ private:
             problem(tag, fmt::format("too many keyframes; the limit is {}", most_keyframes));
     }
 
-    void enter(const XmlTag& tag) {
+    void enter(const pugi::xml_node& tag) {
         constexpr std::string_view hidden[] = {"defs",   "clipPath", "mask",  "symbol",
                                                "marker", "pattern",  "style", "script"};
-        Level level = m_levels.empty() ? Level{} : m_levels.back();
-        level.name = tag.name;
-        level.is_hidden = level.is_hidden || std::find(std::begin(hidden), std::end(hidden),
-                                                       tag.name) != std::end(hidden);
-        if (const auto found = tag.attributes.find("transform"); found != tag.attributes.end()) {
-            const auto transform = parse_svg_transform(found->second);
+        m_levels.resize(static_cast<std::size_t>(depth()) + 1);
+        Level level = m_levels.back();
+        level.is_hidden = level.is_hidden ||
+                          std::ranges::find(hidden, name_without_prefix(tag)) != std::end(hidden);
+        if (const pugi::xml_attribute found = tag.attribute("transform")) {
+            const auto transform = parse_svg_transform(found.value());
             if (!transform)
                 problem(tag, transform.error().front().message);
             else
@@ -109,11 +107,12 @@ private:
         if (!level.is_hidden)
             for (ScenePath& path : outline_of(tag))
                 add({std::move(path), level.keyframe, is_smooth(tag)}, level.transform);
-        if (!tag.is_empty)
-            m_levels.push_back(std::move(level));
+        m_levels.push_back(level);
     }
 
-    static bool is_smooth(const XmlTag& tag) { return attribute(tag, "data-line") == "smooth"; }
+    static bool is_smooth(const pugi::xml_node& tag) {
+        return tag.attribute("data-line").value() == std::string_view("smooth");
+    }
 
     void add(SvgOutline outline, const SvgTransform& transform) {
         for (ScenePoint& point : outline.path.points) {
@@ -125,51 +124,51 @@ private:
             m_found.outlines.push_back(std::move(outline));
     }
 
-    double number(const XmlTag& tag, const char* name, double fallback = 0.0) {
-        const auto found = tag.attributes.find(name);
-        if (found == tag.attributes.end())
-            return fallback;
-        std::string_view text = trim(found->second);
+    double number(const pugi::xml_node& tag, const char* name) {
+        const pugi::xml_attribute found = tag.attribute(name);
+        if (!found)
+            return 0.0;
+        std::string_view text = trim(found.value());
         if (text.ends_with("px"))
             text.remove_suffix(2);
         const auto value = parse_number(text);
         if (!value)
-            problem(tag, fmt::format("'{}' must be a number, got '{}'", name, found->second));
-        return value.value_or(fallback);
+            problem(tag, fmt::format("'{}' must be a number, got '{}'", name, found.value()));
+        return value.value_or(0.0);
     }
 
-    std::vector<ScenePath> outline_of(const XmlTag& tag) {
-        if (tag.name == "path")
+    std::vector<ScenePath> outline_of(const pugi::xml_node& tag) {
+        const std::string_view name = name_without_prefix(tag);
+        if (name == "path")
             return path_of(tag);
-        if (tag.name == "polyline" || tag.name == "polygon")
-            return corners_of(tag, tag.name == "polygon");
-        if (tag.name == "line")
+        if (name == "polyline" || name == "polygon")
+            return corners_of(tag, name == "polygon");
+        if (name == "line")
             return {
                 {{{number(tag, "x1"), number(tag, "y1")}, {number(tag, "x2"), number(tag, "y2")}}}};
-        if (tag.name == "rect")
+        if (name == "rect")
             return box_of(tag);
-        if (tag.name == "circle")
+        if (name == "circle")
             return oval_of(tag, number(tag, "r"), number(tag, "r"));
-        if (tag.name == "ellipse")
+        if (name == "ellipse")
             return oval_of(tag, number(tag, "rx"), number(tag, "ry"));
         return {};
     }
 
-    std::vector<ScenePath> path_of(const XmlTag& tag) {
-        const auto found = tag.attributes.find("d");
-        if (found == tag.attributes.end())
+    std::vector<ScenePath> path_of(const pugi::xml_node& tag) {
+        const pugi::xml_attribute found = tag.attribute("d");
+        if (!found)
             return {};
         constexpr int steps_a_curve = 16;
-        auto paths = parse_svg_path(found->second, is_smooth(tag) ? 1 : steps_a_curve);
+        auto paths = parse_svg_path(found.value(), is_smooth(tag) ? 1 : steps_a_curve);
         if (paths)
             return std::move(*paths);
         problem(tag, paths.error().front().message);
         return {};
     }
 
-    std::vector<ScenePath> corners_of(const XmlTag& tag, bool is_closed) {
-        const auto found = tag.attributes.find("points");
-        const auto numbers = parse_svg_numbers(found == tag.attributes.end() ? "" : found->second);
+    std::vector<ScenePath> corners_of(const pugi::xml_node& tag, bool is_closed) {
+        const auto numbers = parse_svg_numbers(tag.attribute("points").value());
         if (!numbers || numbers->size() < 4 || numbers->size() % 2 != 0) {
             problem(tag, "'points' must have at least two pairs of numbers");
             return {};
@@ -182,7 +181,7 @@ private:
         return {path};
     }
 
-    std::vector<ScenePath> box_of(const XmlTag& tag) {
+    std::vector<ScenePath> box_of(const pugi::xml_node& tag) {
         const double x = number(tag, "x");
         const double y = number(tag, "y");
         const double w = number(tag, "width");
@@ -190,15 +189,16 @@ private:
         return {{{{x, y}, {x + w, y}, {x + w, y + h}, {x, y + h}, {x, y}}}};
     }
 
-    std::vector<ScenePath> oval_of(const XmlTag& tag, double rx, double ry) {
+    std::vector<ScenePath> oval_of(const pugi::xml_node& tag, double rx, double ry) {
         ScenePath path = arc_path(1.0, 0.0, 360.0);
         for (ScenePoint& point : path.points)
             point = {number(tag, "cx") + rx * point.x, number(tag, "cy") + ry * point.y};
         return {path};
     }
 
+    std::string_view m_text;
     const std::filesystem::path& m_file;
-    std::vector<Level> m_levels;
+    std::vector<Level> m_levels{Level{}};  // of the document and the open elements
     SvgOutlines m_found;
     std::size_t m_count = 0;
     Diagnostics m_problems;
@@ -226,10 +226,10 @@ bool is_own_drawing(std::string_view text) {
 }
 
 Result<Drawing> own_drawing(std::string_view text, const std::filesystem::path& file) {
-    const auto tags = parse_xml_tags(text, file);
-    if (!tags)
-        return fail(tags.error());
-    const auto found = DrawingReader(file).read(*tags);
+    const auto document = parse_xml(text, file);
+    if (!document)
+        return fail(document.error());
+    const auto found = DrawingReader(text, file).read(*document);
     if (!found)
         return fail(found.error());
     Drawing drawing{.keyframes = {}, .is_to_scale = true};

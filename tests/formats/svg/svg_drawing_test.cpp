@@ -74,6 +74,52 @@ TEST_CASE("an SVG of another program is one keyframe, not to scale") {
     CHECK(drawing.keyframes[0][1].points.size() == 3);
 }
 
+TEST_CASE("a saved drawing may have prefixes, entities, comments and CDATA, as XML allows") {
+    const Drawing drawing = read(
+        "\xEF\xBB\xBF<?xml version='1.0'?>\n"
+        "<!DOCTYPE svg [<!ENTITY x SYSTEM '/etc/passwd'><!ENTITY y '&x;'>]>\n"
+        "<s:svg xmlns:s='http://www.w3.org/2000/svg' s:d='M8 8' data-afterglow-drawing='1'>\n"
+        "<!-- <path d='M0 0L9 9'/> --><![CDATA[<path d='M0 0L9 9'/>]]>text &x; &y;\n"
+        "<s:g data-keyframe='&lt;&amp;&quot;&gt;'><s:path d='M0&#32;0&#x4c;1 0' "
+        "data-line='&#115;mooth'/></s:g></s:svg>");
+    REQUIRE(drawing.keyframes.size() == 1);
+    REQUIRE(drawing.keyframes[0].size() == 1);
+    CHECK(drawing.keyframes[0][0].is_smooth);
+    CHECK(is_at(drawing.keyframes[0][0].points[1], 1, 0));
+}
+
+TEST_CASE("groups of a saved drawing may be nested deeply") {
+    std::string text = "<svg data-afterglow-drawing='1'>";
+    constexpr std::size_t depth = 90000;
+    for (std::size_t i = 0; i < depth; ++i)
+        text += "<g transform='translate(1 0)'>";
+    text += "<path d='M0 0H1'/>";
+    for (std::size_t i = 0; i < depth; ++i)
+        text += "</g>";
+    const Drawing drawing = read(text + "<path d='M0 0H1'/></svg>");
+    REQUIRE(drawing.keyframes[0].size() == 2);
+    CHECK(is_at(drawing.keyframes[0][0].points[0], 90000, 0));
+    CHECK(is_at(drawing.keyframes[0][1].points[0], 0, 0));
+}
+
+TEST_CASE("a saved drawing that is not well-formed XML or too large gives an error and its line") {
+    const std::string begin = "<svg data-afterglow-drawing='1'>\n<path d='M0 0H1'/>\n";
+    for (const std::string& rest :
+         {std::string("<g> "), std::string("<path d='"), std::string("<g></svg>"),
+          std::string("<path d=M0/></svg>"), std::string("<path d/></svg>"),
+          std::string("< ></svg>"), std::string("<!-- </svg>"), std::string("<![CDATA[ </svg>"),
+          std::string("<!DOCTYPE [ "), std::string("\0</svg>", 7),
+          std::string("<g id='\0'/></svg>", 17)}) {
+        CAPTURE(rest);
+        CHECK(drawing_refusal(begin + rest).find("d.svg:3: error: not well-formed XML: ") == 0);
+    }
+    std::string many = begin;
+    for (std::size_t i = 0; i < 200000; ++i)
+        many += "<g/>";
+    CHECK(drawing_refusal(many + "</svg>").find("too many tags; the limit is 200000") !=
+          std::string::npos);
+}
+
 TEST_CASE("an empty, too large or invalid SVG drawing gives an error") {
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'><g data-keyframe='1'></g></svg>")
               .find("d.svg:1: error: the drawing is empty") != std::string::npos);
