@@ -1,17 +1,24 @@
 #pragma once
 
 #include <atomic>
+#include <concepts>
 #include <memory>
+#include <ostream>
+#include <string>
+#include <string_view>
 #include <utility>
 
-/// A copy-on-write value: copies share memory until one of them changes. Copies may belong to
-/// different threads.
+/// A copy-on-write value, readable as a T: copies share memory until one of them changes. Copies
+/// may belong to different threads.
 template <class T>
 class Shared {
 public:
     Shared() = default;
-    explicit Shared(T value) : m_value(std::make_shared<T>(std::move(value))) {}
+    Shared(T value) : m_value(std::make_shared<T>(std::move(value))) {}
+    Shared(const char* text) requires std::same_as<T, std::string> : Shared(std::string(text)) {}
 
+    operator const T&() const { return **this; }
+    operator std::string_view() const requires std::same_as<T, std::string> { return **this; }
     const T& operator*() const {
         static const T nothing{};
         return m_value ? *m_value : nothing;
@@ -35,3 +42,9 @@ public:
 private:
     std::shared_ptr<T> m_value;  // null: a default-constructed value
 };
+
+using SharedText = Shared<std::string>;
+
+inline std::ostream& operator<<(std::ostream& stream, const SharedText& text) {
+    return stream << *text;
+}

@@ -41,7 +41,7 @@ std::string program_log(GLuint program) {
 Result<Shader> compile(GLenum kind, const Stage& stage) {
     Shader shader(glCreateShader(kind));
     const GLchar* text = stage.text->data();
-    const auto length = static_cast<GLint>(stage.text.size());
+    const auto length = static_cast<GLint>(stage.text->size());
     glShaderSource(shader.get(), 1, &text, &length);
     glCompileShader(shader.get());
     GLint is_good = 0;

@@ -1,5 +1,6 @@
+#include "base/shared.h"
+
 #include "base/line_map.h"
-#include "base/shared_text.h"
 
 #include <doctest/doctest.h>
 
@@ -21,11 +22,11 @@ TEST_CASE("shared values compare by content, and a default one is empty") {
     CHECK(SharedText("light") == SharedText(std::string("light")));
     CHECK_FALSE(SharedText("light") == SharedText("dark"));
     CHECK(SharedText() == SharedText(""));
-    CHECK(SharedText().empty());
+    CHECK(SharedText()->empty());
     SharedText text;
     text.own() += "beam";
     CHECK(std::string_view(text) == "beam");
-    CHECK(SharedText().empty());
+    CHECK(SharedText()->empty());
 }
 
 TEST_CASE("lines added to a copy of a line map do not change the original") {

@@ -83,7 +83,7 @@ TEST_CASE("a look is loaded with passes, complete shaders and parameters") {
     CHECK(look.passes[0].fragment.text->find("vec3 light(") != std::string::npos);
     CHECK(look.passes[0].fragment == look.passes[1].fragment);
     CHECK(look.passes[0].vertex.file.empty());
-    CHECK_FALSE(look.passes[0].vertex.text.empty());
+    CHECK_FALSE(look.passes[0].vertex.text->empty());
     for (const char* name : {"small/look.json", "small/fill.frag", "shared/light.glsl"})
         CHECK(contains(loaded.files, small.folder / name));
     CHECK(look.files == loaded.files);

@@ -33,7 +33,7 @@ std::string places_of(const LineMap& lines) {
 
 std::string digest_of_stage(const Stage& stage) {
     const std::uint64_t places = digest_of(stage.file.string() + '\0' + places_of(stage.lines));
-    return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text.size());
+    return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text->size());
 }
 
 /// A query about two stages, and how to unpack its stored result.
@@ -52,7 +52,7 @@ CheckCache::StageKey CheckCache::key_of(const Stage& stage) {
         places = mixed(places, digest(stretch.first.file.native()));
         places = mixed(mixed(places, static_cast<std::size_t>(stretch.first.line)), stretch.end);
     }
-    return {digest(stage.text), places, stage.text.size()};
+    return {digest(stage.text), places, stage.text->size()};
 }
 
 template <class Answer, class Kind>

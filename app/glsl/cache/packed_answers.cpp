@@ -53,7 +53,7 @@ void add(Packer& packer, const Stage& stage) {
 
 Stage read_stage(Unpacker& read) {
     Stage stage{std::string(read.text()), std::string(read.text()), {}};
-    const std::uint64_t most_lines = stage.text.size() + 1;
+    const std::uint64_t most_lines = stage.text->size() + 1;
     for (std::size_t left = read.count(); left > 0 && read.is_good(); --left) {
         const Location first = read_location(read);
         if (const std::uint64_t count = read.number(most_lines); count > 0)

@@ -9,7 +9,7 @@
 
 namespace {
 const Stage& vertex_of(const Pass& pass) {
-    return pass.vertex.text.empty() ? fullscreen_vertex_stage() : pass.vertex;
+    return pass.vertex.text->empty() ? fullscreen_vertex_stage() : pass.vertex;
 }
 
 class Sorter {
@@ -165,7 +165,7 @@ private:
 
 PassUniforms find_pass_uniforms(const Pass& pass, int index, CheckCache* cache) {
     PassUniforms failed;
-    if (pass.vertex.text.empty() && pass.draw != Draw::fullscreen) {
+    if (pass.vertex.text->empty() && pass.draw != Draw::fullscreen) {
         failed.errors = {
             {pass.declared.file, pass.declared.line,
              pass.draw == Draw::points

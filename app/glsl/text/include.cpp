@@ -109,7 +109,8 @@ private:
     void add_line(std::string_view line, const Location& at) {
         if (m_is_full)
             return;
-        if (m_stage.text.size() + line.size() >= most_bytes || m_stage.lines.size() >= most_lines) {
+        if (m_stage.text->size() + line.size() >= most_bytes ||
+            m_stage.lines.size() >= most_lines) {
             m_is_full = true;
             return error(at, too_large);
         }

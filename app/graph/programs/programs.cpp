@@ -9,7 +9,7 @@
 
 namespace {
 const Stage& vertex_stage_of(const Pass& pass) {
-    return pass.vertex.text.empty() ? fullscreen_vertex_stage() : pass.vertex;
+    return pass.vertex.text->empty() ? fullscreen_vertex_stage() : pass.vertex;
 }
 
 // Drawing into what one reads is undefined; only an earlier frame can be meant.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/shared_text.h"
+#include "base/shared.h"
 #include "glsl/constants/settled_text.h"
 #include "model/plan/plan.h"
 

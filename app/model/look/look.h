@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/shared_text.h"
+#include "base/shared.h"
 #include "base/text.h"
 #include "model/look/built_in.h"
 #include "model/look/extent.h"

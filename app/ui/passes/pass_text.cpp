@@ -74,5 +74,5 @@ void draw_pass_text(const Scene& scene, Edits& edits) {
     const Stage own{{}, executor.programs().passes[index].vertex, {}};
     const ScopedFont font(scene.fonts.numbers);
     draw_stage("Fragment shader", pass.fragment, edits);
-    draw_stage("Vertex shader", pass.vertex.text.empty() ? own : pass.vertex, edits);
+    draw_stage("Vertex shader", pass.vertex.text->empty() ? own : pass.vertex, edits);
 }

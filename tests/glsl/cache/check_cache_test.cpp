@@ -115,6 +115,6 @@ TEST_CASE("a corrupt size never makes a result larger than its bytes") {
         std::string bad = good;
         bad[at] = static_cast<char>(0xff);
         if (const auto read = unpacked_translation(bad))
-            CHECK(read->vertex.text.size() + read->fragment.text.size() <= good.size());
+            CHECK(read->vertex.text->size() + read->fragment.text->size() <= good.size());
     }
 }
