@@ -43,7 +43,7 @@ constexpr std::size_t job_kinds = 4;
 /// The result of building a look.
 struct BuiltLook {
     JobKind kind = JobKind::look;
-    OpenRequest request;
+    OpenRequest request = {};
     bool is_reload = false;  // of the open look
     std::optional<Look> look = {};
     std::optional<Programs> programs = {};
