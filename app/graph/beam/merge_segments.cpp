@@ -5,10 +5,10 @@
 #include <cmath>
 
 namespace {
-using Axes = std::array<double, 2>;  // across, up; half screens
+using Axes = std::array<double, 2>;  // x, y; in half screens
 
-/// How far from its way the beam may be seen, on each axis: squares around the joints, that lie in
-/// circles of 0.01 and 0.05 of the spot.
+/// The tolerance of the beam's position on each axis: squares around the joints that lie in circles
+/// of 0.01 and 0.05 of the spot.
 struct Freedom {
     static constexpr double least = 2e-6;
 
@@ -21,10 +21,11 @@ struct Freedom {
     Axes of_long;
     Axes of_short;
     Axes longest_short;
-    double current;  // of the run's, either way
+    double current;  // tolerance, relative to the run's current, in both directions
 };
 
-/// Paces, in half screens for a charge of 1, that bring the beam near enough past all joints.
+/// The range of velocities, in half screens per charge of 1, that pass all joints within the
+/// tolerance.
 struct Paces {
     Axes slowest{-HUGE_VAL, -HUGE_VAL};
     Axes fastest{HUGE_VAL, HUGE_VAL};
@@ -50,8 +51,8 @@ double seconds_of(const Segment& segment) {
     return static_cast<double>(segment.start_age) - static_cast<double>(segment.end_age);
 }
 
-/// Segments that may become one: evenly lit, each beginning where and when the last one ended. The
-/// beam's way goes by the charge, which is exact, as by the time.
+/// A run of segments that may be merged: even intensity, each starting where and when the previous
+/// one ended. The position is a function of the charge, which is exact, as it is of time.
 class SegmentRun {
 public:
     SegmentRun(const Segment& first, BeamTint tint, const Freedom& freedom)
@@ -63,7 +64,7 @@ public:
     const Segment& joined() const { return m_joined; }
     const BeamTint& tint() const { return m_tint; }
 
-    /// Whether it was taken in.
+    /// Whether the segment was added.
     bool take(const Segment& next, const BeamTint& tint) {
         if (!m_is_even || !is_even(next) || !follows(next) || !(tint == m_tint))
             return false;
@@ -89,7 +90,7 @@ private:
                end > 0.0;
     }
 
-    // The same place, instant and current.
+    // The same position, time and current.
     bool follows(const Segment& next) const {
         if (next.x0 != m_joined.x1 || next.y0 != m_joined.y1 || next.start_age != m_joined.end_age)
             return false;

@@ -2,7 +2,7 @@
 
 #include "gpu/objects/vertex_array.h"
 
-/// The four corners that a Draw::quad pass draws, from (0, 0) to (1, 1), as a strip.
+/// The four corners of a Draw::quad pass, from (0, 0) to (1, 1), as a strip.
 class Quad {
 public:
     Quad();

@@ -4,16 +4,16 @@
 #include <cmath>
 
 namespace {
-constexpr float nearly = 1e-3f;  // of charges and times that are meant to be the same
+constexpr float nearly = 1e-3f;  // relative tolerance for equal charges and times
 
 bool is_finite(const BeamPoint& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.intensity) &&
            std::isfinite(point.age_seconds);
 }
 
-// The charge at the start, were it laid down as long as on this way: that of `from` was laid down
-// on its own way, `seconds_before` long, and charges of points that come unevenly cannot be
-// compared.
+// The charge at the start, scaled to the duration of this segment. The charge of `from` belongs to
+// the previous segment, which took `seconds_before`. Without scaling, charges of unevenly spaced
+// points are not comparable.
 float start_charge(const BeamPoint& from, const BeamPoint& to, float seconds_before) {
     const float seconds = from.age_seconds - to.age_seconds;
     if (from.intensity == 0.0f || !(seconds_before > 0.0f) || !(seconds > 0.0f))
@@ -33,7 +33,7 @@ void make_segments(std::span<const BeamPoint> beam, const std::optional<BeamPoin
     segments.clear();
     tints.of_segments.clear();
     const BeamPoint* last = before ? &*before : nullptr;
-    float seconds_before = 0.0f;  // from the point before the last one to it; 0: not known
+    float seconds_before = 0.0f;  // duration of the previous segment; 0: unknown
     for (const BeamPoint& point : beam) {
         const bool is_good = is_finite(point);
         if (is_good && last && point.intensity != 0.0f) {

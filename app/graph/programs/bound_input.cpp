@@ -11,7 +11,7 @@ const Parameter* image_parameter(const Look& look, const Binding& wanted) {
     return nullptr;
 }
 
-// What this frame has not drawn yet can only be meant as the last frame drew it.
+// A pass that this frame has not drawn yet is read as of the previous frame.
 int usable_frames_ago(const Input& input, int reader, int read) {
     return input.frames_ago == 0 && read >= reader ? 1 : input.frames_ago;
 }

@@ -8,7 +8,7 @@ BuiltInUniforms::BuiltInUniforms(const Look& look, int pass, const gpu::Program&
     for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
         const gpu::Uniform* uniform = program.find_uniform(built_in.name);
         const bool is_turned = built_in.says == BuiltIn::view || built_in.says == BuiltIn::camera;
-        if (!uniform || is_turned)  // what is turned belongs to the parameters
+        if (!uniform || is_turned)  // ParameterUniforms writes the matrices of the orbit
             continue;
         if (built_in.says == BuiltIn::samples)
             m_samples = uniform;
@@ -56,8 +56,8 @@ Sixteen date_numbers(const Date& date, int first_month) {
     return {date.year * 1.0, date.month - 1.0 + first_month, date.day * 1.0, date.seconds};
 }
 
-// From 0..1 to clip space, by column. The quad's y goes from the top of a picture down, which is up
-// in a target whose first row is its top.
+// From 0..1 to clip space, column-major. The quad's y points down from the top of the picture. In a
+// target that stores the top row first, this direction is up.
 Sixteen quad_to_clip(RowOrder rows) {
     const double down = rows == RowOrder::top_first ? 1.0 : -1.0;
     return {2.0, 0.0, 0.0, 0.0, 0.0,  2.0 * down, 0.0, 0.0,
@@ -120,7 +120,7 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
             return {widened(frame.press.numbers()), 4};
         case BuiltIn::drawn_onto:
             return {{facts.meets_drawn_onto ? 1.0 : 0.0}, 1};
-        default:  // samples are written draw by draw, turns with the parameters
+        default:  // write_samples() writes samples, ParameterUniforms the orbit
             break;
     }
     return {{}, 0};

@@ -9,31 +9,31 @@
 #include <functional>
 #include <vector>
 
-/// What a pass is told besides the frame.
+/// The values of built-in uniforms that depend on the pass.
 struct PassFacts {
-    double number = 0;         // the frame's, after the pass's modulo, from 1
-    double number_before = 0;  // the same from 0
+    double number = 0;         // of the frame, after the pass's modulo, from 1
+    double number_before = 0;  // the same, from 0
     Extent target;
     Extent output;
     Extent source;
     SourceRaster raster;
     RowOrder rows = RowOrder::bottom_first;  // of the target
-    bool meets_drawn_onto = false;           // as the plan has it
+    bool meets_drawn_onto = false;           // see meets_drawn_onto()
     std::function<Extent(const BoundInput&)> extent_of;
 };
 
-/// The uniforms that the program itself drives, where a pass has them; each in whatever number type
-/// it was declared.
+/// The built-in uniforms of a pass, which the program sets. Each is written in its declared number
+/// type.
 class BuiltInUniforms {
 public:
     BuiltInUniforms(const Look& look, int pass, const gpu::Program& program);
 
     void write(const gpu::Program& program, const Frame& frame, const PassFacts& facts) const;
     void write_samples(const gpu::Program& program, int samples) const;
-    /// Those that the pass has, with what write() and write_samples() give them.
+    /// The built-in uniforms of the pass with the values of write() and write_samples().
     std::vector<BuiltInReport> report(const Frame& frame, const PassFacts& facts,
                                       int samples) const;
-    /// Whether it draws another picture when only time goes on.
+    /// Whether the picture changes if only time advances.
     bool tell_time() const;
     bool tell_mouse() const;
 
@@ -49,6 +49,6 @@ private:
     };
     static Numbers numbers_of(const Place& place, const Frame& frame, const PassFacts& facts);
 
-    std::vector<Place> m_places;  // of one that is written here
+    std::vector<Place> m_places;  // of the uniforms that write() sets
     const gpu::Uniform* m_samples = nullptr;
 };

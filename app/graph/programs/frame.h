@@ -12,21 +12,21 @@
 #include <optional>
 #include <span>
 
-/// What a frame of a look is drawn for: its time, its beam, the mouse.
+/// The state that a frame of a look is drawn for: its time, beam, sound, mouse and keys.
 struct Frame {
     double time = 0;                                 // s, at the frame's end
     double time_delta = 0;                           // s
     std::int64_t number = 0;                         // from 1
     std::array<double, 2> mouse{};                   // px of the picture, from its bottom left
     double pixel_aspect = 1.0;                       // of the source: width to height of a pixel
-    std::optional<SourceRaster> source_raster = {};  // none: the source has the picture's shape
-    Press press;                                     // of its left button
+    std::optional<SourceRaster> source_raster = {};  // nullopt: the source fills the picture
+    Press press;                                     // of the left mouse button
     Keys keys;
     std::span<const BeamPoint> beam;
-    std::optional<Fit> beam_fit = {};    // how -1..1 lies in the picture; none: as the look has it
-    std::span<const BeamTint> tints;     // of the points; none where all are white
+    std::optional<Fit> beam_fit = {};    // maps -1..1 to the picture; nullopt: as in the look
+    std::span<const BeamTint> tints;     // one per point; empty: all are white
     const SoundTexels* sound = nullptr;  // null: silence
     Date date;
-    bool is_first = false;        // no history, and no beam before this one
-    double patience_seconds = 0;  // an accumulating pass repeats no longer; 0: without end
+    bool is_first = false;        // no history and no previous beam
+    double patience_seconds = 0;  // limit for the samples of an accumulating pass; 0: none
 };

@@ -6,25 +6,25 @@
 #include <optional>
 #include <vector>
 
-/// A value as shaders read it: within its limits, colours as they are encoded there.
+/// A value for shaders: clamped to its limits. The colour of a parameter with display encoding is
+/// sRGB-encoded.
 Value value_for_shaders(const Parameter& parameter, const Value& value);
 
-/// Writes a look's values to the uniforms that they drive, and only those that changed. Those of
-/// the orbit become matrices; colours are encoded where shaders want them so; an event is on for
-/// one frame.
+/// Writes changed values of a look to their uniforms. Orbit parameters become matrices. Colours are
+/// encoded if their parameter has display encoding. An event is on for one frame.
 class ParameterUniforms {
 public:
     ParameterUniforms() = default;
-    /// Writes what the passes fix (`set`); the values follow with the first write(). Both outlive
-    /// it.
+    /// Writes the fixed uniforms of the passes (`set`). The first write() writes the values. Both
+    /// arguments must outlive it.
     ParameterUniforms(const Look& look, const Programs& programs);
 
     void write(const Look& look, const Values& values);
-    /// The same where since the last write() only these have changed; sorted.
+    /// The same if only these parameters have changed since the last write(). `changed` is sorted.
     void write(const Look& look, const Values& values, const std::vector<std::string>& changed);
-    /// A frame has been drawn: events that were on in it are off until they have been let go.
+    /// Call after each frame: events that were on in it stay off until they are released.
     void end_events();
-    /// Somebody else has written to the programs: the next write() writes all.
+    /// Call if other code has written to the programs: the next write() writes all values.
     void forget_written();
 
 private:
@@ -35,9 +35,9 @@ private:
     struct Driven {
         std::size_t parameter;  // in Look::parameters
         std::vector<Place> places;
-        Value written;  // empty: nothing yet
+        Value written;  // empty: not written yet
         bool is_event = false;
-        bool is_over = false;  // an event that is held and had its frame
+        bool is_over = false;  // an event that is still held after its frame
     };
     struct Turned {  // u_view or u_camera
         int pass;

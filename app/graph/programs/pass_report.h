@@ -7,22 +7,22 @@
 #include <string>
 #include <vector>
 
-/// What one sampler of a pass reads, as it is bound.
+/// The texture that is bound to a sampler of a pass.
 struct SamplerReport {
     std::string uniform;
-    std::optional<TextureChoice> reads;  // none: nothing feeds it
-    Extent extent;  // px; empty: nothing is there, and it reads transparent black
+    std::optional<TextureChoice> reads;  // nullopt: not connected
+    Extent extent;                       // px; empty: without a texture, reads transparent black
     Format format = Format::rgba8;
     Sampler sampler;
 };
 
-/// A uniform that the program itself drives, with the numbers that it had last.
+/// A built-in uniform and its last numbers.
 struct BuiltInReport {
     std::string name;
     std::vector<double> numbers;
 };
 
-/// What a pass was told by the last frame that was drawn.
+/// The samplers and built-in uniforms of a pass in the last drawn frame.
 struct PassReport {
     std::vector<SamplerReport> samplers;
     std::vector<BuiltInReport> built_ins;

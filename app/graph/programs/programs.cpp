@@ -12,7 +12,7 @@ const Stage& vertex_stage_of(const Pass& pass) {
     return pass.vertex.text->empty() ? fullscreen_vertex_stage() : pass.vertex;
 }
 
-// Drawing into what one reads is undefined; only an earlier frame can be meant.
+// Reading the target of the same draw is undefined behaviour.
 Diagnostics check_inputs(const Pass& pass) {
     Diagnostics problems;
     for (const Input& input : pass.inputs)
@@ -25,8 +25,8 @@ Diagnostics check_inputs(const Pass& pass) {
     return problems;
 }
 
-// Each program is taken once: two passes of one text (a blur in x and in y) differ in their
-// uniforms.
+// Each program is used once. Two passes with the same text, such as a blur in x and in y, differ in
+// their uniforms.
 class Reusable {
 public:
     explicit Reusable(const Programs* former) {

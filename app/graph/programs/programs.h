@@ -13,40 +13,40 @@ class FirstViews;
 struct TripwirePrograms;
 struct ViewPrograms;
 
-/// What a pass compiles to, and from what.
+/// The linked program of a pass and what it was built from.
 struct PassProgram {
     SharedText vertex;
     SharedText fragment;
     Draw draw = Draw::fullscreen;
     Values set;
-    // Shared: the look on the screen and the one being made from it keep what both have.
+    // Shared by the displayed look and the look that is being built from it.
     std::shared_ptr<const gpu::Program> program;
 };
 
-/// One linked program a pass, in the look's order.
+/// One linked program per pass, in the order of the look.
 struct Programs {
     std::vector<PassProgram> passes;
-    // Where executors draw with them; null: in whichever context they are made in.
+    // The context that executors draw in; null: the one that is current when they are created.
     std::shared_ptr<gpu::Context> home = {};
-    // Of the executors' guard; null: each makes its own.
+    // Programs of the NaN detector; null: each executor builds its own.
     std::shared_ptr<const TripwirePrograms> tripwire = {};
-    // What the passes are looked at with, at home; null: nobody does.
+    // The programs that display passes in `home`; null: passes are not displayed.
     std::shared_ptr<const ViewPrograms> views = {};
-    // What has been met with them; null: there is no home.
+    // The warm-up of `views`; null without `home`.
     std::shared_ptr<FirstViews> first_views = {};
 };
 
 /// The passes of both, each program once.
 Programs joined(Programs first, const Programs& second);
 
-/// Whether build_programs() would take all of `look` from `programs`.
+/// Whether build_programs() would reuse programs of `programs` for all passes of `look`.
 bool serves(const Programs& programs, const Look& look);
 
-/// Compiles and links; may run on a helper thread whose context shares with the drawing one. Passes
-/// whose stages, draw mode and fixed uniforms equal those of one in `reuse` take its program. Fails
-/// with what the driver refuses, of all passes at once, at the author's files and lines. `kept` as
-/// in gpu::Program::build. `progress` may be null; cancelled there, it fails. What is new ends in
-/// `home`.
+/// Compiles and links. May run on a worker thread whose context shares with the drawing context. A
+/// pass reuses a program of `reuse` with equal stages, draw mode and fixed uniforms. Fails with the
+/// driver's errors of all passes, at the author's files and lines. `kept` is as in
+/// gpu::Program::build. `progress` may be null; if cancelled there, it fails. New programs are
+/// destroyed in `home`.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
                                 ByteStore* kept = nullptr, PassProgress* progress = nullptr,
                                 const std::shared_ptr<gpu::Context>& home = nullptr);

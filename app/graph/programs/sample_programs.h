@@ -8,20 +8,20 @@
 #include <optional>
 #include <string_view>
 
-/// What GLSL puts before "sampler2D" and "vec4" where they are of this kind.
+/// The prefix of "sampler2D" and "vec4" in GLSL for this kind of numbers.
 std::string_view glsl_prefix(SampleKind kind);
 
-/// Programs that do the same, one for each kind of numbers that a texture may hold. They belong to
-/// the context that they are made in, and are asked for by one thread at a time.
+/// Variants of a program, one for each kind of numbers that a texture can hold. They belong to the
+/// context that they are built in. Only one thread at a time may request them.
 class SamplePrograms {
 public:
     using Build = std::function<Result<gpu::Program>(SampleKind)>;
 
-    /// That for floats is made at once, so that what a driver refuses is told; the others, which
-    /// few looks need, when they are asked for.
+    /// Builds the variant for floats, so that driver errors are reported. The others, which few
+    /// looks need, are built on first use.
     static Result<SamplePrograms> make(Build build);
 
-    /// None where the driver refuses it.
+    /// Null if the driver refuses it.
     const gpu::Program* find(Format read) const;
 
 private:

@@ -9,11 +9,10 @@
 #include <string>
 #include <vector>
 
-/// What values made of texts lately: passes have texts in common, and an edit leaves most as they
-/// were.
+/// A cache of specialised texts. Passes share texts, and an edit leaves most of them unchanged.
 class SettledTexts {
 public:
-    /// What was not asked for in some looks is forgotten.
+    /// Removes texts that were not used in the last 8 looks.
     void begin_look();
     /// As settled_text().
     SharedText of(const SharedText& text, const std::map<std::string, SettledUniform>& uniforms);
@@ -23,13 +22,13 @@ private:
         SharedText text;
         std::map<std::string, SettledUniform> uniforms;
         SharedText made;
-        int age = 0;  // looks in which nobody asked for it
+        int age = 0;  // looks since its last use
     };
     std::vector<Settled> m_settled;
 };
 
-/// The look with these values in its texts, for programs that are to draw with no others and by no
-/// other plan: what these switch off is not compiled. `moves` says which parameters stay uniforms
-/// all the same; events and orbits do.
+/// The look with these values as constants in its texts, for specialised programs. They can draw
+/// only with these values and this plan. Code that these switch off is not compiled. Events, orbits
+/// and parameters for which `moves` is true stay uniforms.
 Look settled_look(Look look, const Values& values, const Plan& plan,
                   const std::function<bool(const Parameter&)>& moves, SettledTexts& texts);

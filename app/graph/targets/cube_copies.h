@@ -4,12 +4,12 @@
 
 #include <map>
 
-/// Cubes made of what passes drew as six faces side by side, +x -x +y -y +z -z, each as wide as the
-/// picture is high.
+/// Cube maps of passes that draw six faces side by side, +x -x +y -y +z -z. Each face is as wide as
+/// the picture is high.
 class CubeCopies {
 public:
-    /// The cube of what the canvas holds now; null where its sides do not fit, or no memory is
-    /// left.
+    /// The cube map of the canvas's current picture; null if its sides do not fit or memory is
+    /// exhausted.
     const gpu::Texture* copy_of(const gpu::Canvas& faces, bool is_mipmapped);
 
 private:

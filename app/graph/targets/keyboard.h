@@ -6,14 +6,14 @@
 
 #include <optional>
 
-/// The keys of a keyboard as a texture: 256 columns, one a key, and three rows, from v = 0: which
-/// are down, which went down since the frame before, which are toggled. 1 in all channels, or 0.
+/// The keyboard as a texture: 256 columns, one per key, and three rows. From v = 0: held, pressed
+/// since the previous frame, toggled. All channels are 1 or 0.
 class Keyboard {
 public:
-    /// Makes the texture where the look reads it.
+    /// Creates the texture if the look reads it.
     Result<void> prepare(const Look& look);
     void show(const Keys& keys);
-    /// Null where no look reads it.
+    /// Null if no look reads it.
     const gpu::Texture* texture() const { return m_texture ? &*m_texture : nullptr; }
 
 private:

@@ -18,7 +18,7 @@ void main() {
 }
 )";
 
-// What the kind that is written has too: below 0 a natural has none, above the half an integer.
+// Clamps to the range of the written kind: no negative naturals, no integers above 0x7fffffff.
 std::string held_text(SampleKind read, SampleKind written) {
     std::string numbers = "texture(image, uv)";
     if (written == SampleKind::natural && read != SampleKind::natural)

@@ -9,25 +9,25 @@
 #include <utility>
 #include <vector>
 
-/// What PassThroughs draw with: into each kind of numbers.
+/// The programs of a PassThrough, by the kind of numbers that they write.
 using PassThroughPrograms = std::vector<SamplePrograms>;
 Result<PassThroughPrograms> build_pass_through();
 
-/// Draws what a texture holds over the whole of a target of any size and format: what a bypassed
-/// pass does. Numbers stay as they are; of lights an integer target takes the whole part, and of
-/// numbers that it has none of the nearest.
+/// Copies a texture to the whole of a target of any size and format, as a bypassed pass does.
+/// Numbers keep their values. Integer targets truncate floats and clamp numbers that are out of
+/// range.
 class PassThrough {
 public:
-    /// With programs of its own.
+    /// Builds its own programs.
     static Result<PassThrough> make();
     explicit PassThrough(std::shared_ptr<const PassThroughPrograms> programs)
         : m_programs(std::move(programs)) {}
 
-    /// Within a gpu::DrawScope. Flipped, the first row of the one is the last of the other.
+    /// Call in a gpu::DrawScope. `is_flipped` reverses the order of the rows.
     void draw(const gpu::Texture& from, const Sampler& sampler, const gpu::Canvas& to,
               gpu::Samplers& samplers, bool is_flipped = false) const;
 
 private:
-    std::shared_ptr<const PassThroughPrograms> m_programs;  // of who draws in the same context
+    std::shared_ptr<const PassThroughPrograms> m_programs;  // shared within a context
     gpu::VertexArray m_vertices;
 };

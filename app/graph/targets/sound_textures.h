@@ -6,15 +6,15 @@
 
 #include <vector>
 
-/// The textures of a look that follow the sound.
+/// The sound textures of a look.
 class SoundTextures {
 public:
-    /// Those that some pass of the look reads, silent.
+    /// The textures that passes of the look read, with silence.
     static Result<SoundTextures> make(const Look& look);
-    /// As they are at the frame's end.
+    /// Updates them to the end of the frame.
     void show(const Frame& frame);
 
-    /// Null where no pass reads it.
+    /// Null if no pass reads it.
     const gpu::Texture* find(const SoundTexture& wanted) const;
     std::vector<SoundTexture> all() const;
 

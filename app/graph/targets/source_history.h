@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-/// How the source is uploaded for those who read it.
+/// The form in which the source is uploaded.
 struct SourceForm {
     Encoding encoding = Encoding::linear;
     RowOrder rows = RowOrder::bottom_first;
@@ -15,19 +15,19 @@ struct SourceForm {
     bool is_mipmapped = false;
 };
 
-/// The source picture and those of former frames that some input still reads.
+/// The current source picture and the previous ones that inputs still read.
 class SourceHistory {
 public:
-    /// So many pictures, the newest among them, are read.
+    /// Sets the number of pictures that are read, including the newest.
     void set_slots(int slots);
-    /// The picture from now on; uploaded here and nowhere else.
+    /// Uploads the picture as the new source. The source is uploaded only here.
     Result<void> set(const Picture& picture, const SourceForm& form);
-    /// A frame begins: what it reads as the source is a frame ago in the next one.
+    /// Starts a frame. In the next frame, its source is one frame ago.
     void advance();
-    /// Forgets the former pictures.
+    /// Discards the previous pictures.
     void clear();
 
-    /// Null where there was none yet.
+    /// Null if there was no picture yet.
     const gpu::Texture* texture(int frames_ago) const;
 
 private:
@@ -35,9 +35,9 @@ private:
 
     int free_place() const;
 
-    // One more than is read, so that a new picture overwrites none that a redraw may still read.
+    // One more than is read: a new picture must not overwrite one that a redraw may still read.
     std::vector<std::optional<gpu::Texture>> m_textures{1};
-    std::vector<int> m_frames{none};  // place in m_textures by frames ago, as of the last advance
+    std::vector<int> m_frames{none};  // index in m_textures by frames ago, as of the last advance
     int m_newest = none;
     std::vector<float> m_texels;
 };

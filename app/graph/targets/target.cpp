@@ -48,7 +48,7 @@ void Target::advance() {
         m_current = (m_current + 1) % m_slots.size();
 }
 
-// The unfinished picture is the newest now, and the oldest is what is drawn over next.
+// The unfinished picture becomes the newest. The oldest is overwritten next.
 void Target::take_spare() {
     m_current = (m_current + 1) % m_slots.size();
     std::swap(*m_spare, m_slots[m_current]);

@@ -7,64 +7,65 @@
 #include <optional>
 #include <vector>
 
-/// What a pass has drawn: this frame's picture and the former ones that some input still reads, in
-/// a ring. A frame that is drawn in slices goes into a picture of its own: until it is whole, who
-/// looks on from outside is shown the one before.
+/// The output of a pass: the picture of this frame and the previous ones that inputs still read, in
+/// a ring. A frame that is drawn in slices has its own picture. Until it is complete, readers
+/// outside the frame get the previous one.
 class Target {
 public:
-    /// All its pictures are zero.
+    /// All pictures are initially zero.
     static Result<Target> make(const PlannedTarget& planned);
 
     const PlannedTarget& planned() const { return m_planned; }
-    /// Of this frame, or of `frames_ago`, at most as many as it keeps.
+    /// The picture of this frame or `frames_ago`, limited to the number that is kept.
     gpu::Canvas& canvas(int frames_ago = 0);
     const gpu::Canvas& canvas(int frames_ago = 0) const;
 
-    /// What canvas() was before an unfinished picture was begun.
+    /// As canvas() before begin(): never an unfinished picture.
     const gpu::Canvas& finished(int frames_ago = 0) const {
         return m_slots.empty() ? *m_lent : m_slots[place_of(frames_ago)];
     }
 
-    /// Whether canvas(1) is another than what is drawn into.
+    /// Whether canvas(1) is not the picture that is drawn into.
     bool has_former() const {
         return m_slots.size() > 1 || (m_unfinished != Unfinished::no && m_spare);
     }
 
-    /// The current picture becomes the one of a frame ago; the oldest is drawn over next.
+    /// The current picture becomes that of one frame ago. The oldest is overwritten next.
     void advance();
     void clear();
-    /// It has been drawn into since it was empty.
+    /// Records that it has been drawn into since the last clear().
     void note_drawn() { m_is_drawn = true; }
     bool is_drawn() const { return m_is_drawn; }
-    /// After advance(): the last picture once more, as if it had been drawn again.
+    /// After advance(): repeats the previous picture.
     void keep();
-    /// Where the newest picture is drawn, if it has one in common with others; null: in its own.
+    /// Sets the common picture for the newest output; null: its own.
     void lend(gpu::Canvas* common) { m_lent = common; }
-    /// What others may draw over from now on is given back: the newest picture of this frame, if it
-    /// was drawn, changes places with the oldest one, where former ones are kept.
+    /// Releases the common picture, which others may then overwrite. If it was drawn and previous
+    /// pictures are kept, it is first swapped with the oldest.
     void hand_back(bool is_drawn);
 
-    /// Takes over the newest pictures of a target of the same size and format.
+    /// Moves the newest pictures of a target of the same size and format here.
     void adopt(Target&& former);
 
-    /// Takes over the newest pictures of a target of the same format, stretched to its own size.
+    /// Copies the newest pictures of a target of the same format, stretched to this size.
     void adopt_stretched(Target& former);
 
-    /// From here on canvas() counts from a picture that is not whole yet: the next one, or the
-    /// present one once more.
+    /// Starts an unfinished picture, which canvas() then counts from: the next one, or the current
+    /// one again.
     enum class Unfinished { no, next, again };
     void begin(Unfinished unfinished) { m_unfinished = unfinished; }
-    /// Makes room for it before it is drawn. Without memory it is drawn where it will stay, and
-    /// seen meanwhile.
+    /// Allocates the unfinished picture. If memory is exhausted, it is drawn in place and visible
+    /// meanwhile.
     void make_room();
-    /// It is whole.
+    /// Completes the unfinished picture.
     void finish();
-    /// It never will be: all is as before begin(), except for what had to be drawn in its place.
+    /// Drops the unfinished picture: the state is as before begin(), except for what was drawn in
+    /// place.
     void drop() {
         m_unfinished = Unfinished::no;
         m_is_newest_lent = false;
     }
-    /// Gives back what make_room() took.
+    /// Drops the unfinished picture and frees its memory.
     void forget_room();
 
 private:
@@ -72,7 +73,7 @@ private:
     void take_spare();
 
     PlannedTarget m_planned;
-    std::vector<gpu::Canvas> m_slots;  // its own
+    std::vector<gpu::Canvas> m_slots;  // own pictures
     gpu::Canvas* m_lent = nullptr;
     bool m_is_newest_lent = false;
     std::size_t m_current = 0;
@@ -81,6 +82,5 @@ private:
     bool m_is_drawn = false;
 };
 
-/// Whether a target of one plan can go on in another: all but the number of its pictures is the
-/// same.
+/// Whether a target can adopt the pictures of the other: only the number of pictures may differ.
 bool is_compatible(const PlannedTarget& a, const PlannedTarget& b);

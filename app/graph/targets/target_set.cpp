@@ -6,7 +6,7 @@
 #include <optional>
 
 namespace {
-// A look that asks for more would bring a machine to its knees before the driver says no.
+// A look that needs more would exhaust the machine before the driver refuses it.
 constexpr std::size_t most_bytes = std::size_t{8} << 30;
 
 Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
@@ -18,12 +18,12 @@ Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
     return problems;
 }
 
-// Where only its size has changed; numbers that count things cannot be filtered.
+// Only the size has changed. Integer formats cannot be filtered.
 bool is_stretched(const Pass& pass, const PlannedTarget& former, const PlannedTarget& now) {
     return pass.keeps_when_resized && former.format == now.format && now.slots > 1 &&
            !facts_of(now.format).is_integer;
 }
-// None where those there were go on.
+// nullopt: the previous pictures are kept.
 Result<std::optional<std::vector<gpu::Canvas>>> make_common(
     const Look& look, const std::vector<CommonPicture>& planned,
     const std::vector<CommonPicture>& former) {
@@ -52,7 +52,7 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
             {look.manifest, 0,
              fmt::format("the targets need {:.1f} GiB; the limit is {} GiB",
                          static_cast<double>(memory_of(plan)) / (1 << 30), most_bytes >> 30)});
-    // First all that is new, as that may fail; what goes on is moved last.
+    // New targets first, as creating them may fail. Existing ones are moved last.
     std::vector<std::optional<Target>> made(plan.targets.size());
     for (std::size_t i = 0; i < made.size(); ++i) {
         const Target* had = former.find(look.passes[i].name);

@@ -9,9 +9,9 @@
 /// The targets of a look's passes, in their order.
 class TargetSet {
 public:
-    /// What `plan` asks for. Targets of `former` with the same pass, size and format go on with
-    /// what they hold, and of another size where the pass keeps it; on failure `former` is as it
-    /// was.
+    /// The targets of `plan`. Targets of `former` with the same pass, size and format keep their
+    /// contents. With another size they do so if the pass keeps them when resized. On failure
+    /// `former` is unchanged.
     static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& former);
 
     std::size_t size() const { return m_targets.size(); }
@@ -28,6 +28,6 @@ private:
     void lend_common();
 
     std::vector<Named> m_targets;
-    std::vector<gpu::Canvas> m_common;  // as the plan has them
+    std::vector<gpu::Canvas> m_common;  // one per m_planned_common
     std::vector<CommonPicture> m_planned_common;
 };

@@ -26,7 +26,7 @@ Upright::Copy* Upright::copy_for(const gpu::Texture& stored, std::uint64_t numbe
     return &m_copies.emplace(stored.handle(), Copy{std::move(*canvas), number - 1}).first->second;
 }
 
-// Where the machine has no room for a copy, upside down is better than nothing.
+// Without memory for a copy, the picture is displayed upside down.
 const gpu::Texture& Upright::view(const gpu::Texture& stored, RowOrder rows, std::uint64_t number) {
     if (rows == RowOrder::bottom_first)
         return stored;

@@ -9,18 +9,17 @@
 #include <optional>
 #include <utility>
 
-/// Pictures whose top row comes first, turned over for those who look at them. Each is turned when
-/// it is first looked at after it may have changed, and forgotten when nobody does.
+/// Flipped copies, for display, of pictures that store the top row first. A copy is drawn on first
+/// use after the picture may have changed. It is removed if it is not used for some time.
 class Upright {
 public:
-    /// The texture itself where its bottom row comes first. `number` is another one whenever the
-    /// texture may hold something else. Draws; valid until the next call but one with another
-    /// number.
+    /// The texture itself if its bottom row comes first. `number` changes whenever the texture may
+    /// have changed. May draw. The result is valid until the second call with another number.
     const gpu::Texture& view(const gpu::Texture& stored, RowOrder rows, std::uint64_t number);
-    /// Whether view() needs not draw.
+    /// Whether view() would not draw.
     bool holds(const gpu::Texture& stored, std::uint64_t number) const;
     void forget() { m_copies.clear(); }
-    /// Without it, it makes programs of its own when it needs them.
+    /// Sets shared programs. Otherwise it builds its own on first use.
     void draw_with(std::shared_ptr<const PassThroughPrograms> programs) {
         m_pass_through.emplace(std::move(programs));
     }
@@ -35,5 +34,5 @@ private:
 
     std::optional<PassThrough> m_pass_through;
     gpu::Samplers m_samplers;
-    std::map<std::uintptr_t, Copy> m_copies;  // by the handle of what they are of
+    std::map<std::uintptr_t, Copy> m_copies;  // by the handle of the original
 };
