@@ -71,7 +71,7 @@ void main() {
 }
 )";
 
-// All of `picture` in the middle of `room`.
+// The whole picture, centred in `room`: left, bottom, width, height; px.
 std::array<double, 4> fitted_place(Extent picture, Extent room) {
     const double scale = std::min(static_cast<double>(room.width) / picture.width,
                                   static_cast<double>(room.height) / picture.height);

@@ -5,19 +5,19 @@
 #include "graph/compare/pair.h"
 #include "model/preset/comparison.h"
 
-/// Draws what a person compares two pictures by. Every canvas is one of floats.
+/// Draws pictures for comparison. All canvases have a float format.
 class Comparer {
 public:
     static Result<Comparer> make();
 
-    /// How far the two are apart, number by number, into a canvas of their size.
+    /// The difference of each number by `measure`, into a canvas of the same size.
     void draw_difference(const Pair& pair, DifferenceMeasure measure, const gpu::Canvas& to);
-    /// A picture with its light multiplied by two to the power of `stops`, into a canvas of its
-    /// size and in its encoding.
+    /// A picture with its light multiplied by 2^stops, into a canvas of its size and encoding.
     void draw_brighter(const gpu::Texture& from, Encoding encoding, double stops,
                        const gpu::Canvas& to);
-    /// A picture of another size: all of it, as large as fits in the middle of `to`, black around
-    /// it. Smaller ones are averaged by area, larger ones interpolated, both as light.
+    /// A picture of another size: the whole picture, scaled to fit, centred in `to` with black
+    /// around it. When shrunk it is averaged by area, when enlarged interpolated, both in linear
+    /// light.
     void draw_fitted(const gpu::Texture& from, Encoding from_encoding, const gpu::Canvas& to,
                      Encoding to_encoding);
 

@@ -6,21 +6,22 @@
 
 #include <string>
 
-/// Two textures of one size that hold no whole numbers: the same pass drawn twice, or a picture in
-/// the place of the second.
+/// Two textures of the same size in formats that are not integer: a pass drawn twice, or a pass and
+/// a picture.
 struct Pair {
     const gpu::Texture& ours;
     const gpu::Texture& other;
     Encoding encoding = Encoding::display;  // of the stored numbers of both
 };
 
-/// A program whose fragment stage has pair_text.h before `body`; every vertex covers the target.
+/// A program with pair_text before `body` in the fragment stage. The vertex stage covers the
+/// target.
 Result<gpu::Program> build_pair_program(const std::string& body);
-/// A program that reads one texture, `shown`, and has curve_text.
+/// A program that reads one texture, `shown`, with curve_text.
 Result<gpu::Program> build_single_program(const std::string& body);
 
-/// Brings the textures to the program, which is bound afterwards; to be called in a DrawScope.
+/// Binds the textures and the program. Call in a DrawScope.
 void bind_pair(const Pair& pair, const gpu::Program& program, gpu::Samplers& samplers);
 
-/// Whether two pictures can be told apart number by number.
+/// Whether two pictures can be compared number by number.
 bool are_comparable(const gpu::Texture& ours, const gpu::Texture& other);

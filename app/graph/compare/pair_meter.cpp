@@ -23,7 +23,7 @@ void main() {
 }
 )";
 
-// Absolute, squares, largest, pixels beyond.
+// Sum of absolute differences, of squares, largest, pixels beyond the tolerance.
 constexpr const char* distances_text = R"(
 uniform float beyond;
 void add(vec3 a, vec3 b, inout vec4 sums) {
@@ -36,7 +36,7 @@ void add(vec3 a, vec3 b, inout vec4 sums) {
 }
 )";
 
-// Light of ours and of the other, pixels.
+// Sum of light of `ours` and of `other`, number of pixels.
 constexpr const char* light_text = R"(
 bool is_finite(vec3 c) { return !any(isnan(c)) && !any(isinf(c)); }
 void add(vec3 a, vec3 b, inout vec4 sums) {
@@ -47,8 +47,7 @@ void add(vec3 a, vec3 b, inout vec4 sums) {
 }
 )";
 
-// Apart, largest, level: the differences of all components, and the numbers they are differences
-// of.
+// Sum of differences, largest, sum of levels: of all components.
 constexpr const char* change_text = R"(
 uniform bool as_shown;
 void add(vec3 a, vec3 b, inout vec4 sums) {
@@ -78,7 +77,7 @@ Distances summed_distances(const std::vector<float>& blocks, Extent extent) {
         sums.largest = std::max(sums.largest, static_cast<double>(blocks[i + 2]));
         sums.beyond += static_cast<double>(blocks[i + 3]);
     }
-    return distances_of(sums, extent, 3);  // a lone channel three times: the means are the same
+    return distances_of(sums, extent, 3);  // a single channel counts 3 times: same mean
 }
 
 Luminances summed_luminances(const std::vector<float>& blocks) {
@@ -120,7 +119,7 @@ Result<PairMeter> PairMeter::make() {
     return PairMeter(std::move(*distances), std::move(*light), std::move(*change));
 }
 
-// False where there is no memory; then nothing is measured.
+// False without memory; then nothing is measured.
 bool PairMeter::draw(const Pair& pair, const gpu::Program& program) {
     m_measured = pair.ours.extent();
     const Extent blocks = blocks_of(m_measured);

@@ -8,8 +8,8 @@
 
 #include <optional>
 
-/// The mean luminance (ITU-R BT.709, linear light) of what a display shows of two pictures, over
-/// the pixels that are finite in both.
+/// The mean luminance (ITU-R BT.709, linear light) of two pictures as displayed, over the pixels
+/// that are finite in both.
 struct Luminances {
     double ours = 0.0;
     double other = 0.0;
@@ -17,28 +17,29 @@ struct Luminances {
     bool operator==(const Luminances&) const = default;
 };
 
-/// What is known of two pictures together. None where it was not asked for.
+/// The measurements of two pictures; nullopt: not requested.
 struct PairMeasured {
-    std::optional<Distances> distances = {};  // as `afterglow compare` counts them
+    std::optional<Distances> distances = {};  // as in `afterglow compare`
     std::optional<Luminances> luminances = {};
     std::optional<PassChange> change = {};
 };
 
-/// Measures two pictures without waiting, as Meter does one: every texel is reduced to sums of
-/// blocks, which come back in a later frame.
+/// Measures two pictures without waiting for the GPU, as Meter measures one. Texels are reduced to
+/// sums of blocks, which are read back in a later frame.
 class PairMeter {
 public:
     static Result<PairMeter> make();
 
     bool is_busy() const { return m_sums_to_come || m_light_to_come || m_change_to_come; }
-    /// Asks how far the two are apart, pixels counting as apart beyond `tolerance`; what was under
-    /// way is dropped.
+    /// Requests the differences. Pixels beyond `tolerance` count as different. Drops a pending
+    /// request.
     void start_distances(const Pair& pair, double tolerance);
-    /// Asks for their light, likewise.
+    /// Requests the luminances. Drops a pending request.
     void start_luminances(const Pair& pair);
-    /// Asks what a pass is changed by, likewise; `as_shown`: as far as a display shows it, 0..1.
+    /// Requests the change of a pass; `as_shown`: clamped to the displayed range, 0..1. Drops a
+    /// pending request.
     void start_change(const Pair& pair, bool as_shown);
-    /// The answer, once, when it has come.
+    /// The result, once, when it is available.
     std::optional<PairMeasured> take();
     void stop();
 

@@ -4,14 +4,13 @@
 #include "gpu/objects/vertex_array.h"
 #include "graph/compare/pair.h"
 
-/// Draws what the other of two pictures adds to ours and takes from it, channel by channel and as a
-/// display shows them, about a middle grey.
+/// Draws `other` minus `ours`, per channel and as displayed, on middle grey.
 class SignedDifference {
 public:
     static Result<SignedDifference> make();
 
-    /// Differences of 1 / (2 * gain) reach white and black. Into a canvas of floats or bytes of the
-    /// pictures' size, to be shown as it is.
+    /// Differences of 1 / (2 * gain) reach white and black. Into a float or byte canvas of the
+    /// pictures' size, to be displayed without conversion.
     void draw(const Pair& pair, double gain, const gpu::Canvas& to);
 
 private:
@@ -22,6 +21,6 @@ private:
     gpu::Samplers m_samplers;
 };
 
-/// The gain that shows a largest difference well: a power of two, 1 to 256 (half of a level of 255
-/// is then a quarter of the way to white).
+/// The gain for a given largest difference: a power of two, 1 to 256. At 256, half an 8-bit level
+/// reaches white.
 double gain_for(double largest);

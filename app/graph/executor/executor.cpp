@@ -11,14 +11,14 @@
 #include <utility>
 
 namespace {
-// The program's own triangle and quad cover all; a person's vertex shader, points or `discard` may
+// The built-in triangle and quad cover all texels. A user's vertex shader, points or `discard` may
 // not.
 bool covers(const Pass& pass) {
     return !is_of_beam(pass.draw) && pass.blend == Blend::replace && pass.vertex.file.empty() &&
            pass.fragment.text->find("discard") == std::string::npos;
 }
 
-// Whether passes that keep their programs keep what make_state() finds for them.
+// Whether make_state() has the same result for passes that keep their programs.
 bool are_bound_alike(const Look& one, const Look& other) {
     const auto of_pass = [](const Pass& pass) {
         return std::tie(pass.name, pass.draw, pass.blend, pass.vertex.file, pass.inputs,
@@ -78,7 +78,7 @@ Result<void> Executor::replace(Look look, Programs programs) {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
     PlanTerms terms = plan_terms();
-    terms.read.clear();  // by what is no more
+    terms.read.clear();  // of the previous programs
     const bool has_other_passes = pass_names(look) != pass_names(m_look);
     if (has_other_passes)
         terms.seen.clear();
@@ -162,7 +162,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_plan = std::move(*plan);
         m_order = draw_order(m_plan);
         if (!share_alike)
-            end_settled();  // those programs know who was drawn onto whom
+            end_settled();  // those programs contain which pass was drawn onto which
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
         forget_paces();
@@ -174,7 +174,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
     return {};
 }
 
-// Their rows are others now.
+// The targets have other sizes.
 void Executor::forget_paces() {
     for (PassState& state : m_passes)
         state.pace = {};

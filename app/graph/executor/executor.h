@@ -31,17 +31,17 @@
 #include <string>
 #include <vector>
 
-/// How far an accumulating pass has come.
+/// The progress of an accumulating pass.
 struct Samples {
     int held = 0;
-    std::optional<int> enough = std::nullopt;  // 0: it starts anew with every frame
+    std::optional<int> enough = std::nullopt;  // 0: restarts with every frame
 
     bool operator==(const Samples&) const = default;
 };
 
-/// A look on the GPU: its programs, targets, history and pictures. Draws frame after frame. Belongs
-/// to the home of the programs that it is made with, whichever context is current for its callers,
-/// or to the context that it is made in. resize() comes before the first draw.
+/// A look on the GPU: its programs, targets, history and pictures. Draws one frame after another.
+/// Belongs to the `home` of its programs, whichever context is current for the caller. Without one,
+/// it belongs to the context that it is created in. Call resize() before the first draw.
 class Executor {
 public:
     /// `programs` are those of `look`.
@@ -51,127 +51,128 @@ public:
     Executor(const Executor&) = delete;
     Executor& operator=(const Executor&) = delete;
 
-    /// Swaps in an edited look, at the present sizes. Targets that keep name, size and format keep
-    /// their contents and history; values, source and images stay (set those again whose encoding
-    /// or file changed). On failure the former look goes on.
+    /// Replaces the look with an edited one at the current sizes. Targets with the same name, size
+    /// and format keep their contents and history. Values, source and images stay; set those again
+    /// whose encoding or file changed. On failure the previous look continues.
     Result<void> replace(Look look, Programs programs);
-    /// Allocates what differs for a picture of `viewport` pixels and keeps the rest; cheap when
-    /// nothing differs. Also to be called when a parameter that a size depends on has changed. On
-    /// failure (no memory, a size out of bounds) all is as before.
+    /// Allocates the targets for a picture of `viewport` pixels and keeps unchanged ones. Cheap if
+    /// nothing changed. Call it also after a change of a parameter that a size depends on. On
+    /// failure (out of memory, a size out of bounds) nothing changes.
     Result<void> resize(Extent viewport, Extent source);
     Result<void> resize_again() { return resize(m_viewport, m_source_extent); }
 
-    /// The values in force; a parameter without one takes its default. Uploads what changed.
+    /// Sets the current values; a parameter without a value has its default. Uploads changed
+    /// values.
     void set_values(const Values& values);
-    /// Draws with `programs` of the same look, in whose texts the present values are, but for those
-    /// that `moving` names. What programs() and report() tell stays that of the look's own, which
-    /// come back as soon as another value is set, or the look is replaced.
+    /// Draws with specialised programs of the same look, whose constants are the current values.
+    /// The parameters in `moving` are still uniforms. programs() and report() still describe the
+    /// generic programs. These return when another value is set or the look is replaced.
     void settle(Programs programs, std::set<std::string> moving);
     bool is_settled() const { return m_unsettled.has_value(); }
-    /// Programs hold the values of whom they last drew for: to be called before each draw where two
-    /// executors have the same ones.
+    /// Programs hold the values of the executor that drew last. Call this before each draw if two
+    /// executors share programs.
     void claim_programs();
-    /// What is done about each pass from the next frame on; empty: all are drawn. A frozen pass
-    /// whose target holds nothing yet is drawn once.
+    /// Sets how each pass is handled from the next frame on; empty: all are drawn. A frozen pass
+    /// with an empty target is drawn once.
     Result<void> set_runs(std::vector<PassRun> runs);
-    /// Whether a frame may be drawn again in part, or in slices beside the one before; else a
-    /// picture that is read no more may be drawn over within its frame.
+    /// Whether a frame may be partially redrawn, or drawn in slices while the previous one is
+    /// displayed. Otherwise a picture may be overwritten after its last read in the frame.
     enum class Frames { drawn_again, drawn_once };
-    /// Passes whose own pictures somebody looks at from the next frame on; empty: all. The others
-    /// may share targets: what is drawn onto another's is drawn once more, by itself, for who asks
-    /// target() for it. With drawn_once such pictures may be gone, and neither redraw() nor frames
-    /// beside may follow.
+    /// Sets the displayed passes from the next frame on; empty: all. The others may share targets.
+    /// target() draws a pass that shares a target once more, separately. With drawn_once these
+    /// pictures may be overwritten: redraw() and double-buffered frames are not allowed.
     Result<void> set_seen(std::vector<bool> seen, Frames frames = Frames::drawn_again);
     const std::vector<bool>& seen() const { return m_seen; }
-    /// Converted to the look's source_encoding. The source's size in a plan is resize's business.
+    /// Converts the picture to the look's source_encoding. The planned size of the source is set by
+    /// resize().
     Result<void> set_source(const Picture& picture);
-    /// For an image of the look, or an image parameter, by its name; flat or solid. Without it that
-    /// reads transparent black.
+    /// Sets an image of the look or of an image parameter, by name; flat or solid. Without a
+    /// picture it reads transparent black.
     Result<void> set_image(const std::string& name, const Picture& picture);
-    /// The same, of a texture that image_texture() made.
+    /// The same, with a texture from image_texture().
     void set_image(const std::string& name, std::shared_ptr<const gpu::Texture> texture);
 
-    /// One frame further: history moves on. With `passes` only these are drawn; the others keep an
-    /// older picture.
+    /// Draws the next frame and advances the history. With `passes` only these are drawn; the
+    /// others keep an older picture.
     void draw(const Frame& frame, const std::vector<bool>* passes = nullptr);
-    /// The same frame again, only these passes; history does not move. Accumulating passes take no
-    /// further samples.
+    /// Redraws these passes of the current frame. The history does not advance, and accumulating
+    /// passes take no more samples.
     void redraw(const Frame& frame, const std::vector<bool>& passes);
 
-    /// What draw() and redraw() do, in slices, for who has other things to do beside a look that
-    /// takes long: passes are drawn in bands of rows. With `is_beside` and where there is memory,
-    /// what is told of targets is that of the frame before until continue_frame() has finished
-    /// this one. Whatever else draws, resizes or clears drops an unfinished frame.
+    /// As draw() and redraw(), but in slices: passes are drawn in bands of rows, so that a slow
+    /// look does not block the caller. With `is_beside` and enough memory, targets report the
+    /// previous frame until continue_frame() completes this one. All other draws, resizes and
+    /// clears drop an unfinished frame.
     void begin_draw(const Frame& frame, const std::vector<bool>* passes, bool is_beside);
     void begin_redraw(const Frame& frame, const std::vector<bool>& passes, bool is_beside);
     bool is_amid_frame() const { return m_is_amid_frame; }
-    /// Whether a frame can be drawn while the one before is seen: not where a pass that reads its
-    /// own history goes on with it within a frame.
+    /// Whether the previous frame can be displayed meanwhile. Not if a pass that reads its own
+    /// history is drawn several times in a frame.
     bool can_draw_beside() const;
-    /// Goes on for about `seconds`; true when the frame is whole.
+    /// Continues for about `seconds`; true when the frame is complete.
     bool continue_frame(double seconds);
     void drop_frame();
-    /// A band of the pass and what follows it, levels, guard and the picture for those who look, to
-    /// no end but that the driver has met them. What the targets hold is lost.
+    /// Draws a band of the pass, its levels, NaN detection and displayed picture, only so that the
+    /// driver compiles for them. The contents of the targets are lost.
     void rehearse(const Frame& frame, std::size_t pass);
-    /// Gives back the memory that slices took.
+    /// Frees the memory for slices.
     void end_slices();
 
-    /// Accumulating passes forget their samples: all, or those that these passes reach. Values,
-    /// source, images, sizes and edits see to it themselves.
+    /// Discards the samples of accumulating passes: of all, or of those that depend on these
+    /// passes. Changes of values, source, images, sizes and texts call it themselves.
     void restart_samples();
     void restart_samples(const std::vector<bool>& changed_passes);
-    /// The mouse of the frames to come is elsewhere.
+    /// Call if the mouse has another position in the next frames.
     void note_mouse_moved();
-    /// As before the first frame; frozen passes stay as they are.
+    /// Resets to the state before the first frame; frozen passes stay unchanged.
     void clear_history();
-    /// What the pass has drawn is gone, also where it is frozen.
+    /// Clears the output of the pass, even if it is frozen.
     void clear_history(int pass);
 
-    /// What is done about numbers that are not finite: they are looked for in every frame in what
-    /// later frames read, elsewhere in one pass in turn (watch); or in every pass that is drawn
-    /// (search); or put right (clamp): in every pass of a frame that is drawn whole, else in what
-    /// later frames read. Where no format holds such numbers nothing is done.
+    /// How NaN and infinity are handled. watch: detects them in every frame in targets that later
+    /// frames read, and in one other pass per frame in turn. search: detects them in every drawn
+    /// pass. clamp: replaces them in every pass of a whole frame, otherwise in targets that later
+    /// frames read. Targets whose format has no such numbers are skipped.
     enum class Guard { off, watch, search, clamp };
     Result<void> set_guard(Guard guard);
     Guard guard() const { return m_guard; }
-    /// The first such number since last asked; see Tripwire::take.
+    /// The first such number since the last call; see Tripwire::take.
     std::optional<Trip> take_trip(bool waits = false);
-    /// Whether the GPU is still at what take_trip() tells.
+    /// Whether the GPU has not finished the checks that take_trip() reports.
     bool awaits_trip() const { return m_tripwire && m_tripwire->is_waiting(); }
-    /// Puts all that is kept right.
+    /// Replaces such numbers in all stored pictures.
     void mend();
 
-    /// This frame's picture of a pass; this and the following have their bottom row first, whatever
-    /// the look's own order is. Not within a draw.
+    /// The picture of a pass in this frame. This and the following functions return textures whose
+    /// bottom row comes first, whatever the look's row order is. Not during a draw.
     const gpu::Texture& target(int pass) const;
-    /// What it holds of this frame: what passes drew, the source, images, the sound.
+    /// The textures of this frame: outputs of passes, the source, images, sound.
     std::vector<TextureChoice> textures() const;
-    /// Any of these or of former frames, with all of its levels; null where there is none such.
+    /// One of these, or of previous frames, with all levels; null if it does not exist.
     const gpu::Texture* texture(const TextureChoice& choice) const;
-    /// Another one whenever any target may have changed.
+    /// Changes whenever a target may have changed.
     std::uint64_t picture_number() const { return m_picture_number; }
     const Plan& plan() const { return m_plan; }
     const Look& look() const { return m_look; }
-    /// Those of the look, also while it is settled.
+    /// The generic programs, even while specialised ones draw.
     const Programs& programs() const { return m_unsettled ? m_unsettled->programs : m_programs; }
-    /// The latest known GPU time of each pass, some frames old; 0 until one is known, and while it
-    /// is not drawn.
+    /// The latest known GPU time of each pass, some frames old. 0 until it is known, and while the
+    /// pass is not drawn.
     std::vector<double> pass_milliseconds();
-    /// Of the last pass that accumulates; none when no pass does.
+    /// Of the last accumulating pass; nullopt without one.
     std::optional<Samples> samples() const;
-    /// Every accumulating pass has enough, and nothing else that is drawn goes on with time.
+    /// Whether every accumulating pass has enough samples and no other drawn pass depends on time.
     bool has_converged() const;
     /// Of the last draw or redraw.
     int draw_calls() const { return m_draw_calls; }
-    /// What the pass was told then.
+    /// The inputs and built-in uniforms of the pass in that draw.
     PassReport report(int pass) const;
-    /// Read and written in a frame by the passes that are drawn, for a pixel of the picture; an
-    /// input counts where the program really reads it, points and segments count their target once,
-    /// or not at all where they are drawn onto another's.
+    /// Bytes per pixel of the picture that the drawn passes read and write in a frame. An input
+    /// counts if its program reads it. Points and segments count their target once, but not if
+    /// drawn onto another target.
     double bytes_per_pixel() const;
-    /// Passes on whose pictures, of any frame, that of one of `seen` depends, these included.
-    /// Unlike needed_for() it knows which inputs the programs really read.
+    /// Passes that the pictures of `seen` depend on, over all frames, including these. Unlike
+    /// needed_for() it ignores inputs that the programs do not read.
     std::vector<bool> read_for(const std::vector<bool>& seen) const;
 
 private:
@@ -180,23 +181,23 @@ private:
         BuiltInUniforms built_ins;
         std::vector<BoundInput> inputs;
         gpu::VertexArray vertices;
-        int tint_location;  // of the attribute; -1: none
+        int tint_location;  // of the attribute; -1: unused
         std::unique_ptr<gpu::Timer> timer;
         RowPace pace = {};
-        int samples = 0;        // that an accumulating pass holds
-        int whole_samples = 0;  // as of the last whole frame
+        int samples = 0;        // of an accumulating pass
+        int whole_samples = 0;  // after the last whole frame
         bool reads_itself = false;
-        bool covers_target = false;  // leaves no texel of what was there
+        bool covers_target = false;  // overwrites all texels
     };
 
-    /// What a pass draws onto another's target, by itself.
+    /// The separate picture of a pass that is drawn onto another's target.
     struct Apart {
         gpu::Canvas canvas;
-        std::uint64_t drawn = 0;  // m_shared_draws then
-        std::uint64_t asked = 0;  // the picture that it was last asked for
+        std::uint64_t drawn = 0;  // m_shared_draws at its draw
+        std::uint64_t asked = 0;  // m_picture_number at the last request
     };
 
-    /// What the look itself draws with, while it is settled.
+    /// The generic state, while specialised programs draw.
     struct Unsettled {
         Programs programs;
         std::vector<PassState> passes;
@@ -217,16 +218,16 @@ private:
     Result<void> make_empty();
     PlanTerms plan_terms() const;
     Result<void> plan_again() { return m_targets.size() > 0 ? resize_again() : Result<void>(); }
-    std::size_t host_of(std::size_t pass) const;  // whose target it is drawn onto; else its own
+    std::size_t host_of(std::size_t pass) const;  // the pass that it is drawn onto, else itself
     bool is_followed_onto(std::size_t pass) const;
     int repeats_of(const Pass& pass) const;
 
     void note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
     void draw_shared_whole();
     void write_beam(const Frame& frame);
-    bool draws(std::size_t pass, Draw shape) const;  // in the present frame
+    bool draws(std::size_t pass, Draw shape) const;  // in the current frame
     bool draws_points() const;
-    std::optional<BeamSpot> smallest_spot();  // none where no segments are drawn
+    std::optional<BeamSpot> smallest_spot();  // nullopt: no segments are drawn
     void move_on(bool is_unfinished);
     void draw_passes();
     void draw_pass(std::size_t pass);
@@ -241,7 +242,7 @@ private:
     void draw_band(std::size_t pass, double seconds);
     void finish_frame();
     PassRun run_of(std::size_t pass) const;
-    bool is_kept(std::size_t pass) const;  // shows its last picture once more
+    bool is_kept(std::size_t pass) const;  // repeats its last picture
     void pass_through(std::size_t pass);
     bool rests(std::size_t pass) const;
     void count_samples(std::size_t pass);
@@ -271,7 +272,7 @@ private:
     void look_behind(const std::vector<bool>& drawn);
 
     std::shared_ptr<gpu::Context> m_home;
-    std::unique_ptr<gpu::ContextScope> m_scope;  // around beginning and end of what follows
+    std::unique_ptr<gpu::ContextScope> m_scope;  // while the members below are built and destroyed
     Look m_look;
     Programs m_programs;
     int m_largest_side;  // of a texture, px
@@ -280,19 +281,19 @@ private:
     Extent m_viewport;
     Extent m_source_extent;
     BeamBuffer m_beam;
-    std::vector<std::optional<BeamSpot>> m_spots;  // of the passes, for these values and sizes
+    std::vector<std::optional<BeamSpot>> m_spots;  // by pass, for the current values and sizes
     Quad m_quad;
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;
-    std::vector<PassState> m_settled_passes;  // that were drawn with last; they may come back
+    std::vector<PassState> m_settled_passes;  // the last specialised ones, which may return
     std::vector<PassRun> m_runs;
     std::vector<bool> m_seen;
     Frames m_frames = Frames::drawn_again;
-    std::vector<std::size_t> m_order;           // in which passes are drawn
-    std::optional<PassThrough> m_pass_through;  // from the first bypass on
+    std::vector<std::size_t> m_order;           // drawing order of the passes
+    std::optional<PassThrough> m_pass_through;  // since the first bypass
     mutable ParameterUniforms m_parameters;
-    mutable std::map<std::size_t, Apart> m_apart;  // of those that somebody asked for
-    std::uint64_t m_shared_draws = 0;  // frames in which something was drawn onto others
+    mutable std::map<std::size_t, Apart> m_apart;  // only requested ones
+    std::uint64_t m_shared_draws = 0;              // number of frames with passes drawn onto others
     TargetSet m_targets;
     SourceHistory m_source;
     Keyboard m_keyboard;
@@ -303,12 +304,12 @@ private:
     mutable gpu::Samplers m_samplers;
     mutable Upright m_upright;
     Guard m_guard = Guard::off;
-    bool m_draws_whole = false;  // the present frame
+    bool m_draws_whole = false;  // the current frame
     FrameWork m_work;
     bool m_is_amid_frame = false;
-    bool m_is_beside = false;  // the unfinished frame: the one before is still told of
+    bool m_is_beside = false;  // targets report the frame before the unfinished one
     std::optional<Tripwire> m_tripwire;
     int m_draw_calls = 0;
     std::uint64_t m_picture_number = 0;
-    Frame m_drawn;  // the present one, or the last; without its beam
+    Frame m_drawn;  // the current or last frame, without its beam
 };

@@ -22,7 +22,7 @@ void Executor::redraw(const Frame& frame, const std::vector<bool>& passes) {
     draw_passes();
 }
 
-// What is drawn from now on, and what it is told.
+// Prepares the passes to draw, the beam, the keyboard and the sound.
 void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, bool is_again) {
     assert(m_targets.size() == m_passes.size());
     drop_frame();
@@ -48,7 +48,7 @@ void Executor::note_frame(const Frame& frame, const std::vector<bool>* only, boo
     m_work.draw_calls = 0;
 }
 
-// Where no pass draws it the former one stays, for who asks what was drawn of it.
+// If no pass draws the beam, the previous vertices stay for views of earlier draws.
 void Executor::write_beam(const Frame& frame) {
     const std::optional<BeamSpot> spot = smallest_spot();
     if (draws_points() || spot)
@@ -56,7 +56,7 @@ void Executor::write_beam(const Frame& frame) {
                      beam_scale(m_look, m_values, m_viewport, frame.beam_fit));
 }
 
-// What is drawn onto a target begins and ends with it.
+// Passes that share a target are drawn together or not at all.
 void Executor::draw_shared_whole() {
     bool is_any = false;
     for (std::size_t guest = 0; guest < m_passes.size(); ++guest)
@@ -69,7 +69,7 @@ void Executor::draw_shared_whole() {
         }
     m_shared_draws += is_any ? 1 : 0;
     std::erase_if(m_apart, [this](const auto& one) {
-        constexpr std::uint64_t pictures = 600;  // that nobody has asked in
+        constexpr std::uint64_t pictures = 600;  // without a request
         return one.second.asked + pictures < m_picture_number;
     });
 }
@@ -114,7 +114,7 @@ std::optional<BeamSpot> Executor::smallest_spot() {
     return smallest;
 }
 
-// What was this frame's is a frame ago.
+// Advances the history by one frame.
 void Executor::move_on(bool is_unfinished) {
     for (std::size_t i = 0; i < m_targets.size(); ++i) {
         if (is_unfinished && may_be_unfinished(i))
@@ -140,7 +140,7 @@ void Executor::draw_passes() {
     m_draw_calls = m_work.draw_calls;
 }
 
-// No pass that comes yet reads what these hold.
+// No later pass of the frame reads these pictures.
 void Executor::hand_back_after(std::size_t pass) {
     for (std::size_t i = 0; i < m_plan.targets.size(); ++i)
         if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
@@ -162,7 +162,7 @@ void Executor::draw_pass(std::size_t index) {
     end_pass(index);
 }
 
-// False where the program draws nothing.
+// False if the program of the pass draws nothing.
 bool Executor::begin_pass(std::size_t index) {
     if (is_kept(index))
         return false;
@@ -183,8 +183,8 @@ bool Executor::begin_pass(std::size_t index) {
         count_samples(index);
         return true;
     }
-    // One that reads its own history moves on with each repetition; all that is left of the former
-    // ones when it is drawn again is what the last one read, so only that one is drawn.
+    // A pass that reads its own history advances with each repetition. When it is redrawn, only the
+    // input of its last repetition still exists, so only that one is drawn.
     m_work.draws = repeats_of(pass);
     if (m_work.is_again && state.reads_itself)
         m_work.first_draw = m_work.draws - 1;
@@ -285,7 +285,7 @@ PassReport Executor::report(int pass) const {
     return report;
 }
 
-// What a draw meets: the picture so far, or what changes nothing under the pass's blending.
+// Initialises the target: the picture so far, or the neutral colour of the pass's blending.
 void Executor::start_target(std::size_t index, bool goes_on) {
     if (host_of(index) != index)
         return;
@@ -300,7 +300,7 @@ void Executor::start_target(std::size_t index, bool goes_on) {
         target.canvas().clear();
 }
 
-// Where draws go from here on, and what they read.
+// Binds the target and the inputs of the next draws.
 void Executor::aim(std::size_t index) {
     const Pass& pass = m_look.passes[index];
     const std::size_t host = host_of(index);
@@ -358,7 +358,7 @@ void Executor::bind(const PassState& state) const {
     }
 }
 
-// Where a pass drew the faces of a cube these become one.
+// Faces that a pass drew are copied into a cube map.
 const gpu::Texture* Executor::cube_for(const BoundInput& input) const {
     if (input.from != Input::From::pass)
         return texture_for(input);

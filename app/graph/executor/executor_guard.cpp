@@ -1,4 +1,4 @@
-// The part of Executor that looks for numbers that are not finite.
+// The part of Executor that detects NaN and infinity.
 #include "graph/executor/executor.h"
 
 #include <algorithm>
@@ -43,13 +43,13 @@ bool Executor::is_watched(std::size_t pass) const {
     }
 }
 
-// Its picture of this frame may be another's now.
+// Another pass may have overwritten its picture of this frame.
 bool Executor::is_handed_back(std::size_t pass) const {
     const PlannedTarget& target = m_plan.targets[pass];
     return target.common && target.slots == 1 && target.held_until != m_order.back();
 }
 
-// Right after it was drawn, where nobody may read it before, or it will not be there later.
+// Directly after the draw: before later passes read the picture, or before it is overwritten.
 void Executor::guard_pass(std::size_t pass) {
     if (!is_watched(pass))
         return;
@@ -60,7 +60,7 @@ void Executor::guard_pass(std::size_t pass) {
         m_tripwire->look_at({&drawn, 1}, m_drawn.number);
 }
 
-// All others together, behind the frame.
+// All other passes together, after the frame.
 void Executor::guard_frame() {
     if (m_guard == Guard::clamp)
         return look_behind(m_work.passes);
@@ -72,7 +72,7 @@ void Executor::guard_frame() {
         m_tripwire->look_at(all, m_drawn.number);
 }
 
-// Where what is kept was put right, the pass that began it is one of those before.
+// If a stored picture was corrected, an earlier pass that is not watched may be the cause.
 void Executor::look_behind(const std::vector<bool>& drawn) {
     if (m_draws_whole || !m_tripwire)
         return;

@@ -1,4 +1,4 @@
-// The part of Executor that tells which pictures it holds, and hands them out as people see them.
+// The part of Executor that lists its pictures and returns them upright.
 #include "gpu/objects/draw.h"
 #include "graph/executor/executor.h"
 
@@ -46,7 +46,7 @@ const gpu::Texture& Executor::newest_picture(std::size_t pass) const {
     return apart ? *apart : m_targets[pass].finished().texture();
 }
 
-// None before the first frame, and where there is no memory.
+// Null before the first frame and without memory.
 const gpu::Texture* Executor::picture_apart(std::size_t pass) const {
     if (m_shared_draws == 0)
         return nullptr;
@@ -66,7 +66,7 @@ const gpu::Texture* Executor::picture_apart(std::size_t pass) const {
     return &apart.canvas.texture();
 }
 
-// Others may have drawn with these programs since.
+// Other executors may have drawn with these programs since.
 void Executor::draw_apart(std::size_t pass, const gpu::Canvas& canvas) const {
     const gpu::DrawScope scope;
     const PassState& state = m_passes[pass];

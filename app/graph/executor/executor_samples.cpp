@@ -1,9 +1,9 @@
-// The part of Executor for passes that accumulate: samples until there are enough.
+// The part of Executor for accumulating passes.
 #include "graph/executor/executor.h"
 
 #include <algorithm>
 
-// A frame that is taking samples is none any more.
+// Drops an unfinished frame that takes samples.
 void Executor::drop_samples() {
     if (m_is_amid_frame && samples())
         drop_frame();
@@ -45,7 +45,7 @@ std::optional<Samples> Executor::samples() const {
     return std::nullopt;
 }
 
-// Of the accumulating pass that was drawn last before this one.
+// Of the last accumulating pass before this one.
 int Executor::samples_before(std::size_t index) const {
     while (index-- > 0)
         if (m_look.passes[index].accumulate)
@@ -62,8 +62,7 @@ bool Executor::has_converged() const {
     return true;
 }
 
-// While somebody waits for the frame no more than fits into their patience: the time of one sample
-// is known once some have been drawn.
+// With a time limit, only the samples that fit. The time of a sample is known after the first ones.
 int Executor::samples_due(std::size_t index) const {
     const Pass& pass = m_look.passes[index];
     const PassState& state = m_passes[index];
@@ -79,7 +78,7 @@ int Executor::samples_due(std::size_t index) const {
     return static_cast<int>(std::clamp(m_drawn.patience_seconds / each, 1.0, most));
 }
 
-// How many are drawn in this frame; without any the picture so far goes on.
+// The number of samples in this frame. Without any, the picture so far stays.
 void Executor::count_samples(std::size_t index) {
     PassState& state = m_passes[index];
     Target& target = m_targets[index];

@@ -1,10 +1,10 @@
-// The part of Executor that draws with programs in which values are constants.
+// The part of Executor that draws with specialised programs.
 #include "graph/executor/executor.h"
 
 #include <algorithm>
 #include <utility>
 
-// What has been measured and gathered is of the pass, whichever program draws it.
+// Timings and samples belong to the pass, whichever program draws it.
 void Executor::hand_on_state(std::vector<PassState>& from) {
     for (std::size_t i = 0; i < m_passes.size(); ++i) {
         std::swap(m_passes[i].timer, from[i].timer);
@@ -31,14 +31,14 @@ void Executor::settle(Programs programs, std::set<std::string> moving) {
     m_parameters.write(m_look, m_values);
 }
 
-// Their numbers are not written yet.
+// Restores the generic programs. Their uniforms are not written yet.
 void Executor::take_own_back() {
     Unsettled own = std::move(*std::exchange(m_unsettled, std::nullopt));
     m_settled_passes = std::exchange(m_passes, std::move(own.passes));
     hand_on_state(m_settled_passes);
     m_programs = std::move(own.programs);
     m_parameters = std::move(own.parameters);
-    m_parameters.forget_written();  // others may have drawn with them
+    m_parameters.forget_written();  // other executors may have written to them
 }
 
 void Executor::end_settled() {

@@ -47,7 +47,7 @@ bool Executor::continue_frame(double seconds) {
     {
         const gpu::DrawScope scope;
         double left = seconds;
-        do {  // at least one band: a slice always goes on
+        do {  // at least one band per slice
             continue_pass(left);
             left = seconds - seconds_since(begun);
         } while (m_work.pass < m_order.size() && left > 0.0);
@@ -82,11 +82,11 @@ void Executor::continue_pass(double seconds) {
     next_pass();
 }
 
-// Rows of one draw, and waits for them: only then it is known what they took.
+// Draws rows and waits for the GPU, because only then the time is known.
 void Executor::draw_band(std::size_t index, double seconds) {
     PassState& state = m_passes[index];
     const int height = m_plan.targets[index].extent.height;
-    const bool has_rows = !is_of_beam(m_look.passes[index].draw);  // its shapes are drawn at once
+    const bool has_rows = !is_of_beam(m_look.passes[index].draw);  // beams are drawn in one band
     const int rows = has_rows ? state.pace.rows_for(seconds, height - m_work.row) : height;
     const auto begun = std::chrono::steady_clock::now();
     state.program->use();
@@ -130,7 +130,7 @@ void Executor::drop_frame() {
     m_work = {.passes = std::move(m_work.passes)};
     if (!std::exchange(m_is_amid_frame, false))
         return;
-    for (PassState& state : m_passes)  // what they were added to is gone, or half drawn
+    for (PassState& state : m_passes)  // the picture they were added to is lost or incomplete
         state.samples = m_is_beside ? state.whole_samples : 0;
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].drop();
@@ -152,14 +152,14 @@ void Executor::rehearse(const Frame& frame, std::size_t pass) {
         m_samplers.release();
     }
     drop_frame();
-    m_passes[pass].pace = {};                           // a band of nothing says little
-    static_cast<void>(target(static_cast<int>(pass)));  // turned over, if it is
+    m_passes[pass].pace = {};                           // a band of 0 seconds is not representative
+    static_cast<void>(target(static_cast<int>(pass)));  // warms up the flipped copy
 }
 
 void Executor::end_slices() {
     const gpu::ContextScope scope(m_home.get());
     drop_frame();
-    m_cubes = {};  // of pictures that are no more
+    m_cubes = {};  // copies of freed pictures
     for (std::size_t i = 0; i < m_targets.size(); ++i)
         m_targets[i].forget_room();
 }

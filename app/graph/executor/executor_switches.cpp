@@ -1,4 +1,4 @@
-// The part of Executor for passes that a person has switched: frozen, left out, bypassed.
+// The part of Executor for passes that the user has switched: frozen, left out, bypassed.
 #include "graph/executor/executor.h"
 
 #include <algorithm>
@@ -130,7 +130,7 @@ void Executor::pass_through(std::size_t index) {
     target.canvas().texture().generate_mipmaps();
 }
 
-// It would draw the same again as long as what it reads of this frame stays.
+// Whether it would draw the same picture again while its inputs of this frame do not change.
 bool Executor::rests(std::size_t index) const {
     const Pass& pass = m_look.passes[index];
     if (is_kept(index))

@@ -4,7 +4,7 @@
 
 int RowPace::rows_for(double seconds, int left) const {
     constexpr int fewest = 2;
-    constexpr int growth = 8;  // the next rows may well take longer
+    constexpr int growth = 8;  // the next rows may take longer
     if (m_rows == 0)
         return std::min(fewest, left);
     const double most = std::min(left, growth * m_rows);

@@ -1,20 +1,20 @@
 #pragma once
 
-/// How many rows of a pass are drawn at once, so that somebody who draws it in bands is back in
-/// time. Learns from the band before, and from the whole of the draw before: some rows take longer
-/// than others.
+/// Estimates how many rows of a pass fit into a time limit. Uses the previous band and the whole
+/// previous draw, because some rows take longer than others.
 class RowPace {
 public:
-    /// Of `left` rows, those that take about `seconds`; even, as the GPU draws them in pairs.
+    /// The number of rows, at most `left`, that take about `seconds`. Even, as the GPU draws rows
+    /// in pairs.
     int rows_for(double seconds, int left) const;
     void note(int rows, double seconds);
-    /// All rows were drawn.
+    /// Call after the last row of a draw.
     void end_draw();
 
 private:
-    int m_rows = 0;                // of the latest band; 0: there was none
-    double m_seconds_a_row = 0.0;  // of it
+    int m_rows = 0;                // of the latest band; 0: no band yet
+    double m_seconds_a_row = 0.0;  // of the latest band
     int m_drawn_rows = 0;          // of this draw
-    double m_drawn_seconds = 0.0;  // that these took
-    double m_usual_seconds = 0.0;  // a row, of the whole draw before
+    double m_drawn_seconds = 0.0;  // time of these rows
+    double m_usual_seconds = 0.0;  // per row, of the whole previous draw
 };

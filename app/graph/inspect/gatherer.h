@@ -16,17 +16,17 @@ struct TexelPlace {
     int y = 0;
 };
 
-/// Fetches the stored numbers of a few texels out of any targets without waiting: they come in a
-/// later frame.
+/// Reads the stored numbers of a few texels of any targets without waiting for the GPU. They are
+/// available in a later frame.
 class Gatherer {
 public:
     static Result<Gatherer> make();
 
-    /// Whether an answer is under way.
+    /// Whether a request is pending.
     bool is_busy() const { return m_to_come.has_value(); }
-    /// Asks; what was under way is dropped.
+    /// Starts a request and drops a pending one.
     void start(const std::vector<TexelPlace>& places);
-    /// RGBA of each place, once, when they have come; channels that a format lacks are 0, alpha 1.
+    /// RGBA of each texel, once, when available. Channels that a format lacks are 0, alpha 1.
     std::optional<std::vector<std::array<float, 4>>> take();
     void stop() { m_to_come.reset(); }
 

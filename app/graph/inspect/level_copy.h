@@ -7,18 +7,18 @@
 
 #include <optional>
 
-/// How many levels a texture has, its largest among them.
+/// The number of mip levels of a texture, including the largest.
 int level_count(const gpu::Texture& texture);
 /// The size of a level; at least 1 x 1.
 Extent level_extent(Extent largest, int level);
 
-/// One of a texture's smaller levels as a texture of its own, so that what reads textures reads it.
+/// Copies a mip level into a separate texture, so that all code that reads textures can read it.
 class LevelCopy {
 public:
     static Result<LevelCopy> make();
 
-    /// In the texture's own format; sRGB texels become light in floats. Null where there is no such
-    /// level or no memory. Good until the next call.
+    /// In the format of the texture; sRGB texels become linear light in floats. Null if the level
+    /// does not exist, for integer formats and without memory. Valid until the next call.
     const gpu::Texture* draw(const gpu::Texture& from, int level);
 
 private:

@@ -13,31 +13,31 @@
 #include <utility>
 #include <vector>
 
-/// The mean light of the parts of a picture, as flashes are counted in them.
+/// The mean light of the cells of a picture, for counting flashes.
 class LightCells {
 public:
-    /// What they are drawn with.
+    /// Builds the program that draws the cells.
     static Result<gpu::Program> make_program();
-    /// With a program of its own.
+    /// Builds its own program.
     static Result<LightCells> make();
     explicit LightCells(std::shared_ptr<const gpu::Program> program)
         : m_program(std::move(program)) {}
 
-    /// Draws the cells of a texture whose numbers have this encoding: 64 places of each cell are
-    /// read. False without memory: then there are none.
+    /// Draws the cells of a texture with this encoding from 64 samples per cell. False for integer
+    /// formats and without memory; then there are no cells.
     bool draw(const gpu::Texture& from, Encoding encoding);
-    /// As drawn last: linear light 0..1 in red, green and blue. To be called after draw().
+    /// The last drawn cells: linear light 0..1 in red, green and blue. Call it after draw().
     const gpu::Canvas& canvas() const { return *m_cells; }
 
 private:
-    std::shared_ptr<const gpu::Program> m_program;  // of who looks in the same context
+    std::shared_ptr<const gpu::Program> m_program;  // shared within a context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::optional<gpu::Canvas> m_cells;
 };
 
-/// Whether reading the texture gives linear light, be it because GL decodes it.
+/// Whether reading the texture gives linear light, stored or decoded by GL.
 bool holds_light(const gpu::Texture& texture, Encoding encoding);
 
-/// The cells that have come back from the GPU, for a FlashCounter.
+/// The cells read back from the GPU, for a FlashCounter.
 std::vector<Light> taken_cells(gpu::Download& download);

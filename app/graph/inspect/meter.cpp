@@ -9,11 +9,11 @@
 #include <limits>
 
 namespace {
-// A block's counts are packed into one float: below 2^24 they are exact, so a block has less than
-// 2^12 texels.
+// The counts of a block are packed into one float. They are exact below 2^24, so a block has less
+// than 2^12 texels.
 constexpr int most_block_side = 63;
 constexpr int least_block_side = 8;
-constexpr int most_blocks = 261;  // a side; 16384 / 63
+constexpr int most_blocks = 261;  // per side; 16384 / 63
 constexpr int most_samples = 256;
 constexpr double packing = 4096.0;
 
@@ -147,7 +147,7 @@ Result<MeterPrograms> MeterPrograms::make() {
 void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
                  std::optional<double> ceiling) {
     const Extent samples = m_samples->texture().extent();
-    // A lone channel stands in red; the others of it are no numbers of the target's.
+    // A single channel is stored in red. The other channels are not part of the target.
     const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
     program.write("channels",
                   std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
@@ -185,7 +185,7 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optiona
 }
 
 std::optional<Measured> Meter::take() {
-    if (!is_busy() || !m_samples_to_come->has_come())  // asked for last
+    if (!is_busy() || !m_samples_to_come->has_come())  // requested last
         return std::nullopt;
     const std::vector<float> samples = m_samples_to_come->take();
     Measured measured{combined(m_blocks_to_come->take(), m_measured),

@@ -9,42 +9,42 @@
 
 #include <optional>
 
-/// What is known of the numbers in a target.
+/// The measurements of a target.
 struct Measured {
-    Statistics statistics;    // of every texel
-    Picture samples;          // at most 256 x 256 texels spread evenly; of lone channels grey
+    Statistics statistics;    // of all texels
+    Picture samples;          // at most 256 x 256 evenly spread texels; grey for one channel
     std::size_t clipped = 0;  // texels with a finite number at the ceiling or above
 };
 
-/// What meters draw with.
+/// The programs of a Meter.
 struct MeterPrograms {
     static Result<MeterPrograms> make();
 
     SamplePrograms all;
 };
 
-/// Measures targets without waiting: one draw reduces every texel to sums of blocks, one takes
-/// samples, and both come back in a later frame.
+/// Measures targets without waiting for the GPU. One draw reduces all texels to sums of blocks, and
+/// one takes samples. Both are read back in a later frame.
 class Meter {
 public:
     explicit Meter(std::shared_ptr<const MeterPrograms> programs)
         : m_programs(std::move(programs)) {}
 
-    /// Whether an answer is under way.
+    /// Whether a request is pending.
     bool is_busy() const { return m_blocks_to_come.has_value(); }
-    /// Asks; what was under way is dropped. Texels at a ceiling are counted where one is given.
+    /// Starts a request and drops a pending one. With a ceiling, texels that reach it are counted.
     void start(const gpu::Texture& from, ChannelChoice channels,
                std::optional<double> ceiling = std::nullopt);
-    /// The answer, once, when it has come.
+    /// The result, once, when it is available.
     std::optional<Measured> take();
-    /// Lets go of what was under way.
+    /// Drops a pending request.
     void stop();
 
 private:
     void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
               std::optional<double> ceiling);
 
-    std::shared_ptr<const MeterPrograms> m_programs;  // of who looks in the same context
+    std::shared_ptr<const MeterPrograms> m_programs;  // shared within a context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
     std::optional<gpu::Canvas> m_blocks;

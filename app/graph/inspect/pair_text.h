@@ -2,8 +2,9 @@
 
 #include <string>
 
-// GLSL for stages that read two textures of one size: `ours_at(texel)` and `other_at(texel)`, the
-// stored red, green and blue; and for all that deal with light: `to_light`, `to_stored`.
+// GLSL for stages that read two textures of the same size: `ours_at(texel)` and `other_at(texel)`,
+// the stored red, green and blue. curve_text is for all stages that process light: `to_light`,
+// `to_stored`.
 
 inline const std::string curve_text = R"(
 // IEC 61966-2-1; below zero mirrored

@@ -27,7 +27,7 @@ bool has(const SeenColor& numbers, bool (*is_so)(double)) {
     return std::ranges::any_of(numbers, is_so);
 }
 
-// What stands in the place of a colour that is no number, or is marked.
+// The colour that replaces one that is not finite or is marked.
 std::optional<SeenColor> mark_of(const SeenColor& numbers, const SeenColor& light,
                                  const ViewOptions& options) {
     const bool is_nan = has(numbers, [](double number) { return std::isnan(number); });
@@ -81,7 +81,7 @@ double seen_luminance(const std::array<float, 4>& rgba, Format format, const Vie
         const double visible = std::clamp(light[i], 0.0, 1.0);
         display[i] = is_encoded ? visible : srgb_encode(visible);
     }
-    constexpr double checker = 0.28;  // the Viewer's, its two greys taken together
+    constexpr double checker = 0.28;  // mean of the Viewer's two greys
     if (options.is_over_checker && options.channels == ChannelChoice::rgb && !is_lone) {
         const double alpha = std::clamp(static_cast<double>(rgba[3]), 0.0, 1.0);
         for (double& one : display)

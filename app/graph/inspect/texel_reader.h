@@ -9,24 +9,24 @@
 #include <optional>
 #include <vector>
 
-/// Texels that lie evenly: a block of them, or those along a line. Places are in texels from the
-/// top left corner of a texture, and mean the texel that they lie in.
+/// Evenly spaced texels: a block, or those along a line. Positions are in texels from the top left
+/// corner of a texture and refer to the texel that contains them.
 struct TexelRows {
-    Extent count;                        // in a row, and rows
+    Extent count;                        // texels per row, number of rows
     std::array<double, 2> first{};       // x, y
-    std::array<double, 2> across{1, 0};  // from one to the next of its row
-    std::array<double, 2> down{0, 1};    // from row to row
+    std::array<double, 2> across{1, 0};  // step to the next texel of the row
+    std::array<double, 2> down{0, 1};    // step to the next row
 
     bool operator==(const TexelRows&) const = default;
 };
 
-/// Draws the stored numbers of such texels, of any texture, into a canvas of floats.
+/// Draws the stored numbers of such texels of any texture into a float canvas.
 class TexelReader {
 public:
     static Result<TexelReader> make();
 
-    /// RGBA from the bottom row of the canvas on; channels that a format lacks are 0, alpha 1. What
-    /// lies outside is read at the edge. False where there is no memory.
+    /// RGBA, starting at the bottom row of the canvas. Channels that a format lacks are 0, alpha 1.
+    /// Texels outside the texture are clamped to its edge. False without memory.
     bool draw(const gpu::Texture& from, const TexelRows& rows, std::optional<gpu::Canvas>& to);
 
 private:
@@ -37,13 +37,13 @@ private:
     gpu::Samplers m_samplers;
 };
 
-/// Numbers of texels on their way here: nobody waits, they come in a later frame.
+/// An asynchronous readback of texels: the numbers are available in a later frame.
 class TexelAnswer {
 public:
     bool is_busy() const { return m_to_come.has_value(); }
-    /// What was under way is dropped.
+    /// Starts a request and drops a pending one.
     void ask(TexelReader& reader, const gpu::Texture& from, const TexelRows& rows);
-    /// RGBA, row by row, once, when they have come.
+    /// RGBA, row by row, once, when available.
     std::optional<std::vector<std::array<float, 4>>> take();
     void stop() { m_to_come.reset(); }
 

@@ -6,8 +6,9 @@
 
 #include <string>
 
-// GLSL for stages that read the texels of any target: `shown`, a sampler; `texel_at(place)`, RGBA;
-// `channels`, a ChannelChoice; `chosen(rgba)`, those numbers, a lone one three times.
+// GLSL for stages that read the texels of any target. `shown` is the sampler and `texel_at(place)`
+// returns RGBA. `channels` is a ChannelChoice, and `chosen(rgba)` returns these numbers. A single
+// channel is returned three times.
 
 inline const std::string choosing_text = R"(
 uniform int channels;
@@ -19,7 +20,7 @@ vec3 chosen(vec4 rgba) {
 }
 )";
 
-/// Of targets that hold this kind of numbers.
+/// For targets with this kind of numbers.
 inline std::string texel_text(SampleKind kind) {
     return fmt::format(
         "{}uniform {}sampler2D shown;\n"

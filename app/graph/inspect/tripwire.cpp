@@ -13,8 +13,8 @@ constexpr int trip_block_side = 16;
 constexpr int block_texels = trip_block_side * trip_block_side;
 constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in a float
 
-// One fragment a block. The code is the greater the earlier the frame and the texel, and GL_MAX
-// keeps the greatest: what came first is not overwritten by what came of it.
+// One fragment per block. Earlier frames and texels have a greater code, and GL_MAX keeps the
+// greatest. So later findings do not overwrite the first one.
 constexpr const char* finder_text = R"(#version 410 core
 uniform sampler2D shown;
 uniform ivec2 corner;
@@ -112,12 +112,12 @@ bool Tripwire::place(Watch& watch) {
     return true;
 }
 
-// Where there is no memory nothing is found; the passes themselves are what needs it.
+// Without memory nothing is found, as the passes need the memory.
 Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& target) {
     const auto found = m_watches.find(pass);
     if (found != m_watches.end() && found->second.target == target.extent())
         return &found->second;
-    if (found != m_watches.end()) {  // the picture has another size: so have the others
+    if (found != m_watches.end()) {  // the picture was resized, and so were the others
         m_watches.clear();
         m_sheets.clear();
         m_spares.clear();
@@ -126,7 +126,7 @@ Tripwire::Watch* Tripwire::watch_for(std::size_t pass, const gpu::Texture& targe
     return place(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
 }
 
-// The codes of the blocks reach only so many frames.
+// Restarts the codes of the blocks, which are limited to `most_frames` frames.
 void Tripwire::begin(std::int64_t frame) {
     if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > most_frames)) {
         const auto found = take(true);
@@ -250,7 +250,7 @@ std::optional<Trip> Tripwire::first_in(std::size_t pass, const Watch& watch,
                 *m_first_frame + most_frames - code / block_texels};
 }
 
-// Whether any look that has its answer found something.
+// Whether a check with an available result found something.
 bool Tripwire::take_answers(bool waits) {
     bool is_any = false;
     const auto take_from = [&](Looks& looks) {
@@ -266,7 +266,7 @@ bool Tripwire::take_answers(bool waits) {
     return is_any;
 }
 
-// Reading where it was waits for the GPU; it is seldom.
+// Reading the position waits for the GPU, but findings are rare.
 std::optional<Trip> Tripwire::take(bool waits) {
     const bool is_any = take_answers(waits) || (waits && m_first_frame);
     std::optional<Trip> first = std::exchange(m_found, std::nullopt);

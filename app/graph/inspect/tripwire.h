@@ -13,33 +13,33 @@
 #include <span>
 #include <vector>
 
-/// Where a number that is not finite was drawn first.
+/// The first NaN or infinity that was drawn.
 struct Trip {
     std::size_t pass = 0;
-    int x = 0;  // px from the left and from the top
+    int x = 0;  // px from the left and the top
     int y = 0;
     std::int64_t frame = 0;
 
     bool operator==(const Trip&) const = default;
 };
 
-/// What a Tripwire draws with.
+/// The programs of a Tripwire.
 struct TripwirePrograms {
     std::shared_ptr<const gpu::Program> finder;
     std::shared_ptr<const gpu::Program> mender;
 };
 
-/// They end in `home`.
+/// The programs are destroyed in `home`.
 Result<std::shared_ptr<const TripwirePrograms>> build_tripwire(
     const std::shared_ptr<gpu::Context>& home = nullptr);
 
-/// Looks at what passes have drawn for numbers that are not finite, and may put finite ones in
-/// their place before anybody reads them. One draw a target, the targets of a frame together into
-/// one picture, and nobody waits for the GPU: what was found is known some frames later.
+/// Detects NaN and infinity in the outputs of passes, and can replace them with finite numbers
+/// before they are read. Each target takes one draw, and all targets of a frame share one picture.
+/// Nothing waits for the GPU: results are available some frames later.
 class Tripwire {
 public:
-    /// How numbers are put right: each texel where it is, or by way of a second picture, which
-    /// every driver can.
+    /// How numbers are replaced: each texel in place, or through a second picture, which all
+    /// drivers support.
     enum class Mending { in_place, there_and_back };
     static Mending best_mending();
 
@@ -47,29 +47,29 @@ public:
                       Mending mending = best_mending())
         : m_programs(std::move(programs)), m_mending(mending) {}
 
-    /// What a pass has drawn.
+    /// The output of a pass.
     struct Drawn {
         std::size_t pass = 0;
         const gpu::Canvas* target = nullptr;
     };
-    /// To be called within a DrawScope, while the targets hold what is to be looked at. Frames
-    /// count up.
+    /// Checks targets. Call in a DrawScope while the targets hold the contents to check. Frame
+    /// numbers must increase.
     void look_at(std::span<const Drawn> all, std::int64_t frame);
-    /// Right after the pass: what is no number becomes 0, and an infinity the format's largest
-    /// number.
+    /// Call directly after the pass. If the check finds something, NaN becomes 0 and infinities
+    /// become the largest number of the format.
     void look_and_mend(const Drawn& drawn, std::int64_t frame);
-    /// Looks only if the last look_and_mend() at `cause` found something: the GPU sees to it.
+    /// Checks only if the last look_and_mend() of `cause` found something. The GPU decides this.
     void look_behind(std::size_t cause, std::size_t pass, const gpu::Canvas& target,
                      std::int64_t frame);
-    /// Puts finite numbers in the place of others, without looking where.
+    /// Replaces such numbers without a check.
     void mend(const gpu::Canvas& target);
 
-    /// The first that was found since last asked: of the earliest frame, in its first pass. With
-    /// `waits` also what the GPU is still at.
+    /// The first finding since the last call: of the earliest frame, in its first pass. With
+    /// `waits` it waits for pending checks.
     std::optional<Trip> take(bool waits = false);
-    /// Whether the GPU is still at something that was looked at.
+    /// Whether checks are pending on the GPU.
     bool is_waiting() const;
-    /// Forgets what was found.
+    /// Discards the findings.
     void clear();
 
 private:
@@ -77,18 +77,18 @@ private:
         gpu::PixelQuery query;
         bool is_open = false;
     };
-    /// The latest looks, whose answers may be under way.
+    /// The latest checks, whose results may be pending.
     struct Looks {
         std::array<Look, 4> looks = {};
         std::size_t latest = 0;
 
         Look& open_next();
     };
-    /// What is known of passes, a number a block of texels: see the shader. Each pass has a
-    /// rectangle of one, side by side on shelves.
+    /// Findings of passes, one number per block of texels: see the shader. Each pass has a
+    /// rectangle. Rectangles are packed next to each other on shelves.
     struct Sheet {
         gpu::Canvas blocks;
-        int x = 0;  // where the next one has room
+        int x = 0;  // position of the next rectangle
         int y = 0;
         int shelf_height = 0;
 
@@ -118,7 +118,7 @@ private:
     gpu::Samplers m_samplers;
     std::map<std::size_t, Watch> m_watches;
     std::vector<Sheet> m_sheets;
-    Looks m_gathered;                           // at several passes at once
-    std::optional<std::int64_t> m_first_frame;  // that the blocks count from
-    std::optional<Trip> m_found;                // before they began to count anew
+    Looks m_gathered;                           // checks of several passes at once
+    std::optional<std::int64_t> m_first_frame;  // first frame of the codes
+    std::optional<Trip> m_found;                // from before the codes restarted
 };

@@ -20,8 +20,8 @@ void main() {
 }
 )";
 
-// Between this and the end the stage is told what is asked, and reads the target: `shown`,
-// `rgba_at(texel)` and what texel_text.h gives.
+// Between this and view_end come the options and the functions that read the target: `shown`,
+// `rgba_at(texel)` and those of texel_text.h.
 constexpr const char* view_start = R"(#version 410 core
 in vec2 place;
 out vec4 color;
@@ -39,8 +39,7 @@ uniform bool is_false_color;
 uniform bool is_over_checker;
 )";
 
-// Most views ask for nothing. What is constant costs nothing, also where a driver goes through
-// every branch.
+// Most views use no options. Constants cost nothing, even if a driver executes every branch.
 std::string nothing(bool is_encoded) {
     return fmt::format(R"(
 const vec2 levels = vec2(0.0, 1.0);
@@ -160,7 +159,7 @@ void main() {
 }
 )";
 
-// Whole numbers cannot be filtered.
+// Integers cannot be filtered.
 std::string reading_text(SampleKind kind) {
     constexpr const char* smooth = R"(
 vec4 rgba_at(vec2 texel) { return texture(shown, texel / vec2(textureSize(shown, 0))); }
@@ -231,11 +230,11 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
                                        is_all ? whole.height : options.height};
     const std::array<double, 2> density{region[2] / view.width, region[3] / view.height};
     const bool is_minified = density[0] > 1.0 || density[1] > 1.0;
-    // An sRGB texture is decoded as it is read.
+    // GL decodes an sRGB texture when it is read.
     const bool is_encoded =
         options.encoding == Encoding::display && from.format() != Format::srgb8_alpha8;
 
-    // A lone channel lies in red; alone in a picture it is grey.
+    // A single channel is stored in red and displayed as grey.
     const bool is_lone =
         options.channels == ChannelChoice::rgb && facts_of(from.format()).channels == 1;
     const ChannelChoice channels = is_lone ? ChannelChoice::red : options.channels;

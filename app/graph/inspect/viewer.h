@@ -14,61 +14,63 @@
 
 enum class ChannelChoice { rgb, red, green, blue, alpha, luminance };
 
-/// How a target is shown to a person.
+/// How a target is displayed.
 struct ViewOptions {
-    Levels levels = {};         // stored numbers that are shown as black and as white
-    double exposure_stops = 0;  // light is multiplied by two to this power, after the levels
+    Levels levels = {};         // stored numbers that are displayed as black and white
+    double exposure_stops = 0;  // light is multiplied by 2^this, after the levels
     ChannelChoice channels = ChannelChoice::rgb;
     Encoding encoding =
-        Encoding::linear;  // of the texels; linear ones are sRGB-encoded for the display
-    // Marks stand in the place of colours and the rest is grey. One shows wherever a texel under
-    // it is so, in the channels that are shown.
-    bool marks_flaws = false;         // NaN red, infinite green, negative blue
-    bool marks_clipping = false;      // at or above white yellow; all at or below black: dark cyan
-    bool is_false_color = false;      // from black to white by false_color()
-    bool is_over_checker = false;     // colours that are not marked: alpha is transparency
-    Filter filter = Filter::nearest;  // where texels are magnified; smaller views are averaged
-    // The part that is shown, in texels of the largest level from the bottom left; outside of it
-    // the view is transparent black. Without a width all is shown.
+        Encoding::linear;  // of the texels; linear ones are sRGB-encoded for display
+    // Marks replace colours, and the rest is grey. A pixel is marked if any texel under it
+    // qualifies, in the displayed channels.
+    bool marks_flaws = false;         // red: NaN; green: infinity; blue: negative
+    bool marks_clipping = false;      // yellow: at or above white; dark cyan: all at or below black
+    bool is_false_color = false;      // black to white mapped by false_color()
+    bool is_over_checker = false;     // unmarked colours: alpha is transparency
+    Filter filter = Filter::nearest;  // for magnified texels; minified ones are averaged
+    // The displayed region, in texels of the largest level from the bottom left. Outside the
+    // texture the view is transparent black. Width 0: the whole texture.
     double left = 0;
     double bottom = 0;
     double width = 0;
     double height = 0;
-    // Columns of the view that are drawn, the others stay; none: all are.
+    // Columns of the view to draw; the others keep their content. nullopt: all.
     std::optional<std::array<int, 2>> columns = std::nullopt;  // first, end
 };
 
-/// The ramp of false colours at 0..1, display-encoded: from black over blue, green and pink to
-/// white, ever brighter. Cubehelix: D. A. Green, "A colour scheme for the display of astronomical
-/// intensity images", Bull. Astr. Soc. India 39 (2011), with its start 0.5, rotations -1.5, hue 1.
+/// The false colour at 0..1, display-encoded: from black through blue, green and pink to white,
+/// with increasing brightness. Cubehelix: D. A. Green, "A colour scheme for the display of
+/// astronomical intensity images", Bull. Astr. Soc. India 39 (2011), with start 0.5, rotations
+/// -1.5, hue 1.
 std::array<double, 3> false_color(double place);
 
-/// What viewers draw with.
+/// The programs of a Viewer.
 struct ViewerPrograms {
     static Result<ViewerPrograms> make();
 
-    gpu::Program encoded;  // floats as they are, where nothing is asked; of display values
-    gpu::Program light;    // the same of light
-    SamplePrograms all;    // whatever is asked
+    gpu::Program encoded;  // float formats without options; display-encoded
+    gpu::Program light;    // the same; linear light
+    SamplePrograms all;    // with any options
 };
 
-/// Draws targets as a person looks into them: thumbnails, and views with levels, exposure, channels
-/// and zoom. Numbers that are not finite show as magenta where flaws are not marked.
+/// Displays targets: thumbnails, and views with levels, exposure, channels and zoom. Numbers that
+/// are not finite are magenta unless flaws are marked.
 class Viewer {
 public:
-    /// With programs of its own.
+    /// Builds its own programs.
     static Result<Viewer> make();
     explicit Viewer(std::shared_ptr<const ViewerPrograms> programs)
         : m_programs(std::move(programs)) {}
 
-    /// Into the whole of `to`, a canvas of 8 bits a channel with opaque alpha inside the picture.
+    /// Draws into all of `to`, a canvas with 8 bits per channel. Alpha is opaque inside the
+    /// picture.
     void draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOptions& options = {});
 
 private:
     const gpu::Program* program_for(Format format, const ViewOptions& options,
                                     bool is_encoded) const;
 
-    std::shared_ptr<const ViewerPrograms> m_programs;  // of who looks in the same context
+    std::shared_ptr<const ViewerPrograms> m_programs;  // shared within a context
     gpu::VertexArray m_vertices;
     gpu::Samplers m_samplers;
 };

@@ -40,7 +40,7 @@ void main() {
 }
 )";
 
-// The samplers read the units from 0 on.
+// The samplers get the units from 0 on.
 Result<gpu::Program> build(const std::string& text, std::initializer_list<const char*> samplers) {
     auto program = build_measuring_program(text);
     int unit = 0;

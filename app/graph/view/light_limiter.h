@@ -10,9 +10,9 @@
 #include <array>
 #include <optional>
 
-/// Shows a picture whose large parts change their light no faster than is comfortable. Each cell of
-/// LightCells has a light that follows the picture's at a limited rate; a part that is brighter
-/// than that is dimmed, a darker one gets a veil of light. What is small or still stays as it is.
+/// Limits how fast large parts of a displayed picture change their light. The light of each cell of
+/// LightCells follows the picture at a limited rate. Brighter parts are dimmed to it, and darker
+/// ones are lightened. Small or static parts stay unchanged.
 class LightLimiter {
 public:
     static Result<LightLimiter> make();
@@ -21,11 +21,11 @@ public:
         const gpu::Texture& picture;
         Encoding encoding;
         const gpu::Texture& cells;  // of this picture
-        Light most;                 // that a cell's light may change now, 0..1
+        Light most;                 // maximum change of a cell's light now, 0..1
     };
-    /// The picture as it may be shown, in its own encoding, size and format; null without memory.
+    /// The limited picture in its own encoding, size and format; null without memory.
     const gpu::Texture* limit(const Asked& asked);
-    /// The next picture is shown as it is.
+    /// The next picture is displayed unchanged.
     void start_again() { m_is_new = true; }
 
 private:

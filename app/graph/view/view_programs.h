@@ -6,9 +6,8 @@
 
 #include <memory>
 
-/// What the pictures of a look's passes are looked at with, by all who do so in one context: for
-/// the screen, for their numbers, for their flashes, and turned over where their top row comes
-/// first.
+/// The programs for viewing pictures of passes, shared within a context: display, statistics,
+/// flashes, and flipping of pictures whose top row comes first.
 struct ViewPrograms {
     static Result<ViewPrograms> make();
 
@@ -18,7 +17,7 @@ struct ViewPrograms {
     PassThroughPrograms pass_through;
 };
 
-/// One part of them, which keeps them all.
+/// One part of the programs. It shares ownership of all.
 template <class Part>
 std::shared_ptr<const Part> part_of(const std::shared_ptr<const ViewPrograms>& programs,
                                     Part ViewPrograms::*part) {

@@ -14,8 +14,9 @@ bool is_known(const PassProgram& program, const Programs* known) {
            });
 }
 
-// Making room for large targets takes longer than to draw a band of them. Code that Mesa's llvmpipe
-// made with a few pixels did not always serve more of them; that of a quarter did (22.3).
+// Allocating large targets takes longer than drawing a band of them. Code that Mesa's llvmpipe
+// (22.3) compiled for a few pixels was not always reused for more pixels. Code for a quarter of the
+// size was.
 PictureSizes sizes_for(const FirstDrawsOf& of) {
     const bool reads_source = of.look.driven_by == Driver::picture;
     if (of.size == FirstDrawsOf::Size::own)
@@ -79,7 +80,7 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     if (make_ready(of))
         return;
     m_executor.reset();
-    m_new.clear();  // the look itself will say so
+    m_new.clear();  // loading the look reports the error
 }
 
 bool FirstDraws::make_ready(const FirstDrawsOf& of) {
@@ -104,7 +105,7 @@ const std::string& FirstDraws::next_pass() const {
 void FirstDraws::draw_next() {
     assert(!is_done());
     const Beam beam{{-0.25f, 0.0f, 1.0f, 0.0f}, {0.25f, 0.0f, 1.0f, 0.0f}};
-    // A band of it will do, and a heavy one keeps nobody else from the GPU for long.
+    // One band is enough, and does not block the GPU for long if the pass is slow.
     m_executor->rehearse(first_frame(beam), m_new[m_done++]);
     gpu::finish();
 }
@@ -118,7 +119,7 @@ void FirstDraws::draw_all(PassProgress& progress) {
 std::unique_ptr<Executor> FirstDraws::take_executor() {
     if (m_executor) {
         m_executor->clear_history();
-        static_cast<void>(m_executor->set_guard(Executor::Guard::off));  // which cannot fail
+        static_cast<void>(m_executor->set_guard(Executor::Guard::off));  // cannot fail
     }
     return std::move(m_executor);
 }

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace {
-constexpr Extent view_extent{24, 24};  // smaller than what is looked at
+constexpr Extent view_extent{24, 24};  // smaller than the warm-up pictures
 
 int small_side(bool has_power_of_two) {
     return has_power_of_two ? 64 : 96;
@@ -42,7 +42,7 @@ void FirstViews::expect(const Kind& kind) {
             m_owed.push_back({kind, way});
 }
 
-// Where there is no memory, those who look later will say so.
+// Without memory, later views report the error.
 const gpu::Texture* FirstViews::picture_of(const Kind& kind) {
     if (m_seen && m_seen->kind == kind)
         return &m_seen->canvas.texture();

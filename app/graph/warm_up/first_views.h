@@ -14,29 +14,29 @@
 #include <set>
 #include <tuple>
 
-/// The programs that pictures of passes are looked at with in one context, and what they have been
-/// drawn with there: each kind of picture once before somebody waits for it, at a small texture, in
-/// the ways that a window looks: large and small, its numbers, its flashes. A driver makes its code
-/// for a kind when a context first meets it. Belongs to the context that it is made in.
+/// Warms up the programs that display passes in one context. Each kind of picture is drawn once
+/// from a small texture in all ways that the window uses: minified, magnified, statistics, flashes.
+/// A driver compiles for a kind of picture at its first draw in a context. Belongs to the context
+/// that it is created in.
 class FirstViews {
 public:
-    /// `programs` may come from another context that shares with it.
+    /// `programs` may come from another context that shares with the current one.
     explicit FirstViews(std::shared_ptr<const ViewPrograms> programs);
 
     const std::shared_ptr<const ViewPrograms>& programs() const { return m_programs; }
-    /// What these passes draw is to be met, but for what was met before.
+    /// Schedules the kinds of pictures that these passes draw and that were not scheduled before.
     void expect(const Look& look, const Plan& plan);
     std::size_t owed() const { return m_owed.size(); }
-    /// Meets one of what is owed, in one way, and waits for it.
+    /// Draws one scheduled kind in one way and waits for it.
     void draw_next();
 
 private:
-    /// What drivers tell apart.
+    /// The properties for which drivers compile separately.
     struct Kind {
         Format format;
         Encoding encoding;
         bool is_mipmapped;
-        std::array<bool, 2> has_power_of_two;  // across, up
+        std::array<bool, 2> has_power_of_two;  // width, height
         bool has_alpha;
 
         auto tie() const {

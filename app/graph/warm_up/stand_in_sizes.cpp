@@ -6,7 +6,7 @@
 #include <algorithm>
 
 namespace {
-// Whether drivers tell no target of the one plan from that of the other.
+// Whether drivers treat the targets of both plans alike.
 bool are_alike(const Plan& one, const Plan& other) {
     return std::ranges::equal(
         one.targets, other.targets, [](const PlannedTarget& a, const PlannedTarget& b) {
@@ -15,8 +15,8 @@ bool are_alike(const Plan& one, const Plan& other) {
         });
 }
 
-// The first sizes from `about` on, up to `most` texels larger, with which drivers see no other
-// kinds of targets than with `whole`.
+// The first sizes from `about` on, up to `most` texels larger, whose kinds of targets are those of
+// `whole`.
 std::optional<PictureSizes> alike(const Look& look, const PictureSizes& whole,
                                   const PictureSizes& about, int most) {
     const auto wanted = plan_targets(look, whole.viewport, whole.source, {});

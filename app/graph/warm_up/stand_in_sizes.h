@@ -5,15 +5,15 @@
 
 #include <optional>
 
-/// What the sizes of a look's targets follow from, px.
+/// The sizes that a look's targets depend on, px.
 struct PictureSizes {
     Extent viewport;
     Extent source;
 };
 
-/// Small sizes with which drivers see the same kinds of targets as with `whole`: sides that are
-/// powers of two, and sides that are not, of the same passes. Where there are none near, of the
-/// viewport at least.
+/// Small sizes for which drivers see the same kinds of targets as for `whole`: the same sides of
+/// the same passes are powers of two. If none are near, this holds only for the viewport.
 PictureSizes small_like(const Look& look, const PictureSizes& whole);
-/// The same of about a quarter; none: there is none near, or it would be a few pixels.
+/// The same for about a quarter of the size; nullopt: none is near, or a side would be below 128
+/// px.
 std::optional<PictureSizes> quarter_like(const Look& look, const PictureSizes& whole);

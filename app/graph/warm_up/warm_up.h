@@ -5,25 +5,25 @@
 #include "gpu/objects/vertex_array.h"
 #include "graph/warm_up/first_draws.h"
 
-/// Makes programs ready on a helper thread whose context shares with the drawing one.
+/// Warms up programs on a worker thread whose context shares with the drawing context.
 ///
-/// A context of Mesa's keeps what it drew with last. If the drawing context deletes that program,
-/// it is freed here when the next one is drawn with, and this takes from the drawing context, at
-/// its next flush, the stages that it has bound; what it then draws with the same program ends in
-/// the driver (seen with 22.3). So here the first and the last draws are with programs of our own.
+/// A Mesa context (22.3) keeps the program that it drew with last. If the drawing context deletes
+/// that program, the worker's next draw frees it. At its next flush, the drawing context then loses
+/// its bound stages. Its next draw with the same program crashes in the driver. Therefore the first
+/// and last draws here use two programs of our own.
 class WarmUp {
 public:
-    /// On the helper thread, in whose context it also ends.
+    /// On the worker thread, whose context must be current when it is destroyed.
     static Result<WarmUp> make();
 
-    /// All first draws, unless they are cancelled.
+    /// Draws all first draws unless cancelled.
     void draw(const FirstDrawsOf& of, PassProgress& progress) const;
 
 private:
     WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas);
     void draw_with(const PassProgram& program) const;
 
-    PassProgram m_first;  // two, or a flush between could take the stages of the only one
+    PassProgram m_first;  // two: a flush in between could drop the stages of a single one
     PassProgram m_last;
     gpu::Canvas m_canvas;
     gpu::VertexArray m_vertices;
