@@ -59,7 +59,7 @@ void ComparedPictures::stop() {
     m_other = nullptr;
 }
 
-// Of our size the reference's numbers stay as they are in the file.
+// A reference of the picture's size keeps the numbers of its file.
 const gpu::Texture* ComparedPictures::reference(const Subject& subject) {
     const auto& picture = subject.reference;
     if (!picture)
@@ -109,7 +109,7 @@ void ComparedPictures::match_brightness(const Pair& pair, double seconds) {
 }
 
 void ComparedPictures::tell_apart(const Pair& pair, const Comparison& comparison, double seconds) {
-    constexpr double tolerance = 1.0 / 255.0;  // as `afterglow compare` has it
+    constexpr double tolerance = 1.0 / 255.0;  // as in `afterglow compare`
     if (const auto measured = m_distance_meter.take(); measured && measured->distances)
         m_distances = measured->distances;
     if (!m_distance_meter.is_busy())
@@ -122,7 +122,7 @@ void ComparedPictures::tell_apart(const Pair& pair, const Comparison& comparison
 void ComparedPictures::update(const Subject& subject, const Comparison& comparison,
                               double seconds) {
     if (std::exchange(m_compared_with, comparison.other) != comparison.other)
-        forget_numbers();  // those were another's
+        forget_numbers();  // they belong to the previous reference
     m_has_difference = false;
     m_other = sized_other(subject);
     if (!m_other || !are_comparable(subject.ours, *m_other)) {

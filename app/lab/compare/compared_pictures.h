@@ -7,9 +7,9 @@
 #include <memory>
 #include <optional>
 
-/// The other picture of a comparison as it is shown: fitted to ours, as bright as ours where that
-/// is asked for, and how far the two are apart. Measured at most five times a second, and where
-/// that is slow for less than a tenth of the time; nobody waits for the answer.
+/// The reference of a comparison as displayed: fitted to the picture, with equal brightness if
+/// requested, and the difference of both. Measured at most five times a second, and for less than a
+/// tenth of the time if that is slow. Nothing waits for the results.
 class ComparedPictures {
 public:
     static Result<ComparedPictures> make();
@@ -17,24 +17,24 @@ public:
     struct Subject {
         const gpu::Texture& ours;
         const gpu::Texture* other = nullptr;       // null: the reference
-        std::shared_ptr<const Picture> reference;  // where there is no other
+        std::shared_ptr<const Picture> reference;  // if `other` is null
         Encoding encoding = Encoding::display;     // of ours and the other
     };
-    /// To be called every turn in which something is compared.
+    /// Call in every update during a comparison.
     void update(const Subject& subject, const Comparison& comparison, double seconds);
-    /// Nobody compares any more.
+    /// Ends the comparison.
     void stop();
 
-    /// As it is to be seen beside ours; null: there is none. Good until the next update.
+    /// The reference to display; null: none. Valid until the next update.
     const gpu::Texture* other() const { return m_other; }
-    /// How far the two are apart, number by number; null where that is not asked for, or where they
-    /// cannot be told apart.
+    /// The difference, number by number; null if it is not requested, or if the formats are not
+    /// comparable.
     const gpu::Texture* difference() const {
         return m_has_difference ? &m_difference->texture() : nullptr;
     }
-    /// None until they have come.
+    /// nullopt until available.
     const std::optional<Distances>& distances() const { return m_distances; }
-    /// By which the other picture's light is multiplied.
+    /// The exposure of the reference in stops.
     const std::optional<double>& stops() const { return m_stops; }
 
 private:
@@ -45,9 +45,9 @@ private:
     void match_brightness(const Pair& pair, double seconds);
     void tell_apart(const Pair& pair, const Comparison& comparison, double seconds);
 
-    // When something is to be measured anew.
+    // The time of the next measurement.
     struct Pace {
-        std::optional<double> due;  // s; none: at once
+        std::optional<double> due;  // s; nullopt: immediately
         bool is_due(double seconds) const { return !due || seconds >= *due; }
         template <class Act>
         void run(double seconds, Act act);
@@ -59,7 +59,7 @@ private:
     std::shared_ptr<const Picture> m_uploaded;
     std::optional<gpu::Texture> m_reference;
     std::optional<gpu::Canvas> m_fitted;
-    std::shared_ptr<const Picture> m_fitted_from;  // null: what is in m_fitted moves
+    std::shared_ptr<const Picture> m_fitted_from;  // null: m_fitted holds a picture that is redrawn
     std::optional<gpu::Canvas> m_matched;
     std::optional<gpu::Canvas> m_difference;
     bool m_has_difference = false;

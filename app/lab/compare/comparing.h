@@ -7,23 +7,23 @@
 #include <string>
 #include <vector>
 
-/// What a person compares the present picture with: their choice, the slots of every look, and the
-/// picture from a file.
+/// The user's comparison: the chosen reference, the slots of all looks, and the picture from a
+/// file.
 class Comparing {
 public:
     const Comparison& chosen() const { return m_chosen; }
     void choose(Comparison comparison) { m_chosen = std::move(comparison); }
 
-    /// Shows the other picture in the place of ours for as long as this lasts.
+    /// Shows the reference instead of the picture while this is on.
     void flash(bool is_flashing);
     bool is_flashing() const { return m_is_flashing; }
-    /// Whether the other picture is to be at hand: also for a while after a flash, so that the next
-    /// one is there at once.
+    /// Whether the reference must be ready: also for a while after a flash, so that the next one is
+    /// shown immediately.
     bool is_wanted() const {
         return m_chosen.mode != CompareMode::off || m_is_flashing || m_seconds_at_hand > 0.0;
     }
     void pass_time(double seconds);
-    /// Nothing is compared any more.
+    /// Ends the comparison.
     void end();
 
     const LookSlots& all_slots() const { return m_slots; }
@@ -34,12 +34,12 @@ public:
     ReferencePicture& reference() { return m_reference; }
     const ReferencePicture& reference() const { return m_reference; }
 
-    /// The values that are compared with: none for a picture from a file, for an empty slot, and
-    /// for a look without a switch `as_written`.
+    /// The values of the reference. nullopt for a picture from a file, for an empty slot, and for a
+    /// look without a switch `as_written`.
     std::optional<Variant> variant(const Other& other, const Look& look,
                                    const Values& values) const;
-    /// What there is to compare with: what was chosen, else the article's picture, else the first
-    /// slot that is not empty.
+    /// The available reference: the chosen one, otherwise the article's picture, otherwise the
+    /// first slot that is not empty. nullopt: none.
     std::optional<Other> nearest_other(const Look& look, const Values& values) const;
 
 private:
@@ -52,6 +52,5 @@ private:
     ReferencePicture m_reference;
 };
 
-/// How large one of the pictures is that share a view of that size: all of it, or a half beside a
-/// line.
+/// The size of each picture in a view of this size: the whole view, or a half next to a line.
 Extent room_of_one(Extent view, CompareMode mode);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-/// How the two pictures of a comparison are called, and which of them is on the left.
+/// The names of the two pictures of a comparison, and which one is on the left.
 struct Sides {
     std::string other;
     std::string present;
@@ -17,7 +17,7 @@ struct Sides {
     const std::string& right_name() const { return is_other_left ? present : other; }
 };
 
-/// Other values for the open look, to be seen beside the present ones.
+/// Other values for the open look, for comparison with the current ones.
 struct Variant {
     Values values;
     Sides sides;
@@ -25,11 +25,11 @@ struct Variant {
     bool operator==(const Variant&) const = default;
 };
 
-/// The article's own picture beside ours, or ours beside the article's: every switch `as_written`
-/// of the look, or of the looks of a stack, is turned. The article's is always on the left. None
-/// for a look without such a switch.
+/// Compares the picture with the article's, or the article's with the corrected one. All switches
+/// `as_written` of the look, or of the looks of a stack, get the opposite value. The article's
+/// picture is always on the left. nullopt for a look without such a switch.
 std::optional<Variant> article_variant(const Look& look, const Values& values);
 
-/// A slot's values, as the look takes them now.
+/// The values of a slot, converted for the current look.
 Values values_of(const Slot& slot, const Look& look);
 Variant slot_variant(const Look& look, const Slot& slot, std::size_t number);

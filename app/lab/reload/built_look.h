@@ -34,9 +34,8 @@ struct SpecializationRequest {
     ImageTextures images;
 };
 
-/// What is built, in the order of priority: a look that is read; the open look with other constants
-/// in its texts, for the picture or for the variant that it is compared with; the open look with
-/// static values as constants.
+/// Kinds of jobs, in order of priority: a look is read; the open look gets other constants in its
+/// texts, for the picture or its variant; the open look is specialised.
 enum class JobKind { look, constants, variant_constants, specialization };
 constexpr std::size_t job_kinds = 4;
 

@@ -14,7 +14,7 @@
 #include <mutex>
 #include <optional>
 
-/// What the worker thread builds.
+/// A job of the worker thread.
 struct Job {
     JobKind kind = JobKind::look;
     OpenRequest request = {};
@@ -22,7 +22,7 @@ struct Job {
     bool is_opening = false;  // no programs of the open look are reused
     SeenPasses seen = {};
     std::shared_ptr<PassProgress> progress = std::make_shared<PassProgress>();
-    std::shared_ptr<const Programs> shown = {};  // that the open look draws with; null: is_opening
+    std::shared_ptr<const Programs> shown = {};  // of the open look; null: is_opening
     std::shared_ptr<gpu::Context> context = {};  // that draws the look
     // While opening: the context that will draw the look, and its owner; null: none is available.
     std::shared_future<std::shared_ptr<LookContext>> coming_context = {};

@@ -34,7 +34,7 @@ Result<FirstViews*> LookContext::views() {
 
 LookContexts::~LookContexts() {
     for (const auto& context : m_all)
-        const gpu::ContextScope scope(&context->context());  // what is buried there ends there
+        const gpu::ContextScope scope(&context->context());  // destroys its buried objects
 }
 
 std::shared_ptr<LookContext> LookContexts::acquire() {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-/// A context that looks draw in, one after the other, and what they are looked at with there.
+/// A context that looks draw in, one after the other, with the programs that display them there.
 class LookContext {
 public:
     explicit LookContext(std::unique_ptr<gpu::Context> context) : m_context(std::move(context)) {}
@@ -17,10 +17,10 @@ public:
     ~LookContext();
 
     gpu::Context& context() const { return *m_context; }
-    /// Makes the programs that views() waits for, unless they are there, in a context that shares
-    /// with its own: who reads a look meanwhile works in that one.
+    /// Builds the programs that views() waits for, once. Runs in a context that shares with this
+    /// one, because the worker thread uses this one to read a look meanwhile.
     void have_programs();
-    /// While its context is current.
+    /// Call while its context is current.
     Result<FirstViews*> views();
 
 private:
@@ -33,21 +33,21 @@ private:
     std::optional<FirstViews> m_views;
 };
 
-/// Contexts that looks draw in. A driver makes a program's code for the context that first draws
-/// with it, perhaps for a long time; so a look that is opened draws first in a context of its own,
-/// on another thread, and then goes on drawing in it on the window's.
+/// The contexts that looks draw in. A driver compiles a program for the context that first draws
+/// with it, which may take long. A look that is opened therefore first draws in its own context on
+/// the worker thread. It then continues to draw in it on the window's thread.
 class LookContexts {
 public:
-    /// All share with `screen`, which stays longer.
+    /// All share with `screen`, which must outlive them.
     explicit LookContexts(const gpu::Context& screen) : m_screen(screen) {}
     ~LookContexts();
     LookContexts(const LookContexts&) = delete;
     LookContexts& operator=(const LookContexts&) = delete;
 
-    /// On the thread of `screen`, whose turn it then is to have_programs(): one that is nobody's,
-    /// until it is given back by its last owner, on any thread. Null where the driver gives none.
+    /// An unused context, which its last owner releases on any thread. Null if the driver cannot
+    /// create one. Call on the thread of `screen`, then call have_programs() there.
     std::shared_ptr<LookContext> acquire();
-    /// The next acquire() finds one with programs; making it may take a driver a while.
+    /// Prepares a context with programs for the next acquire(), as creating it can take a while.
     void have_spare();
 
 private:

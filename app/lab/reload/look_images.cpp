@@ -38,7 +38,7 @@ Result<ImageTextures> LookImages::load(const Look& look, Diagnostics& warnings) 
             now.texture = std::move(*texture);
         }
         images[image.name] = now.texture;
-        if (!image.file.empty())  // else it is made, and read from no file
+        if (!image.file.empty())  // otherwise it is generated
             read.insert_or_assign(image.file, std::move(now));
     }
     m_read = std::move(read);

@@ -151,7 +151,7 @@ void LookLoader::take_built() {
 }
 
 std::optional<BuiltLook> LookLoader::update(const Beside& beside, double wall_seconds) {
-    constexpr double longest_update = 0.1;  // an idle time before it is no reading
+    constexpr double longest_update = 0.1;  // idle time before an update does not count
     m_reading_seconds =
         is_reading() ? m_reading_seconds + std::min(wall_seconds, longest_update) : 0.0;
     if (std::string problem = m_files.take_problem(); !problem.empty())
@@ -170,7 +170,7 @@ std::optional<BuiltLook> LookLoader::update(const Beside& beside, double wall_se
     return built;
 }
 
-// Whether it is to be drawn.
+// Whether the look is to be drawn.
 bool LookLoader::accept(const BuiltLook& built) {
     const bool is_built = built.look && built.programs;
     if (built.kind == JobKind::variant_constants) {

@@ -22,8 +22,8 @@ public:
     LookLoader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                const Roots& roots, Messages& messages);
 
-    /// Opens another look or preset, and calls `then` when it has opened. What is being opened is
-    /// cancelled.
+    /// Opens another look or preset, and calls `then` when it has opened. Cancels a look that is
+    /// being opened.
     void open(const OpenRequest& request, std::function<void()> then = {});
     /// Keeps the open look instead of the one that is being opened.
     void cancel();
@@ -42,7 +42,7 @@ public:
         std::string look;
         PassProgress::State progress;
     };
-    /// A look that takes a while to open; nullopt: there is none.
+    /// A look that takes a while to open; nullopt: none.
     std::optional<Opening> opening() const;
     bool is_opening_preset(const std::filesystem::path& file) const;
     /// Whether a look is read, or constants of the open one are built.
@@ -54,11 +54,11 @@ public:
         Extent picture;              // px
         bool is_amid_frame = false;  // constants wait, which would drop the unfinished frame
     };
-    /// Warms up what was built. Returns what is ready to be drawn: it has look and programs. Shows
-    /// the problems of everything else.
+    /// Warms up a built look. Returns it when it can be drawn, with look and programs. Shows the
+    /// problems of looks that could not be built.
     std::optional<BuiltLook> update(const Beside& beside, double wall_seconds);
-    /// To be called once per update: whether nothing is loaded and the picture is whole. After a
-    /// few such updates the look counts as opened, and the worker prepares for edits.
+    /// Call once per update. `is_quiet`: nothing is loaded and the picture is complete. After a few
+    /// such updates the look counts as opened, and the worker prepares for edits.
     void note_update(bool is_quiet);
     /// Reads changed looks again. Returns the extra files that changed.
     std::vector<std::filesystem::path> take_changed_files();
@@ -70,7 +70,7 @@ public:
     BuildWorker& worker() { return m_worker; }
     WatchedFiles& files() { return m_files; }
     OpeningMark& mark() { return m_mark; }
-    /// Passes of looks to come whose own pictures are displayed.
+    /// The displayed passes of looks that will be opened.
     void set_displayed(SeenPasses passes) { m_displayed = std::move(passes); }
 
 private:

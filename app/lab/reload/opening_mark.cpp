@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::string_view header = "afterglow-opening 1";
-constexpr char separator = '\0';  // the one sign that no path holds
+constexpr char separator = '\0';  // the only character that paths cannot contain
 
 fs::path folder_of(const Roots& roots) {
     return roots.state / "opening";

@@ -11,11 +11,11 @@
 /// A look that was being opened or compiled when the program ended.
 struct UnfinishedOpening {
     std::string look;                           // its name
-    std::vector<std::filesystem::path> places;  // manifests or foreign files, of a stack several
+    std::vector<std::filesystem::path> places;  // manifests or foreign files; several for a stack
     std::filesystem::path edited = {};          // the file whose edit was compiled; "": none
-    bool is_reset = false;                      // the driver lost the context while it drew
+    bool is_reset = false;                      // the driver lost the context while drawing
 
-    /// The file to look into first.
+    /// The file to check first.
     std::filesystem::path file() const { return edited.empty() ? places.front() : edited; }
     /// Whether a look.json or foreign file is one of its places.
     bool has(const std::filesystem::path& manifest) const;
@@ -23,27 +23,27 @@ struct UnfinishedOpening {
     bool operator==(const UnfinishedOpening&) const = default;
 };
 
-/// A file in the state folder that names the look which compilers and driver are given. It stays
-/// behind where one of them ends the program. Locked while the program runs, so that another run
-/// does not take it for a crash.
+/// A file in the state folder with the name of the look that is being compiled. It stays if a
+/// compiler or the driver ends the program. It is locked while the program runs, so that another
+/// run does not take it for a crash.
 class OpeningMark {
 public:
     explicit OpeningMark(const Roots& roots);
-    /// Removes the file: all went well.
+    /// Removes the file, as the program ends normally.
     ~OpeningMark();
     OpeningMark(const OpeningMark&) = delete;
     OpeningMark& operator=(const OpeningMark&) = delete;
 
-    /// To be called before a look is compiled; `edited` is the file that changed, "" for none.
-    /// Forgets what runs before this one left behind. Where it cannot be written nothing is.
+    /// Call before a look is compiled. `edited` is the file that changed, or "". Removes the marks
+    /// of previous runs. If the file cannot be written, nothing is marked.
     void begin(const OpenRequest& request, const std::filesystem::path& edited);
-    /// The look has drawn, or was refused in words.
+    /// Call when the look has drawn or was refused with an error.
     void end();
-    /// The driver lost the context while it drew the look: the file stays.
+    /// Call when the driver lost the context while it drew the look. The file stays.
     void leave(const OpenRequest& request);
     bool is_set() const { return m_file.is_open(); }
-    /// To be called once per update: whether nothing is loaded and the picture is whole. After a
-    /// few such updates in a row the look counts as opened, as with end().
+    /// Call once per update. `is_quiet`: nothing is loaded and the picture is complete. After a few
+    /// such updates in a row the look counts as opened, as with end().
     void note_update(bool is_quiet);
 
 private:
@@ -55,5 +55,5 @@ private:
     int m_quiet_updates = 0;
 };
 
-/// What a run that is over left behind; none: nothing, or that run goes on.
+/// The mark of a run that crashed; nullopt: none, or that run has not ended.
 std::optional<UnfinishedOpening> find_unfinished_opening(const Roots& roots);

@@ -5,7 +5,7 @@
 void PendingLook::start_draws(const Look& look, const Programs& programs, const Beside& beside) {
     if (!has_new(programs, beside.shown))
         return;
-    const gpu::ContextScope scope(m_built.programs->home.get());  // it ends there, too
+    const gpu::ContextScope scope(m_built.programs->home.get());  // `idle` is destroyed there, too
     const auto idle = idle_program();
     if (!idle)
         return;  // the first frame is slower

@@ -33,6 +33,6 @@ private:
     BuiltLook m_built;
     PassProgress m_progress;
     bool m_has_started = false;
-    std::vector<std::unique_ptr<FirstDraws>> m_draws;  // the last one is under way
+    std::vector<std::unique_ptr<FirstDraws>> m_draws;  // the last one is in progress
     std::shared_ptr<FirstViews> m_views;               // draws of the views
 };

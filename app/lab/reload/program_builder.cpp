@@ -10,8 +10,8 @@
 namespace {
 constexpr auto cache_patience = std::chrono::milliseconds(500);
 
-// The first picture that the user chooses must not hold up the window. Readers of pictures report
-// it if the module cannot be loaded.
+// The first picture that the user chooses must not block the window. Readers of pictures report an
+// error if the module cannot be loaded.
 void load_picture_module() {
     static_cast<void>(picture_codec());
 }
@@ -57,8 +57,8 @@ void ProgramBuilder::build(Job& job, BuiltLook& built) {
         view_first(job, built);
 }
 
-// Constants that the user drags through are not stored between runs, and not warmed up: with a busy
-// GPU they would arrive late.
+// Constants change during a drag. They are not stored between runs, and not warmed up, because with
+// a busy GPU they would be late.
 Result<Programs> ProgramBuilder::link(const Job& job, BuiltLook& built) {
     fail_as_injected();
     const bool is_look = job.kind == JobKind::look;
@@ -96,7 +96,7 @@ std::optional<Programs> ProgramBuilder::known_programs(const Job& job, const Loo
     return job.shown ? std::optional(*job.shown) : std::nullopt;
 }
 
-// They are built once for all looks that draw in a context.
+// Built once for all looks that draw in a context.
 Result<void> ProgramBuilder::add_view_programs(const Job& job, Programs& programs) {
     if (!job.look_context) {
         auto made = ViewPrograms::make();
@@ -158,7 +158,7 @@ BuiltLook ProgramBuilder::build_specialized(const Job& job) {
     return built;
 }
 
-// In the context that will draw the look if no other thread draws there, else here.
+// Draws in the context that will draw the look if no other thread draws there, otherwise here.
 void ProgramBuilder::draw_first(const Job& job, const Programs* known, Programs& programs,
                                 BuiltLook& built) {
     built.is_warm = job.is_opening && job.context && programs.home == job.context;
@@ -168,7 +168,8 @@ void ProgramBuilder::draw_first(const Job& job, const Programs* known, Programs&
         draw_first_here(job, known, programs, *built.look, built.images);
 }
 
-// The executor goes on to draw the look: allocating its targets takes longer than the first draws.
+// The executor continues to draw the look, because allocating its targets takes longer than the
+// first draws.
 void ProgramBuilder::draw_first_in_look_context(const Job& job, Programs& programs,
                                                 BuiltLook& built) {
     const gpu::ContextScope scope(job.context.get());
@@ -187,7 +188,7 @@ void ProgramBuilder::draw_first_in_look_context(const Job& job, Programs& progra
     gpu::finish();
 }
 
-// The look's context is in use on another thread. The driver's own cache passes the result on.
+// The look's context is in use on another thread. It gets the result from the driver's cache.
 void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
                                      const Programs& programs, const Look& look,
                                      const ImageTextures& images) {
@@ -207,7 +208,8 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
     gpu::wait_for_driver_cache(cache_patience, *job.progress);
 }
 
-// Views of passes are drawn where the passes are. The first look of all is shown without.
+// Views are drawn in the context that draws the passes. The first look is displayed without this
+// warm-up.
 void ProgramBuilder::view_first(const Job& job, const BuiltLook& built) {
     if (!is_prepared() || !job.look_context || built.programs->home != job.context)
         return;

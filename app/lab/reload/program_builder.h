@@ -10,18 +10,18 @@
 #include <memory>
 #include <optional>
 
-/// Builds the programs of looks on the worker thread, and draws once with each: a driver finishes a
-/// program when it first draws, which would hold up the picture.
+/// Builds the programs of looks on the worker thread, and draws once with each. A driver finishes a
+/// program at its first draw, which would delay the picture.
 class ProgramBuilder {
 public:
-    /// `store` keeps the driver's binaries between runs; null: they are not kept.
+    /// `store` keeps the driver's binaries between runs; null: not stored.
     ProgramBuilder(WorkerContext& context, std::shared_ptr<ByteStore> store)
         : m_context(context), m_store(std::move(store)) {}
 
     /// The size of the picture that programs are warmed up for, px. On any thread.
     void set_picture(Extent picture) { m_picture = picture; }
     /// Adds images and programs to a look that was read. On failure the look is removed and its
-    /// problems say why.
+    /// problems contain the reason.
     void build(Job& job, BuiltLook& built);
     /// Builds specialised programs. Without programs in the result the driver refused them.
     BuiltLook build_specialized(const Job& job);
@@ -50,7 +50,7 @@ private:
     WorkerContext& m_context;
     std::shared_ptr<ByteStore> m_store;
     std::atomic<Extent> m_picture = Extent{1280, 720};
-    std::atomic<int> m_step = 0;  // of prepare() that are done
+    std::atomic<int> m_step = 0;  // completed steps of prepare()
     LookImages m_images;
     SettledTexts m_specialized_texts;
     std::optional<Programs> m_linked;  // that the next look may reuse

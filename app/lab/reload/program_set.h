@@ -20,8 +20,8 @@ public:
         m_shown = std::make_shared<const Programs>(joined(*m_generic, programs));
     }
 
-    /// The static values that the picture is specialised for: an edit of the look is specialised
-    /// for the same, so that its picture continues as fast. Null: it is not.
+    /// The static values that the picture is specialised for; null: not specialised. An edit of the
+    /// look is specialised for the same values, so that its picture stays as fast.
     const std::shared_ptr<const SpecializationKey>& key() const { return m_key; }
     void set_key(std::shared_ptr<const SpecializationKey> key) { m_key = std::move(key); }
 

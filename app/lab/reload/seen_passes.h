@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-/// Passes whose own pictures somebody looks at besides the last one's; at first all.
+/// The displayed passes in addition to the last one; initially all.
 struct SeenPasses {
     bool are_all = true;
     std::vector<std::string> names = {};
 
     bool operator==(const SeenPasses&) const = default;
-    /// As Executor::set_seen takes them.
+    /// In the form of Executor::set_seen.
     std::vector<bool> of(const Look& look) const;
 };

@@ -19,10 +19,10 @@ public:
         const ImageTextures& images;
         Extent picture;  // px
     };
-    /// To be called once per update. `is_quiet`: nothing changes values, and nothing else needs the
-    /// worker thread or the GPU.
+    /// Call once per update. `is_quiet`: nothing changes values, and nothing else needs the worker
+    /// thread or the GPU.
     void update(const Drawn& drawn, Renderer& renderer, bool is_quiet, double wall_seconds);
-    /// Begins again: something else changed than values.
+    /// Restarts: call if something other than values changed.
     void stop();
     /// Draws an edited look with the specialised programs that were built with it. Without effect
     /// if their values or the plan changed meanwhile.

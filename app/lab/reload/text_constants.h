@@ -24,7 +24,7 @@ public:
     /// For the variant, if its constants differ from the picture's; nullopt: not built.
     const std::optional<Built>& variant() const { return m_variant; }
     void set_variant(Built built) { m_variant = std::move(built); }
-    /// Another look was opened or asked for.
+    /// Call when another look was opened or requested.
     void clear();
 
 private:

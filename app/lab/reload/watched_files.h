@@ -22,7 +22,7 @@ public:
     };
     /// Since the last call.
     Changes take_changes();
-    /// Why files are not watched, once for each failure; "": they are.
+    /// Why files are not watched, once for each failure; "": no failure.
     std::string take_problem() { return std::exchange(m_problem, {}); }
     /// Becomes readable when a file has changed; -1 if files cannot be watched.
     int descriptor() const { return m_watcher ? m_watcher->descriptor() : -1; }

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <optional>
 
-/// The GL context of the worker thread. It is created when it is first needed, because that takes a
-/// driver a while. Until then the worker borrows the context of a look that is being opened.
+/// The GL context of the worker thread. It is created when it is first needed, because this can
+/// take a while. Until then the worker borrows the context of a look that is being opened.
 class WorkerContext {
 public:
     /// `screen` is the context of the window's thread and outlives this. `own` shares objects with
@@ -21,12 +21,12 @@ public:
     bool is_created() const;
 
     // On the worker thread.
-    /// Makes its own context current; false: there is none yet.
+    /// Makes its own context current; false: it does not exist yet.
     bool use_own();
-    /// Makes its own context current, or `borrowed` for as long as `scope`. False: there is none.
+    /// Makes its own context current, or `borrowed` for as long as `scope`. False: neither exists.
     bool use(const std::shared_ptr<gpu::Context>& borrowed,
              std::optional<gpu::ContextScope>& scope);
-    /// Of objects that were created in a borrowed context; null: they belong to its own.
+    /// The owner of objects that were created in a borrowed context; null: they belong to its own.
     const std::shared_ptr<gpu::Context>& borrowed() const { return m_borrowed; }
     /// Releases both.
     void release();

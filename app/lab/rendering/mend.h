@@ -5,9 +5,9 @@
 
 #include <optional>
 
-/// Makes 0 of what is no number and 65504, the largest 16-bit float, of what is infinite: either
-/// would spread over all that reads it, and stay in what remembers. Says so when there was any.
+/// Replaces NaN by 0 and infinities by ±65504, the largest 16-bit float. Both would spread to all
+/// passes that read them, and stay in their history. Returns a warning if there were any.
 std::optional<Diagnostic> mend(Picture& picture, const std::filesystem::path& file);
 
-/// A picture's note as a warning; nothing where it has none.
+/// A picture's note as a warning; nullopt without a note.
 std::optional<Diagnostic> note_about(const Picture& picture, const std::filesystem::path& file);

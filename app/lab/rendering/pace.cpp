@@ -13,14 +13,14 @@ void Pace::add(double wall_seconds, bool was_busy) {
 }
 
 void Pace::expect(double wall_seconds, bool is_due) {
-    constexpr double late = 1.1 / 30.0;  // a display's own frames are not quite even
-    constexpr double most = 0.5;         // one long wait is no slow picture
+    constexpr double late = 1.1 / 30.0;  // the frames of a display are not exactly even
+    constexpr double most = 0.5;         // a single long wait is not a slow picture
     if (!is_due || wall_seconds <= late) {
         m_slow_seconds = 0.0;
         return;
     }
     const double milliseconds = 1e3 * std::min(wall_seconds, most);
-    constexpr double smoothing = 1.0 / 8.0;  // few frames come in two seconds
+    constexpr double smoothing = 1.0 / 8.0;  // two seconds have few frames
     m_slow_milliseconds =
         m_slow_seconds == 0.0
             ? milliseconds

@@ -3,12 +3,12 @@
 #include <cstddef>
 #include <vector>
 
-/// How long the GPU took for each pass in the latest frames.
+/// The GPU times of the passes in the latest frames.
 class PassTimes {
 public:
     static constexpr std::size_t length = 120;
 
-    /// Of one frame, a number a pass; another number of passes begins anew.
+    /// Adds a frame, one number per pass. Another number of passes discards the previous frames.
     void add(const std::vector<double>& milliseconds);
 
     std::size_t passes() const { return m_frames.empty() ? 0 : m_frames.front().size(); }
@@ -16,9 +16,9 @@ public:
     /// `frame` from 0, the oldest.
     double milliseconds(std::size_t pass, std::size_t frame) const;
     double total(std::size_t frame) const;
-    /// The mean of the last few frames, so that it can be read: of all passes together.
+    /// The mean total of the last 20 frames, steady enough to read.
     double present_total() const;
-    /// The longest total of the frames that are known.
+    /// The longest total of the stored frames.
     double longest_total() const;
 
 private:

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-/// What must be drawn again in a paused picture.
+/// The passes and frames to redraw in a paused picture.
 class PendingRedraw {
 public:
     void add(const Redraw& redraw) {
@@ -18,7 +18,7 @@ public:
         for (std::size_t i = 0; i < redraw.passes.size() && i < m_redraw->passes.size(); ++i)
             m_redraw->passes[i] = m_redraw->passes[i] || redraw.passes[i];
     }
-    /// With earlier frames.
+    /// Including earlier frames.
     void add_replay() { add({{}, true}); }
     bool is_empty() const { return !m_redraw; }
     bool needs_replay() const { return m_redraw && m_redraw->needs_replay; }

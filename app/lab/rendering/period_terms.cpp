@@ -25,7 +25,7 @@ PeriodFacts period_facts(const Parameter& parameter, double value, const PeriodT
     PeriodFacts facts;
     facts.period = period_of(parameter, value, terms);
     const int length = std::max(terms.target.width, terms.target.height);
-    constexpr double finest = 2.0;  // px, two samples a period (Nyquist)
+    constexpr double finest = 2.0;  // px, two samples per period (Nyquist)
     facts.is_too_fine = facts.period && *facts.period < finest;
     if (facts.period && !facts.is_too_fine)
         facts.beat = visible_beat(*facts.period, length);

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <utility>
 
-// A variant that cannot follow ends; the picture itself goes on.
+// If the variant fails it is removed, and the picture continues.
 template <class Act>
 Result<void> Renderer::for_each(Act act) {
     if (!m_is_variant_alone)
@@ -27,7 +27,7 @@ void Renderer::set_values(const Values& values) {
     m_executor.set_values(values);
 }
 
-// Those of the frame that is to be drawn; sizes follow no value that moves.
+// Sets the modulated values of the next frame. Sizes do not depend on modulated values.
 void Renderer::move_values(double seconds) {
     if (m_modulations.empty())
         return;
@@ -218,7 +218,7 @@ Frame Renderer::frame_of(const PlayedFrame& played, const Beam& beam) const {
     return frame;
 }
 
-// Samples that a frame is taking stay.
+// Keeps the samples of an unfinished frame.
 void Renderer::note_mouse() {
     m_owes_mouse = is_amid_frame();
     if (m_owes_mouse)
@@ -278,7 +278,7 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     m_slicing.note(std::max(took, told_seconds()));
 }
 
-// The driver tells of some frames ago; without timers it tells nothing.
+// The GPU time, some frames old; 0 without timers.
 double Renderer::told_seconds() const {
     double milliseconds = 0.0;
     for (const double pass : m_pass_milliseconds)
@@ -296,7 +296,7 @@ void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double 
     m_frame_seconds += smoothing * (seconds - m_frame_seconds);
 }
 
-// The first slice comes at once.
+// Draws the first slice immediately.
 void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
                             Unfinished unfinished) {
     move_values(frame.time);
@@ -378,7 +378,7 @@ void Renderer::note_beam_cost(const PlayedFrame& played) {
     if (m_variant)
         milliseconds *= 2.0;
     const double cost = milliseconds / 1000.0 / std::max(played.span.seconds(), 1e-6);
-    constexpr double smoothing = 0.2;  // the driver's times are of some frames ago
+    constexpr double smoothing = 0.2;  // the driver's times are some frames old
     m_beam_cost = m_beam_cost == 0.0 ? cost : m_beam_cost + smoothing * (cost - m_beam_cost);
 }
 
@@ -461,7 +461,7 @@ bool Renderer::continue_replay(const Player& player, double seconds, const Befor
         if (is_amid_frame())
             return false;
         if (std::exchange(m_owes_frame, false))
-            continue;  // it was dropped: once more
+            continue;  // it was dropped: repeats it
         ++m_replay.done;
         m_is_variant_alone = m_is_variant_alone && !is_last;
         if (is_last)

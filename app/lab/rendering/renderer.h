@@ -10,136 +10,138 @@
 #include <optional>
 #include <vector>
 
-/// How far showing a paused picture anew has come.
+/// The progress of a replay, which redraws a paused picture.
 struct Replay {
     std::size_t done = 0;   // frames
     std::size_t total = 0;  // frames
     bool is_running() const { return done < total; }
 };
 
-/// Draws the open look: frame by frame while time flows, and again from its past while it rests.
-/// Beside it, where somebody compares, a variant: the same look and frames with other values.
+/// Draws the open look: the next frames while time runs, and past frames while it is paused. In a
+/// comparison it also draws a variant: the same look and frames with other values.
 class Renderer {
 public:
     Renderer(Look look, Programs programs) : m_executor(std::move(look), std::move(programs)) {}
-    /// With what has been made ready for a first frame.
+    /// With an executor that is ready for the first frame.
     explicit Renderer(Executor executor) : m_executor(std::move(executor)) {}
 
-    /// An edited look; what drew a moment ago keeps its history.
+    /// Replaces the look with an edited one. The picture keeps its history.
     Result<void> replace(Look look, Programs programs);
     enum class Whose { picture, variant };
-    /// Of one of the two alone: their texts may have other constants.
+    /// For one of the two only, because their texts may have different constants.
     Result<void> replace(Whose whose, const Look& look, const Programs& programs);
-    /// The picture, as Executor::settle.
+    /// As Executor::settle, for the picture.
     void settle(Programs programs, std::set<std::string> moving);
     void set_values(const Values& values);
-    /// What moves by itself, over the time of the frames.
+    /// The modulations of values over the time of the frames.
     void set_modulations(Modulations modulations) { m_modulations = std::move(modulations); }
-    /// What modulation hears; null: silence. Shared with the player, which may have another one.
+    /// The loudness for modulations; null: silence. Shared with the player, which may replace its
+    /// own.
     void set_loudness(std::shared_ptr<const Loudness> loudness) {
         m_loudness = std::move(loudness);
     }
-    /// What textures that follow the sound hear, likewise.
+    /// The sound for sound textures, likewise.
     void set_sound(std::shared_ptr<const SoundTexels> sound) { m_sound = std::move(sound); }
-    /// The date of the frames to come; without it they have that of renders.
+    /// The date of the next frames. Without it they have the date of offline renders.
     void set_date(const Date& date) { m_date = date; }
-    /// How the beam lies in the picture; none: as the look has it.
+    /// How the beam is mapped to the picture; nullopt: as in the look.
     void set_beam_fit(std::optional<Fit> fit) { m_beam_fit = fit; }
-    /// As in the frame that was drawn last.
+    /// The values of the last drawn frame.
     const Values& drawn_values() const { return m_drawn_values; }
-    /// As Executor::set_runs, of the variant too.
+    /// As Executor::set_runs, also for the variant.
     Result<void> set_runs(const std::vector<PassRun>& runs);
-    /// As Executor::set_seen, of the variant too. Where that changes the plan there is no whole
-    /// picture until the next frame.
+    /// As Executor::set_seen, also for the variant. If it changes the plan, has_whole_picture() is
+    /// false until the next frame.
     Result<void> set_seen(const std::vector<bool>& seen,
                           Executor::Frames frames = Executor::Frames::drawn_again);
-    /// What the pass has drawn is gone, of the variant too.
+    /// Clears the output of the pass, also in the variant.
     void clear_history(int pass);
     Result<void> resize(Extent picture, Extent source);
-    /// As it was last asked for, with sizes that depend on values as these are now.
+    /// Repeats the last resize() with the current values, which sizes may depend on.
     Result<void> resize_again() { return resize(m_picture, m_source); }
-    /// `pixel_aspect`: width to height of its pixels. `raster`: where the lines of the source lie
-    /// in it; none: they are its own.
+    /// `pixel_aspect`: width / height of a pixel. `raster`: the position of the source's lines in
+    /// the picture; nullopt: they fill it.
     Result<void> set_source(const Picture& picture, double pixel_aspect = 1.0,
                             const std::optional<SourceRaster>& raster = {});
     const std::optional<SourceRaster>& source_raster() const { return m_source_raster; }
     Result<void> set_image(const std::string& name, const Picture& picture);
-    /// As image_texture() made it.
+    /// The same, with a texture from image_texture().
     void set_image(const std::string& name, const std::shared_ptr<const gpu::Texture>& texture);
-    /// For one of the two alone.
+    /// For one of the two only.
     Result<void> set_image(Whose whose, const std::string& name, const Picture& picture);
     void set_mouse(double x, double y);  // px from bottom left
     const std::array<double, 2>& mouse() const { return m_hand.place(); }
-    /// The left button goes down or up where the mouse is.
+    /// Presses or releases the left button at the mouse position.
     void set_mouse_button(bool is_down);
-    /// By the number that browsers give the key.
+    /// By the key code of browsers.
     void set_key(std::size_t key, bool is_down);
     const Hand& hand() const { return m_hand; }
-    /// How long a frame may take its accumulating passes; the rest is left to the next ones.
+    /// The time per frame for samples of accumulating passes. The rest is left to the next frames.
     void set_patience(double seconds) { m_patience_seconds = seconds; }
-    /// What drives the look is another: accumulating passes start anew.
+    /// Call if the signal or source changed: accumulating passes restart.
     void restart_samples();
 
-    /// Of the picture itself; a variant is not looked at.
+    /// For the picture only; a variant is not checked.
     Result<void> set_guard(Executor::Guard guard) { return m_executor.set_guard(guard); }
     std::optional<Trip> take_trip(bool waits = false) { return m_executor.take_trip(waits); }
     bool awaits_trip() const { return m_executor.awaits_trip(); }
     void mend() { m_executor.mend(); }
 
-    /// For who has other things to do: frames of a look that takes long are drawn in slices of
-    /// about so long; the draws below begin them and continue_frame() goes on. 0: they are whole.
+    /// Draws slow frames in slices of about this time. The draws below begin a frame, and
+    /// continue_frame() continues it. 0: frames are drawn whole.
     void set_slice(double seconds) { m_slicing.set_slice(seconds); }
-    /// Values, source and images are to stay meanwhile.
+    /// Values, source and images must not change meanwhile.
     bool is_amid_frame() const { return m_unfinished.has_value(); }
-    /// Whether executor() holds a whole picture: amid a frame, as a rule, the one before.
+    /// Whether executor() holds a complete picture. During a frame this is usually the previous
+    /// one.
     bool has_whole_picture() const;
-    /// A frame was dropped before it was whole, and none was drawn since.
+    /// Whether a frame was dropped before it was complete, and none was drawn since.
     bool owes_frame() const { return m_owes_frame; }
-    /// Goes on for a slice; true when the frame is whole.
+    /// Continues for a slice; true when the frame is complete.
     bool continue_frame() { return continue_frame(m_slicing.slice_seconds()); }
 
     void draw(const PlayedFrame& frame, const Beam& beam);
-    /// Whether any frame was drawn whole.
+    /// Whether a frame has been completed.
     bool has_drawn() const { return m_has_drawn; }
-    /// A frame that nobody will look at: only what later frames are made of is drawn.
+    /// A frame that is not displayed: draws only the passes that later frames depend on.
     void draw_unseen(const PlayedFrame& frame, const Beam& beam);
     void clear_history();
 
-    /// Draws the present frame again; only the passes that the change reaches.
+    /// Redraws these passes of the current frame.
     void redraw(const Player& player, const std::vector<bool>& passes);
-    /// To be called where another renderer has drawn with the same programs.
+    /// Call after another renderer has drawn with the same programs.
     void claim_programs() { m_executor.claim_programs(); }
-    /// Begins to draw the latest `frames` frames of the player again from nothing.
+    /// Starts to redraw the latest `frames` frames of the player with an empty history.
     void start_replay(const Player& player, std::size_t frames);
-    /// Called before a frame of the past is drawn again, to bring what it shows.
+    /// Called before each replayed frame, to set its source.
     using BeforeFrame = std::function<void(const PlayedFrame&)>;
-    /// Goes on with the replay for about `seconds`; true when it has just ended.
+    /// Continues the replay for about `seconds`; true when it has just ended.
     bool continue_replay(const Player& player, double seconds, const BeforeFrame& before);
     void cancel_replay();
     const Replay& replay() const { return m_replay; }
 
-    /// From here on a variant is drawn too, of which nothing is known but its values: source and
-    /// images that are brought now are for it alone, until the replay of its past has ended. On
-    /// failure (no memory) there is none.
+    /// Also draws a variant from now on. It has only its values yet: source and images that are set
+    /// apply only to the variant until its replay has ended. On failure (out of memory) no variant
+    /// is drawn.
     Result<void> start_variant(const Values& values);
     void set_variant_values(const Values& values);
-    /// The latest `frames` frames for the variant alone; the picture itself stays as it is.
+    /// Replays the latest `frames` frames for the variant only. The picture stays unchanged.
     void replay_variant(const Player& player, std::size_t frames);
     bool is_replaying_variant() const { return m_is_variant_alone && m_replay.is_running(); }
     void end_variant();
-    /// Null where nobody compares; also after it could not be drawn any more.
+    /// Null without a comparison, and after the variant has failed.
     const Executor* variant() const { return m_variant.get(); }
 
-    /// Also lets it look whether the driver knows more pass times.
+    /// Also checks whether the driver has newer pass times.
     std::vector<double> pass_milliseconds() { return m_executor.pass_milliseconds(); }
-    /// As of the last frame; the driver is some frames behind.
+    /// As of the last frame; the driver's times are some frames old.
     const std::vector<double>& latest_pass_milliseconds() const { return m_pass_milliseconds; }
     /// Of the latest frames.
     const PassTimes& pass_times() const { return m_pass_times; }
     /// Points of the beam in the last frame.
     std::size_t point_count() const { return m_point_count; }
-    /// Of the latest frames, smoothed: how long the passes that draw points take for each second of
-    /// the signal; 0 where the driver tells no times.
+    /// GPU time of the passes that draw the beam per second of the signal, smoothed; 0 if the
+    /// driver reports no times.
     double beam_seconds_a_second() const { return m_beam_cost; }
     const Executor& executor() const { return m_executor; }
     bool has_converged() const {
@@ -168,7 +170,7 @@ private:
 
     Executor m_executor;
     std::unique_ptr<Executor> m_variant;
-    Values m_values;  // as a person set them
+    Values m_values;  // as set by the user
     Values m_variant_values;
     Values m_drawn_values;
     Modulations m_modulations;
@@ -176,7 +178,7 @@ private:
     std::shared_ptr<const SoundTexels> m_sound;
     std::optional<Date> m_date;
     std::optional<Fit> m_beam_fit;
-    bool m_is_variant_alone = false;  // what is brought and replayed is for the variant
+    bool m_is_variant_alone = false;  // inputs and replay apply only to the variant
     Extent m_picture;
     Extent m_source;
     Hand m_hand;
@@ -196,14 +198,14 @@ private:
     /// A frame that is drawn in slices.
     struct Unfinished {
         bool is_again = false;
-        bool is_whole = false;   // all passes, for the first time
-        bool is_beside = false;  // the picture before it, which is still seen
+        bool is_whole = false;   // draws all passes for the first time
+        bool is_beside = false;  // the previous picture is displayed meanwhile
         PlayedFrame played = {};
         std::size_t points = 0;
-        double seconds = 0.0;  // that it took so far
+        double seconds = 0.0;  // time so far
     };
     std::optional<Unfinished> m_unfinished;
-    bool m_owes_mouse = false;  // it moved while a frame was drawn
+    bool m_owes_mouse = false;  // the mouse changed during a frame
     bool m_owes_frame = false;
-    bool m_holds_picture = false;  // not emptied since a frame was whole
+    bool m_holds_picture = false;  // not cleared since the last complete frame
 };

@@ -1,19 +1,19 @@
 #pragma once
 
-/// Whether frames are drawn in slices: those of a look that would keep a window from answering, and
-/// a first one, of which nothing is known yet.
+/// Decides whether frames are drawn in slices: those of a look that would block the window, and the
+/// first one, whose cost is unknown.
 class Slicing {
 public:
-    /// Of a window's turn; 0: all frames are drawn whole.
+    /// The time of a slice per update of the window; 0: all frames are drawn whole.
     void set_slice(double seconds) { m_slice_seconds = seconds; }
     double slice_seconds() const { return m_slice_seconds; }
     bool is_due() const { return m_slice_seconds > 0.0 && m_weight != Weight::light; }
-    /// What drawing a frame took: one of more than one and a half slices is heavy, one of less than
-    /// a slice light, between them all stays as it was.
+    /// Records the time of a frame. More than 1.5 slices is heavy, less than one slice is light. In
+    /// between the weight does not change.
     void note(double seconds);
-    /// Each frame is known to take long.
+    /// Whether frames are known to be slow.
     bool is_heavy() const { return m_weight == Weight::heavy; }
-    /// What is drawn is another look.
+    /// Call when another look is drawn.
     void forget() { m_weight = Weight::unknown; }
 
 private:
