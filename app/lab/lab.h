@@ -16,11 +16,12 @@
 #include <functional>
 #include <memory>
 
-/// The open look and the parts that work on it. The window and the tests drive it with update().
+/// The open look and the components that process it. The window and the tests drive it with
+/// update().
 class Lab {
 public:
-    /// `worker` is a context for the worker thread that shares objects with `screen`. `screen` is
-    /// current here and outlives the lab. Null: one is created after the first picture.
+    /// `worker` is a context for the worker thread that shares objects with `screen`; null: one is
+    /// created after the first picture. `screen` is current here and must outlive the lab.
     Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
         std::unique_ptr<MidiInputs> midi = machine_midi_inputs());
     Lab(const Lab&) = delete;
@@ -42,7 +43,7 @@ public:
     /// Restores the preset that was deleted last, or undoes the document's step: the newer one.
     void undo();
 
-    // The parts.
+    // Components.
     LookLoader& loader() { return m_loader; }
     const LookLoader& loader() const { return m_loader; }
     LookCommands& looks() { return m_looks; }
@@ -87,7 +88,7 @@ private:
     RemoteControl m_remote;
     DrawingTool m_drawing{m_work.document, m_work.size, m_work.messages, m_work.opened_files};
     BackgroundJobs m_jobs{m_work.document, m_work.size, m_work.messages};
-    LookLoader m_loader;  // after the renderer in m_work: its programs end first
+    LookLoader m_loader;  // destroyed before the renderer in m_work
     FrameLoop m_frames{m_work, m_loader, m_drawing.board()};
     ContentCommands m_content{m_work, m_drawing, m_frames.comparison()};
     LookCommands m_looks{m_work, m_loader, m_content};

@@ -9,7 +9,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr const char* first_look = "phosphor";
 
-// The files or folders of the looks that the session would open.
+// The files or folders of the looks in the session.
 std::vector<fs::path> looks_in(const Session& session) {
     std::vector<fs::path> places{session.look};
     for (const std::string& id : look_ids(session.current.preset.look))
@@ -23,7 +23,7 @@ bool is_of_session(const UnfinishedOpening& left, const Session& session) {
         looks_in(session), [&left](const fs::path& place) { return left.has(manifest_of(place)); });
 }
 
-// A look that was moved or deleted since; "": none was.
+// A look that was moved or deleted since; "": none.
 fs::path missing_look(const Session& session) {
     std::error_code error;
     for (const fs::path& place : looks_in(session))
@@ -32,7 +32,7 @@ fs::path missing_look(const Session& session) {
     return {};
 }
 
-// The arrangement alone.
+// Only the arrangement of the window.
 Session without_look(Session session) {
     session.look.clear();
     return session;

@@ -3,11 +3,11 @@
 #include "lab/reload/opening_mark.h"
 #include "lab/session.h"
 
-/// Opens what the session holds, at the first start Phosphor. A look that was being opened or
-/// compiled when the last run ended is only offered; the session's unsaved changes are kept. `left`
-/// is what that run left behind. In the place of a look that is missing Phosphor is opened.
+/// Opens the look of the session; at the first start, or if its look is missing, Phosphor. If the
+/// last run ended while it compiled the look (`left`), the look is only offered. Unsaved changes of
+/// the session are kept.
 void restore_safely(Lab& lab, const Session& session, const std::optional<UnfinishedOpening>& left);
 
-/// Says that a look was not opened again, and offers to open it, or its file in the editor.
-/// `session` goes along with the look that it holds.
+/// Shows a notice that a look was not reopened, and offers to open it, or its file in the editor.
+/// If the look is that of `session`, its state is restored too.
 void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& left);

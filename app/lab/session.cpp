@@ -31,7 +31,7 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
 
 using Places = std::map<std::string, std::string>;
 
-// The looks of a state; none where the session does not say where one of them lies.
+// The looks of a state; empty if the session lacks the location of one of them.
 Stack stack_in(const Preset& preset, const Places& places) {
     Stack stack;
     if (!fault_of_stack_size(preset.look).empty())
@@ -45,7 +45,7 @@ Stack stack_in(const Preset& preset, const Places& places) {
     return with_bypass(std::move(stack), preset.bypass);
 }
 
-// What a session says of the looks in it, and where they lie.
+// The open look and the locations of the session's looks.
 struct Ground {
     const Look& look;
     const Places& places;
@@ -182,7 +182,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
 }
 
 namespace {
-// As it was left: with the afterglow of what came before.
+// Restores the paused picture with its afterglow.
 void rest_at(double seconds, Lab& lab) {
     Player& player = lab.player();
     const int settling = lab.document()->look().settle_frames;
@@ -194,7 +194,7 @@ void rest_at(double seconds, Lab& lab) {
 }  // namespace
 
 namespace {
-// What is locked now stays where unsaved changes are restored.
+// Content that is locked now stays when unsaved changes are restored.
 void keep_locked(const Content& present, Document& document) {
     Content content = document.content();
     if (present.locks.signal)
@@ -215,7 +215,7 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
     if (session.look.empty())
         return;
     if (lab.player().live_device().empty())
-        (void)lab.player().mute_input(true);  // the user has not asked for it yet
+        (void)lab.player().mute_input(true);  // the user has not enabled it yet
     const Content present = lab.document() ? lab.document()->content() : Content{};
     const auto restore_rest = [&lab, session, then, present] {
         Document& document = *lab.work().document;
@@ -241,7 +241,7 @@ void restore_kept(Lab& lab, const fs::path& kept) {
     const auto session = KeptSessions::read(kept);
     if (!lab.messages().succeeded(session))
         return;
-    // Unsaved changes of another look are kept when this one opens.
+    // Opening stores unsaved changes of another look.
     if (lab.document() && lab.document()->look().manifest == session->look)
         lab.looks().keep_unsaved(session_of(lab, {}),
                                  [&lab] { return small_copy(lab.renderer()); });

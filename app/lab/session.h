@@ -3,21 +3,21 @@
 #include "formats/settings/session_format.h"
 #include "lab/lab.h"
 
-/// The session of the last use; an empty one at the first. A damaged file is set aside, and the
-/// reason given as a warning.
+/// The session of the last run; empty at the first start. A damaged file is renamed, and the reason
+/// is returned as a warning.
 Session load_session(const Roots& roots, Diagnostics& warnings);
 
 Result<void> save_session(const Roots& roots, const Session& session);
 
-/// The signal and source that a session left, and which of them is locked.
+/// The signal and source of a session and their locks.
 Content content_of(const Session& session);
 
-/// What is open now; `window` is what the window remembers of itself.
+/// The current session; `window` is the state that the window stores.
 Session session_of(const Lab& lab, std::map<std::string, double> window);
 
-/// Opens what was open, with its unsaved changes and undo, once its look has been read; `then` is
-/// called after it.
+/// Opens the look of the session. When it has been read, restores its unsaved changes and undo, and
+/// calls `then`.
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then = nullptr);
 
-/// Opens unsaved changes that were kept. Those of the open look are kept instead.
+/// Opens stored unsaved changes. Those of the open look are stored instead.
 void restore_kept(Lab& lab, const std::filesystem::path& kept);

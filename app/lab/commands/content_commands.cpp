@@ -11,7 +11,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The present setting with another file; other kinds of signal leave nothing to a sound.
+// The current signal with another file. A signal of another kind is replaced.
 Spec playing(const fs::path& file, const Spec& present) {
     const Spec fresh =
         is_scene_file(file) ? Spec{"scene", {}} : Spec{"audio", {{"mode", std::string("xy")}}};
@@ -106,7 +106,7 @@ void ContentCommands::take_content() {
     m_work.opened_files.add(chosen.file);
     const bool is_signal = chosen.driver == Driver::signal;
     if (m_work.document->look().driven_by != chosen.driver) {
-        Content content = m_work.document->content();  // for the next look that it drives
+        Content content = m_work.document->content();  // stored for the next look that uses it
         (is_signal ? content.locks.signal : content.locks.source) = true;
         is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
         return m_work.document->keep_content(content);

@@ -14,22 +14,22 @@ public:
     ContentCommands(Workspace& work, DrawingTool& drawing, ComparisonView& comparison)
         : m_work(work), m_drawing(drawing), m_comparison(comparison) {}
 
-    /// Whether a file is content, and not a look or preset.
+    /// Whether a file is content instead of a look or preset.
     static bool is_content(const std::filesystem::path& file);
     /// The look to open before this content can be used; "": the open look uses it.
     std::string look_for(const std::filesystem::path& file) const;
-    /// Makes a file the signal, source, drawing or reference. It is read in the background; if that
-    /// fails nothing changes.
+    /// Makes a file the signal, source, drawing or reference. It is read in the background. On
+    /// failure nothing changes.
     void open(const std::filesystem::path& file);
-    /// The same for a picture of a sampler's parameter.
+    /// The same for the picture of an image parameter.
     void choose_picture(const std::string& parameter, const std::filesystem::path& file);
     /// Stops reading; the previous content stays.
     void cancel_loading();
-    /// Applies what has been read. Not while a frame is unfinished.
+    /// Applies content that has been read. Do not call it while a frame is unfinished.
     void update();
 
-    /// Content that a preset brings: a notice offers it while the user's own is locked, and asks
-    /// where it is outside the preset's folder.
+    /// Handles the content of a preset. While the user's own content is locked, a notice offers the
+    /// preset's. Content outside the preset's folder needs confirmation.
     void offer(const CheckedPreset& checked);
     /// Content and locks for the first look.
     const Content& initial() const { return m_initial; }

@@ -99,10 +99,9 @@ void LookCommands::write_overrides() {
     m_work.messages.say("Saved to look.json");
 }
 
-// A shipped file that the user may not write to.
+// Whether it is a shipped file that the user may not write to.
 bool LookCommands::must_duplicate(const fs::path& file) const {
-    return m_work.library.is_shipped(file) &&
-           !is_writable(file);
+    return m_work.library.is_shipped(file) && !is_writable(file);
 }
 
 void LookCommands::offer_duplicate(const std::string& reason) {

@@ -18,9 +18,9 @@ class LookCommands {
 public:
     LookCommands(Workspace& work, LookLoader& loader, ContentCommands& content);
 
-    /// A look, stack or preset: id, name, file or line of text.
+    /// Opens a look, stack or preset by id, name, file or line of text.
     void open(const std::string& argument);
-    /// The same; a preset's own signal or source is used although the user's is locked.
+    /// The same, but uses a preset's own signal or source even if the user's is locked.
     void open_with_content(const std::string& argument);
     /// Keeps the open look instead of the one that is being opened. Undo reverts a change of a
     /// stack.
@@ -28,7 +28,7 @@ public:
     /// Hides the problems. Those of a look that could not be opened are replaced by those of the
     /// open one.
     void dismiss_problems();
-    /// Any file that was dropped or chosen.
+    /// Opens any dropped or chosen file.
     void open_file(const std::filesystem::path& file);
     void create(const std::string& id);
     void duplicate(const std::string& id);
@@ -38,13 +38,13 @@ public:
     void open_in_editor(const Location& place);
 
     const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
-    /// The user's folders for includes, besides those of --include. They are stored.
+    /// The user's folders for includes, in addition to those of --include. They are stored.
     void set_include_folders(const std::vector<std::filesystem::path>& folders);
 
     /// Unsaved changes of looks that were closed.
     const KeptSessions& kept_sessions() const { return m_kept_sessions; }
     KeptSessions& kept_sessions() { return m_kept_sessions; }
-    /// Stores unsaved changes, if there are any, and says so.
+    /// Stores unsaved changes, if any, and shows a notice.
     void keep_unsaved(const Session& session,
                       const std::function<std::optional<Picture>()>& picture = {});
 

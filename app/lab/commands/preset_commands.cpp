@@ -15,7 +15,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The letters that a preset's name may have.
+// The allowed characters of a preset's name.
 std::string without_other_letters(std::string name) {
     for (char& letter : name)
         if (std::string_view("/\\:*?\"<>|',").find(letter) != std::string_view::npos)
@@ -113,7 +113,7 @@ bool PresetCommands::is_open(const fs::path& file) const {
     return m_work.document && !file.empty() && is_open_preset(*m_work.document, file);
 }
 
-// As the list of presets calls it.
+// As in the list of presets.
 std::string PresetCommands::star_name(const fs::path& file) const {
     const std::string look = m_work.document ? m_work.document->look().id : std::string();
     for (const PresetEntry& preset : m_work.library.presets(look))

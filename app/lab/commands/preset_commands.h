@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-/// What the user does with presets as files: save, rename, duplicate, delete, star.
+/// Commands for presets as files: save, rename, duplicate, delete, star.
 class PresetCommands {
 public:
     PresetCommands(Workspace& work, LookLoader& loader, ContentCommands& content)
@@ -22,40 +22,41 @@ public:
     PresetSharing& sharing() { return m_sharing; }
     const PresetSharing& sharing() const { return m_sharing; }
 
-    /// Whether save() writes over the open preset: it is the user's own JSON file.
+    /// Whether save() overwrites the open preset: it is the user's own JSON file.
     bool can_save_over() const;
-    /// What "Save preset as" begins with: "Amber P3 (mine)" beside a shipped preset.
+    /// The initial name of "Save preset as", such as "Amber P3 (mine)" for a shipped preset.
     std::string proposed_name() const;
-    /// Over the open preset, where can_save_over().
+    /// Overwrites the open preset if can_save_over().
     void save();
-    /// Into the user's folder; refused where the user has one of that name.
+    /// Saves to the user's folder. Refused if the user has a preset of that name.
     void save_as(const std::string& name);
-    /// The same over the one there is.
+    /// The same, but overwrites the existing preset.
     void replace(const std::string& name);
     /// The folder that save_as() writes to.
     std::filesystem::path destination() const;
 
-    /// Whether the shipped presets lie in a source checkout that can be written to.
+    /// Whether the shipped presets are in a writable source checkout.
     bool has_source_checkout() const;
-    /// Over the shipped preset that is open, or beside it under the open preset's name.
+    /// Overwrites the open shipped preset, or saves the open preset to the shipped ones under its
+    /// name.
     void save_into_shipped();
 
     void rename(const std::filesystem::path& file, const std::string& name);
-    /// Unsaved changes of the open preset go on as changes to the copy.
+    /// Unsaved changes of the open preset continue as changes of the copy.
     void duplicate(const std::filesystem::path& file);
-    /// To the desktop's trash; undo() brings it back.
+    /// Moves it to the desktop's trash; undo() restores it.
     void remove(const std::filesystem::path& file);
-    /// In the desktop's file manager.
+    /// Shows it in the desktop's file manager.
     void show_in_folder(const std::filesystem::path& file);
 
-    /// Brings the preset back that was deleted last, where nothing was changed since. False: there
-    /// is none, and the document's own step is next.
+    /// Restores the last deleted preset, if nothing was changed since. False: none, so the next
+    /// step is the document's.
     bool undo_removal();
-    /// Delete "Amber", where undo_removal() would do something; else "".
+    /// Delete "Amber", if undo_removal() would restore it; otherwise "".
     std::string undo_name() const;
 
-    /// Says once a start that presets of the user lie in the program's folder, and offers to move
-    /// them.
+    /// Shows a notice once per start if presets of the user are in the program's folder, and offers
+    /// to move them.
     void offer_move();
     void move_to_user_folder();
 
@@ -65,9 +66,9 @@ private:
         std::string look;
         std::string name;
         bool has_star = false;
-        std::optional<Preset> identity;  // of the document, where the preset was open
+        std::optional<Preset> identity;  // of the document, if the preset was open
         DocumentState saved;
-        std::size_t steps = 0;  // of undo that there were
+        std::size_t steps = 0;  // number of undo steps at that time
     };
 
     void save_to(const std::filesystem::path& file, const std::string& name);

@@ -10,7 +10,7 @@
 #include <optional>
 #include <string>
 
-/// Next, previous and favourite presets, opened at once or morphed to.
+/// Next, previous and favourite presets, opened immediately or morphed to.
 class PresetNavigation {
 public:
     PresetNavigation(Workspace& work, LookLoader& loader, ContentCommands& content)
@@ -21,21 +21,21 @@ public:
     /// `preset` is the id of a preset of the open look.
     void star(const std::string& preset, bool has_star);
 
-    /// Opens the preset `by` entries further in the list of the open look, or in that of its
-    /// favourites. Repeated before the last one is open, it continues from there.
+    /// Opens the preset `by` entries further in the list of the open look, or of its favourites. If
+    /// the last step has not opened yet, continues from its preset.
     void step(int by, bool only_starred = false);
     /// Morphs to a preset of the open look, as one undo step, and opens it at the end; "": to the
     /// look's defaults.
     void morph_to(const std::filesystem::path& preset, double seconds);
     void morph_by(int by, double seconds, bool only_starred = false);
     void end_morph();
-    /// null: none is running.
+    /// The running morph, or null.
     const Morphing* morphing() const { return m_morphing.get(); }
 
     /// Advances the morph.
     void update(double wall_seconds);
-    /// A look or preset was opened: says which, and how to restore unsaved changes that it
-    /// replaced.
+    /// Call when a look or preset was opened: shows its name after a step, and how to restore
+    /// unsaved changes that it replaced.
     void note_opened(const OpenRequest& request, bool had_changes);
 
 private:
@@ -46,5 +46,5 @@ private:
     ContentCommands& m_content;
     PresetStars m_stars;
     std::unique_ptr<Morphing> m_morphing;
-    std::optional<PresetPlace> m_step;  // that is being opened
+    std::optional<PresetPlace> m_step;  // the preset that is being opened
 };

@@ -20,7 +20,8 @@ public:
     bool can_save_slang() const;
     /// Writes a .slangp that refers to the open file and has the changed values.
     void save_slang(const std::filesystem::path& file);
-    /// The file of the open preset changed: its values are taken unless there are unsaved changes.
+    /// Call when the file of the open preset changed: applies its values unless there are unsaved
+    /// changes.
     void file_changed(const std::filesystem::path& file);
 
 private:

@@ -206,7 +206,7 @@ void ComparisonView::show_pictures() {
 // The variant needs all inputs of the picture, and its past. The clock waits for it.
 void ComparisonView::start_variant() {
     if (m_work.renderer->replay().is_running())
-        m_work.redraw.add_replay();  // it was the picture's
+        m_work.redraw.add_replay();  // the running replay was for the picture
     if (!m_work.messages.succeeded(m_work.renderer->start_variant(m_variant->values)))
         return;
     const Look& look = m_work.document->look();
@@ -222,7 +222,7 @@ void ComparisonView::start_variant() {
     m_work.renderer->replay_variant(m_work.player, static_cast<std::size_t>(frames));
 }
 
-// The picture may have new programs, or the variant those that it waits for.
+// The picture may have new programs, or those for the variant may be ready.
 void ComparisonView::update_constants() {
     if (!m_variant || !m_work.renderer->variant())
         return;

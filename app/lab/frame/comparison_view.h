@@ -13,14 +13,14 @@ public:
     ComparisonView(Workspace& work, const LookLoader& loader, TextConstants& constants)
         : m_work(work), m_loader(loader), m_constants(constants) {}
 
-    /// What the user chose.
+    /// The user's choice.
     const Comparing& selection() const { return m_selection; }
-    /// How both pictures are shown; off while there is no reference.
+    /// How both pictures are displayed; off without a reference.
     CompareMode mode() const;
     /// The names of both; nullopt while the reference is not ready.
     std::optional<Sides> sides() const;
 
-    /// Shows a notice with the reason if there is nothing to compare with.
+    /// Shows a notice with the reason if no reference is available.
     void choose(Comparison comparison);
     void set_mode(CompareMode mode);
     /// As a wipe if nothing was compared before.
@@ -28,7 +28,7 @@ public:
     void compare_with_file(const std::filesystem::path& file);
     /// Shows the reference instead of the picture while this is on.
     void flash(bool is_flashing);
-    /// Whether an opened picture file becomes the reference, and not the source.
+    /// Whether an opened picture file becomes the reference instead of the source.
     bool is_file_wanted() const;
     /// Reads the reference file again; false if it is another file.
     bool file_changed(const std::filesystem::path& file);
@@ -42,12 +42,12 @@ public:
     void recall(std::size_t number);  // one undo step
     void clear_slot(std::size_t number);
 
-    /// Before a frame is drawn: starts, changes or ends the variant. Returns whether its values
-    /// changed.
+    /// Call before a frame is drawn: starts, changes or ends the variant. Returns whether its
+    /// values changed.
     bool update(double wall_seconds);
     /// Uploads the chosen pictures of the variant.
     void show_pictures();
-    /// Another look is opened, or its programs were replaced.
+    /// Call when another look is opened, or its programs were replaced.
     void reset_variant() { m_variant.reset(); }
     void end() { m_selection.end(); }
 
@@ -60,5 +60,5 @@ private:
     const LookLoader& m_loader;
     TextConstants& m_constants;
     Comparing m_selection;
-    std::optional<Variant> m_variant;  // that the renderer draws
+    std::optional<Variant> m_variant;  // drawn by the renderer
 };

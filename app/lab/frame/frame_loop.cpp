@@ -15,7 +15,7 @@ namespace {
 // With the panels an update stays below 1/20 s.
 constexpr double slice_seconds = 0.024;
 
-// Whether pictures that were uploaded for one serve the other.
+// Whether uploaded pictures of one look can be used for the other.
 bool reads_images_alike(const Look& one, const Look& other) {
     return one.images == other.images && one.source_encoding == other.source_encoding &&
            one.source_rows == other.source_rows && one.source_format == other.source_format &&
@@ -31,11 +31,11 @@ std::vector<std::string> changed_uniforms(const Look& look, const Values& before
     return names;
 }
 
-// Copies what changed: of the many values it is mostly one.
+// Copies only changes: usually one of many values.
 void copy_changes(std::optional<DocumentState>& applied, const DocumentState& state) {
     if (!applied)
         applied = state;
-    // Names every member, so that a new one cannot be forgotten.
+    // Names every member, so that a new one cannot be omitted.
     const auto& [values, signal, source, overrides, origin, stack, modulations, locks] = state;
     follow_values(applied->values, values);
     applied->signal = signal;
@@ -101,7 +101,7 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
     end_look(built);
 }
 
-// Specialised programs serve while the values are those that the picture was specialised for.
+// Specialised programs are usable while the values are those that the picture was specialised for.
 void FrameLoop::replace(BuiltLook& built) {
     if (!reads_images_alike(m_work.document->look(), *built.look))
         m_work.pictures.clear();
@@ -138,7 +138,7 @@ void FrameLoop::replace_constants(BuiltLook built) {
     m_passes.apply();
     m_work.pictures.show_look_images(built.images, *m_work.renderer);
     m_work.renderer->restart_samples();
-    m_drawn_extent = {};  // other uniforms may count now
+    m_drawn_extent = {};  // other uniforms may be in use now
     const Redraw redraw = redraw_after(look, turned);
     m_guard.recheck(redraw);
     m_work.redraw.add(redraw);
@@ -179,7 +179,7 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
     m_heavy_pass.update();
 }
 
-// Where NaN is looked for or a variant is drawn, each pass needs its own picture.
+// NaN detection and a variant need the own picture of each pass.
 void FrameLoop::update_displayed() {
     const Executor& executor = m_work.renderer->executor();
     const std::vector<bool> displayed = m_guard.found() || m_work.renderer->variant()
@@ -215,7 +215,7 @@ void FrameLoop::continue_frame(double wall_seconds) {
         update_previews();
 }
 
-// A click that began and ended while a frame was drawn.
+// For clicks that began and ended while a frame was drawn.
 void FrameLoop::apply_missed_events() {
     Values missed = std::exchange(m_slices.missed_events, {});
     if (missed.empty() || !m_applied)
@@ -270,7 +270,7 @@ void FrameLoop::apply_document() {
     m_work.redraw.add(redraw);
 }
 
-// Returns what must be drawn again.
+// Returns the passes to redraw.
 Redraw FrameLoop::apply_changes(const DocumentState& state, Spec signal) {
     const Look& look = m_work.document->look();
     Renderer& renderer = *m_work.renderer;
@@ -326,7 +326,7 @@ void FrameLoop::update_source() {
     m_work.redraw.add_replay();
 }
 
-// A paused picture is drawn again with it.
+// Redraws a paused picture with the new source.
 void FrameLoop::show_source(double seconds) {
     const auto is_new = m_work.drive.show_source(seconds, *m_work.renderer);
     if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.is_playing())
@@ -349,7 +349,7 @@ void FrameLoop::resize_picture() {
         m_work.redraw.add_replay();
 }
 
-// On a slow machine the clock runs slower; frames do not get longer and longer.
+// On a slow machine the clock runs slower, so that frames do not get longer and longer.
 void FrameLoop::limit_frame(double wall_seconds) {
     if (m_work.player.past().empty())
         return;
@@ -360,7 +360,7 @@ void FrameLoop::limit_frame(double wall_seconds) {
                        .span_seconds = span}));
 }
 
-// The first frames would show nothing, at wrong sizes.
+// Without the source, the first frames would be empty and have wrong sizes.
 bool FrameLoop::awaits_source() const {
     return m_work.document && m_work.document->look().driven_by == Driver::picture &&
            !m_work.drive.source() && !m_work.drive.loading().empty();
@@ -372,7 +372,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
     const bool is_first = m_work.renderer->executor().plan().targets.empty();
     resize_picture();
     if (is_first && seconds_since(m_slices.update_begun) > slice_seconds)
-        return;  // allocation has taken this update
+        return;  // allocation has used the time of this update
     m_guard.prepare();
     limit_frame(wall_seconds);
     m_work.renderer->set_loudness(m_work.player.loudness());
@@ -416,7 +416,7 @@ void FrameLoop::start_replay() {
             std::min(fewest, all), all);
     m_work.renderer->start_replay(m_work.player, frames);
     if (frames == all || m_work.renderer->replay().total < frames)
-        m_work.redraw.clear();  // else the rest is replayed when the drag ends
+        m_work.redraw.clear();  // otherwise the rest is replayed when the drag ends
 }
 
 void FrameLoop::restart() {
@@ -432,12 +432,12 @@ void FrameLoop::cancel_replay() {
     if (!m_work.renderer)
         return;
     m_work.renderer->cancel_replay();
-    if (!m_work.renderer->has_drawn())  // shows the current history rather than nothing
+    if (!m_work.renderer->has_drawn())  // shows the current history instead of nothing
         m_work.redraw.add(
             {std::vector<bool>(m_work.renderer->executor().look().passes.size(), true), false});
 }
 
-// After the picture.
+// Called after the picture is drawn.
 void FrameLoop::update_previews() {
     if (m_work.document->is_restacking() || TextConstants::are_pending(*m_work.document) ||
         m_work.renderer->executor().plan().targets.empty() ||

@@ -29,27 +29,28 @@ public:
     const Tryouts& previews() const { return m_previews; }
     const HeavyPassNotice& heavy_pass() const { return m_heavy_pass; }
 
-    /// Draws a look that has just become the document's. `is_same` as before, with another preset.
+    /// Draws a look that has just become the document's. `is_same`: the same look with another
+    /// preset.
     void open(BuiltLook& built, bool is_same);
     /// Draws an edited look; it becomes the document's. The picture keeps its history.
     void replace(BuiltLook& built);
     /// Draws with other constants in the texts of the look.
     void replace_constants(BuiltLook built);
 
-    /// To be called once per update while a look is open. `loading_seconds`: time that this update
-    /// has spent on first draws.
+    /// Call once per update while a look is open. `loading_seconds`: time of this update that was
+    /// spent on first draws.
     void update(double wall_seconds, double loading_seconds);
     /// Restarts the clock and clears the history.
     void restart();
     void cancel_replay();
     /// Applies the whole document again: a file that it names changed.
     void reapply() { m_applied.reset(); }
-    /// Passes whose own pictures are displayed, from the next frame on.
+    /// Sets the displayed passes, from the next frame on.
     void set_displayed(SeenPasses passes) { m_displayed = std::move(passes); }
     const SeenPasses& displayed() const { return m_displayed; }
-    /// Whether parts of a frame are still to be drawn.
+    /// Whether a frame is unfinished.
     bool is_amid_frame() const;
-    /// Whether the picture has all samples that it wants, and nothing moves.
+    /// Whether the picture has all samples, and nothing moves.
     bool has_converged() const;
     /// The accumulated samples; nullopt: the look does not accumulate.
     std::optional<Samples> samples() const {
@@ -91,12 +92,12 @@ private:
     HeavyPassNotice m_heavy_pass{m_work, m_passes};
     Tryouts m_previews;
     SeenPasses m_displayed;
-    std::optional<DocumentState> m_applied;  // what player and renderer have; nullopt: nothing yet
-    Spec m_applied_signal;  // as displayed: with the pen up, a keyframe stands still
-    Extent m_drawn_extent;  // empty: sizes may have changed
+    std::optional<DocumentState> m_applied;  // state of player and renderer; nullopt: none yet
+    Spec m_applied_signal;                   // as displayed: with the pen up, a keyframe is static
+    Extent m_drawn_extent;                   // empty: sizes may have changed
     struct Slices {
         std::chrono::steady_clock::time_point update_begun = {};
-        double unfinished_seconds = 0.0;  // since the unfinished frame was begun
+        double unfinished_seconds = 0.0;  // since the start of the unfinished frame
         bool was_loading = false;         // this update was spent on first draws
         Values missed_events = {};        // of parameters, while the frame was drawn
     } m_slices;

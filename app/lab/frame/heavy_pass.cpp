@@ -2,7 +2,7 @@
 
 std::optional<std::size_t> heavy_pass(const PassTimes& times) {
     constexpr std::size_t enough_frames = 4;
-    constexpr double most_milliseconds = 100000.0;  // not plausible
+    constexpr double most_milliseconds = 100000.0;  // times above are not plausible
     const std::size_t frames = times.frames();
     if (frames < enough_frames)
         return std::nullopt;

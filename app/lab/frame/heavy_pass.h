@@ -12,12 +12,12 @@ struct PictureSize;
 /// Time of a pass per frame above which the window stops responding, ms.
 constexpr double heavy_pass_milliseconds = 1000.0;
 
-/// A pass that took longer than that in each of the last frames. Implausible times, which drivers
+/// A pass that exceeded the limit in each of the last frames. Implausible times, which drivers
 /// report occasionally, are ignored.
 std::optional<std::size_t> heavy_pass(const PassTimes& times);
 
-/// Bypass the pass, or halve the render size.
+/// The choices: bypass the pass, or halve the render size.
 ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size);
 
-/// Sets the halved render size, and says where to change it.
+/// Sets the halved render size, and shows a notice where to change it.
 void use_half_size(Lab& lab, const PictureSize& half);

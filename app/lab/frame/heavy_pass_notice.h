@@ -5,17 +5,17 @@
 
 #include <string>
 
-/// Tells the user once per look that a pass takes too long for the window to respond, and what can
-/// be done.
+/// Shows a notice once per look if a pass takes too long for the window to respond, with possible
+/// actions.
 class HeavyPassNotice {
 public:
     HeavyPassNotice(Workspace& work, const PassControl& passes) : m_work(work), m_passes(passes) {}
 
-    /// The commands that help; empty while no pass takes too long.
+    /// The possible actions; empty while no pass takes too long.
     ChoiceList choices() const;
-    /// After a frame. A pass counts as heavy until it takes half of the limit.
+    /// Call after a frame. A pass counts as heavy until it takes less than half of the limit.
     void update();
-    /// Another look is opened, or the look was edited.
+    /// Call when another look is opened, or the look was edited.
     void reset();
 
 private:

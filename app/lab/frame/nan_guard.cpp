@@ -47,8 +47,8 @@ void NanGuard::update() {
         m_work.player.play();
 }
 
-// Some frames have been drawn since. A replay up to that frame restores its history and shows the
-// pixel.
+// Some frames have been drawn since the finding. A replay up to its frame restores the history and
+// shows the pixel.
 void NanGuard::stop_at(const Trip& found) {
     if (m_work.renderer->executor().guard() == Executor::Guard::clamp) {
         if (!m_was_reported && m_answer != TripAnswer::clamp) {

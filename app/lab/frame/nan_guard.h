@@ -5,11 +5,11 @@
 
 #include <optional>
 
-/// What the user wants done about NaN and infinity.
+/// The user's action for NaN and infinity.
 enum class TripAnswer {
-    clear,  // history is cleared
-    clamp,  // they are replaced by finite values
-    go_on,  // they are ignored until the look changes
+    clear,  // clears the history
+    clamp,  // replaces them by finite values
+    go_on,  // ignores them until the look changes
 };
 
 /// Pauses when a pass writes NaN or infinity, and finds the pass that wrote it first.
@@ -17,21 +17,21 @@ class NanGuard {
 public:
     explicit NanGuard(Workspace& work) : m_work(work) {}
 
-    /// The pixel that paused the picture; nullopt: there is none.
+    /// The pixel that paused the picture; nullopt: none.
     const std::optional<Trip>& found() const { return m_found; }
     void answer(TripAnswer answer);
     /// Without a user to ask, the values are clamped, and the first one is reported.
     void set_unattended(bool is_unattended) { m_is_unattended = is_unattended; }
 
-    /// Before a frame is drawn: how the executor detects.
+    /// Call before a frame is drawn: sets the detection of the executor.
     void prepare();
-    /// After a frame was drawn.
+    /// Call after a frame was drawn.
     void update();
-    /// After a change that may have removed the cause.
+    /// Call after a change that may have removed the cause.
     void recheck(const Redraw& redraw);
-    /// The clock restarts.
+    /// Call when the clock restarts.
     void restart() { m_found.reset(); }
-    /// Another look is opened, or the look was edited.
+    /// Call when another look is opened, or the look was edited.
     void reset();
 
 private:

@@ -13,7 +13,7 @@ void PassControl::toggle(PassSwitch which, const std::string& pass) {
         set(*next);
 }
 
-// Frozen and skipped passes show what they have.
+// Frozen and left-out passes keep their last picture and are not redrawn.
 void PassControl::set(const PassSwitches& switches) {
     if (!m_work.document || !m_work.renderer)
         return;
@@ -52,7 +52,7 @@ void PassControl::clear_history() {
         clear(std::vector<bool>(m_work.document->look().passes.size(), true));
 }
 
-// A paused picture is drawn again from what is left. Accumulating passes need earlier frames.
+// A paused picture is redrawn from the remaining history. Accumulating passes need earlier frames.
 void PassControl::clear(const std::vector<bool>& passes) {
     const Look& look = m_work.document->look();
     m_work.renderer->cancel_replay();

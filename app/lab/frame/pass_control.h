@@ -17,16 +17,16 @@ public:
     const PassSwitches& switches() const { return m_switches; }
     /// Turns a switch of a pass on or off.
     void toggle(PassSwitch which, const std::string& pass);
-    /// Applies switches; passes that are drawn again are redrawn in a paused picture.
+    /// Applies switches. In a paused picture, affected passes are redrawn.
     void set(const PassSwitches& switches);
-    /// After the renderer's look was replaced.
+    /// Call after the renderer's look was replaced.
     void apply() { set(m_switches); }
-    /// Another look is opened.
+    /// Call when another look is opened.
     void reset() { m_switches = {}; }
-    /// Clears the history of a pass, also of a frozen one.
+    /// Clears the history of a pass, even if it is frozen.
     void clear_history(const std::string& pass);
     void clear_history();  // of all passes
-    /// The index of the pass that is shown as the picture; 0 if no look is open.
+    /// The index of the pass that is displayed as the picture; 0 if no look is open.
     int picture_pass() const;
 
 private:

@@ -13,7 +13,7 @@
 
 #include <memory>
 
-/// The open look and what it plays and shows. The parts of the lab share it.
+/// The open look, its media and its pictures. The parts of the lab share it.
 struct Workspace {
     Library library;
     Messages messages = {};
