@@ -59,7 +59,7 @@ public:
     void make_room();
     /// Completes the unfinished picture.
     void finish();
-    /// Drops the unfinished picture: the state is as before begin(), except for what was drawn in
+    /// Drops the unfinished picture: the state is as before begin(), except for pictures drawn in
     /// place.
     void drop() {
         m_unfinished = Unfinished::no;

@@ -88,7 +88,7 @@ private:
     std::optional<OpenRequest> m_asked;
     bool m_is_asked_unopened = false;  // m_asked could not be opened: reading it again opens it
     std::optional<OpenRequest> m_opened;
-    std::function<void()> m_then;  // when what was asked for has opened
+    std::function<void()> m_then;  // called when m_asked has opened
     std::string m_failed;
     double m_reading_seconds = 0.0;
     std::unique_ptr<PendingLook> m_pending;  // the newest one; null: none was built

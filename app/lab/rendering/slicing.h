@@ -1,7 +1,7 @@
 #pragma once
 
 /// Decides whether frames are drawn in slices: those of a look that would block the window, and the
-/// first one, whose cost is unknown.
+/// first one, which has an unknown cost.
 class Slicing {
 public:
     /// The time of a slice per update of the window; 0: all frames are drawn whole.
