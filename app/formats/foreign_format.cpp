@@ -39,10 +39,6 @@ constexpr std::array formats{
 };
 }  // namespace
 
-std::span<const ForeignFormat> foreign_formats() {
-    return formats;
-}
-
 const ForeignFormat* find_foreign_format(const fs::path& file) {
     const auto found = std::ranges::find_if(
         formats, [&file](const ForeignFormat& format) { return format.is_file(file); });

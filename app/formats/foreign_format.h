@@ -16,9 +16,7 @@ struct ForeignFormat {
                        const ReadingHelp& help);
 };
 
-/// All formats. A file has the first one that recognises it.
-std::span<const ForeignFormat> foreign_formats();
-/// The format of a file; null: it is not a look of another program.
+/// The first format that recognises a file; null: it is not a look of another program.
 const ForeignFormat* find_foreign_format(const std::filesystem::path& file);
 /// Extensions of all formats, each once.
 std::vector<std::string> foreign_extensions();

@@ -219,10 +219,6 @@ bool Window::is_close_requested() const {
     return glfwWindowShouldClose(m_window) == GLFW_TRUE;
 }
 
-void Window::refuse_close() {
-    glfwSetWindowShouldClose(m_window, GLFW_FALSE);
-}
-
 std::vector<std::filesystem::path> Window::take_dropped_files() {
     return std::exchange(m_dropped, {});
 }
@@ -251,10 +247,6 @@ std::array<int, 2> Window::position() const {
 
 bool Window::is_maximised() const {
     return glfwGetWindowAttrib(m_window, GLFW_MAXIMIZED) == GLFW_TRUE;
-}
-
-bool Window::is_focused() const {
-    return glfwGetWindowAttrib(m_window, GLFW_FOCUSED) == GLFW_TRUE;
 }
 
 float Window::content_scale() const {

@@ -69,8 +69,6 @@ public:
     void set_vsync(bool is_on);
 
     bool is_close_requested() const;
-    /// Clears the close request.
-    void refuse_close();
     /// Files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped_files();
     /// Mouse and keyboard events since the last call, in order.
@@ -83,7 +81,6 @@ public:
     Extent size() const;
     std::array<int, 2> position() const;
     bool is_maximised() const;
-    bool is_focused() const;
     /// The display's DPI relative to the default: 1 on a standard display, 2 on a high-DPI display.
     float content_scale() const;
     /// Of the window's display, Hz; 60 if unknown.

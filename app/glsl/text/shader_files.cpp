@@ -109,7 +109,6 @@ ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
     ++m_reads;
     Result<std::string> bytes = read_text(file);
     if (is_new || bytes != known.bytes) {
-        known.digest = std::hash<std::string>()(bytes ? *bytes : to_string(bytes.error()));
         known.found.reset();
         known.bytes = std::move(bytes);
     }
@@ -129,13 +128,6 @@ const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
 
 const Result<std::string>& ShaderFiles::read_plain(const fs::path& file) {
     return known(file).bytes;
-}
-
-std::optional<std::size_t> ShaderFiles::digest_of_read(const fs::path& file) const {
-    const auto at = m_known.find(file.native());
-    if (at == m_known.end() || at->second.asked != m_reading)
-        return std::nullopt;
-    return at->second.digest;
 }
 
 bool ShaderFiles::exists(const fs::path& file) {

@@ -50,8 +50,6 @@ public:
     const Result<ShaderText>& read(const std::filesystem::path& file);
     /// Like read(), for another text of a look, without parsing it.
     const Result<std::string>& read_plain(const std::filesystem::path& file);
-    /// Digest of the file's text in this reading; nullopt if the reading has not used the file.
-    std::optional<std::size_t> digest_of_read(const std::filesystem::path& file) const;
     bool exists(const std::filesystem::path& file);
     /// The canonical path; "" if the file is missing.
     const std::filesystem::path& place_of(const std::filesystem::path& path);
@@ -61,7 +59,6 @@ public:
 private:
     struct Known {
         Result<std::string> bytes;
-        std::size_t digest = 0;                   // of the bytes, or of the error
         std::optional<Result<ShaderText>> found;  // parsed from the bytes
         std::optional<FileStamp> stamp;  // taken before reading; nullopt: too recent to be reliable
         std::filesystem::path place;     // the canonical path when read

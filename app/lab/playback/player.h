@@ -51,15 +51,11 @@ public:
     /// The device of the live input; "": not open.
     std::string live_device() const { return m_capture ? m_capture->device_name() : ""; }
 
-    /// While muted, live input is silent and its device is closed.
-    bool is_input_muted() const { return m_is_input_muted; }
     /// Closes or opens the device of the live input.
     Result<void> mute_input(bool is_muted);
     /// Whether the signal is a live input that is muted.
     bool draws_muted_input() const;
 
-    /// The state of the beam of another program, as BeamFeed::state(); "": not used.
-    std::string sent_state() const { return m_feed ? m_feed->state() : std::string(); }
     /// The errors in the beam of another program.
     Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
     /// As BeamFeed::state(); "": not used.

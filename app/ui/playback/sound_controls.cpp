@@ -193,7 +193,7 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
 
 void draw_silence(const Scene& scene) {
     const Player& player = scene.lab.player();
-    for (std::string text : {player.sent_state(), player.silence()}) {
+    for (std::string text : {player.sender_state(), player.silence()}) {
         if (text.empty())
             continue;
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
