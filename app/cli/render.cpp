@@ -169,9 +169,10 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     if (!part)
         return fail(part.error());
     if (draws_many(arguments, offline.executor().look()))
-        if (auto settled = offline.settle(seen_passes(arguments, offline.executor().look(), *pass));
-            !settled)
-            return settled;
+        if (auto specialized =
+                offline.specialize(seen_passes(arguments, offline.executor().look(), *pass));
+            !specialized)
+            return specialized;
     ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
     auto done = is_film_output(arguments.output) || names.is_sequence()
                     ? draw_frames(arguments, std::move(job), offline)

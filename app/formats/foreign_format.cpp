@@ -1,9 +1,9 @@
 #include "formats/foreign_format.h"
 
 #include "base/text.h"
-#include "formats/bare/bare_format.h"
+#include "formats/fragment/fragment_format.h"
 #include "formats/isf/isf_format.h"
-#include "formats/shadertoy/toy_format.h"
+#include "formats/shadertoy/shadertoy_format.h"
 #include "formats/slang/slang_format.h"
 
 #include <algorithm>
@@ -33,8 +33,9 @@ bool has_isf_extension(const fs::path& file) {
 constexpr std::array formats{
     ForeignFormat{"RetroArch .slangp and .slang", slang_extensions, is_slang_file, load_slang},
     ForeignFormat{"ISF", isf_extensions, is_isf_file, load_isf},
-    ForeignFormat{"Shadertoy", shader_extensions, is_toy_file, load_toy_look},
-    ForeignFormat{"plain fragment shaders", shader_extensions, is_bare_file, load_bare_look},
+    ForeignFormat{"Shadertoy", shader_extensions, is_shadertoy_file, load_shadertoy_look},
+    ForeignFormat{"plain fragment shaders", shader_extensions, is_fragment_file,
+                  load_fragment_look},
     ForeignFormat{"", isf_extensions, has_isf_extension, load_isf},
 };
 }  // namespace

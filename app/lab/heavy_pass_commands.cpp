@@ -5,17 +5,18 @@
 
 ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
     ChoiceList list{"Heavy pass"};
-    if (handed_on(pass))
+    if (passed_input(pass))
         list.choices.push_back(
             {.name = fmt::format("Bypass {}", pass.name),
-             .deeds = {[name = pass.name](Lab& lab) {
+             .commands = {[name = pass.name](Lab& lab) {
                  lab.frames().passes().toggle(PassSwitch::bypass, name);
                  lab.messages().say(fmt::format(
                      "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
              }}});
     if (const auto half = size.halved())
-        list.choices.push_back({.name = "Halve render size",
-                                .deeds = {[half = *half](Lab& lab) { use_half_size(lab, half); }}});
+        list.choices.push_back({.name = "Halve render size", .commands = {[half = *half](Lab& lab) {
+                                                                 use_half_size(lab, half);
+                                                             }}});
     return list;
 }
 

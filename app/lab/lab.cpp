@@ -99,7 +99,7 @@ void Lab::open_document(BuiltLook& built) {
         document.emplace(std::move(*built.look));
     }
     document->keep_content(content);
-    remember_files(*document, m_work.drive.recent());
+    remember_files(*document, m_work.media.recent());
     m_frames.open(built, is_same);
     open_values(request);
     if (!is_same)
@@ -112,7 +112,7 @@ void Lab::open_document(BuiltLook& built) {
     if (request.preset)
         m_content.offer(with_checked_media(*request.preset, document->look(),
                                            media_folder(request.preset_file),
-                                           m_work.drive.recent()));
+                                           m_work.media.recent()));
 }
 
 void Lab::open_values(const OpenRequest& request) {
@@ -124,7 +124,7 @@ void Lab::open_values(const OpenRequest& request) {
     }
     const fs::path folder = media_folder(request.preset_file);
     CheckedPreset checked =
-        with_checked_media(*request.preset, m_work.document->look(), folder, m_work.drive.recent());
+        with_checked_media(*request.preset, m_work.document->look(), folder, m_work.media.recent());
     Preset preset = std::move(checked.preset);
     const auto warn = [this](Diagnostics& problems) {
         for (Diagnostic& problem : problems)
@@ -172,5 +172,5 @@ void Lab::file_changed(const fs::path& file) {
         m_frames.reapply();  // reads it again, and draws a paused picture again
     m_frames.comparison().file_changed(file);
     if (file == driving_file(*m_work.document))
-        m_work.drive.read_again(*m_work.document);
+        m_work.media.read_again(*m_work.document);
 }

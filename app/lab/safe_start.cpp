@@ -67,9 +67,9 @@ void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& l
             opening.loader().open(request_of(left));
     };
     const fs::path file = left.file();
-    lab.messages().ask(message_about(left), {Choice{.name = "Try again", .deeds = {open_again}},
+    lab.messages().ask(message_about(left), {Choice{.name = "Try again", .commands = {open_again}},
                                              Choice{.name = "Open in editor",
-                                                    .deeds = {[file](Lab& opening) {
+                                                    .commands = {[file](Lab& opening) {
                                                         opening.looks().open_in_editor({file, 1});
                                                     }}}});
 }

@@ -1,8 +1,8 @@
 #include "signals/signal_table.h"
 
 #include "signals/audio/audio.h"
-#include "signals/beam/sent.h"
-#include "signals/drawing/drawn.h"
+#include "signals/beam/beam_input_format.h"
+#include "signals/drawing/path_signals.h"
 #include "signals/drawing/stroke_font.h"
 #include "signals/generators/harmonics.h"
 #include "signals/generators/lissajous.h"

@@ -21,10 +21,10 @@ struct Engine {
         tell_driver(offline.context().facts());
         if (auto set = player.set_signal(offline.document().state().signal); !set)
             give_up(set.error());
-        if (auto off = offline.set_guard(Executor::Guard::off); !off)
+        if (auto off = offline.set_nan_policy(Executor::NanPolicy::off); !off)
             give_up(off.error());
-        if (auto settled = offline.settle(seen); !settled)
-            give_up(settled.error());
+        if (auto specialized = offline.specialize(seen); !specialized)
+            give_up(specialized.error());
     }
 
     Beam points() { return player.trace(player.advance_fixed(60.0).span); }

@@ -6,7 +6,7 @@
 #include "bench/wanted.h"
 #include "gpu/objects/readback.h"
 #include "graph/beam/merge_segments.h"
-#include "graph/programs/settled_look.h"
+#include "graph/programs/specialized_look.h"
 #include "lab/offline/offline.h"
 
 #include <fmt/format.h>
@@ -72,10 +72,10 @@ private:
         const Look& look = prepared.document.look();
         const Values& values = prepared.document.values();
         const Plan plan = wanted(plan_targets(look, screen, {}, values));
-        SettledTexts texts;
-        const Look settled = settled_look(
+        SpecializedTexts texts;
+        const Look specialized = specialized_look(
             look, values, plan, [](const Parameter&) { return false; }, texts);
-        return Executor(look, wanted(build_programs(settled)));
+        return Executor(look, wanted(build_programs(specialized)));
     }
 
     Prepared m_prepared;

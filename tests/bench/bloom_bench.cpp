@@ -30,7 +30,7 @@ public:
         std::vector<bool> seen(look.passes.size(), false);
         seen.back() = true;
         expect(m_executor.resize(picture_extent, picture_extent));
-        expect(m_executor.set_seen(seen));
+        expect(m_executor.set_displayed(seen));
         for (const std::string& name : pass_names(look))
             m_passes.push_back(name == "reduced" || name.starts_with("bloom_down") ||
                                name.starts_with("bloom_up") || name == "bloom_y");

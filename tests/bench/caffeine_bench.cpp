@@ -87,7 +87,7 @@ Result<bench::Cost> cost_of(const Method& ours, const Method& articles) {
         if (!*tracer)
             return fail(tracer->error());
     for (PathTracer* tracer : {&*plain, &*own})
-        if (auto done = tracer->settle(); !done)
+        if (auto done = tracer->specialize(); !done)
             return fail(done.error());
     constexpr double seconds = 15.0;
     return bench::side_by_side_for(

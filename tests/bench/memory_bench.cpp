@@ -22,7 +22,7 @@ struct Setting {
     std::optional<bench::Bound> bytes;  // per pixel of the picture
 };
 
-Offline settled(const Setting& setting) {
+Offline specialized(const Setting& setting) {
     RenderRequest request;
     request.look = "phosphor";
     request.preset = setting.preset;
@@ -31,13 +31,13 @@ Offline settled(const Setting& setting) {
     const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
     Offline offline =
         wanted(Offline::create(wanted(prepare(request, library)), picture_extent, 60.0));
-    wanted(offline.set_guard(Executor::Guard::off));
-    wanted(offline.settle());
+    wanted(offline.set_nan_policy(Executor::NanPolicy::off));
+    wanted(offline.specialize());
     return offline;
 }
 
 void tell_memory(const Setting& setting) {
-    const Offline offline = settled(setting);
+    const Offline offline = specialized(setting);
     bench::tell_driver(offline.context().facts());
     const Executor& executor = offline.executor();
     bench::tell(topic, {.key = setting.key,

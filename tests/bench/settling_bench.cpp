@@ -35,11 +35,11 @@ public:
         return 1e3 * (bench::busy_seconds() - start) / frames;
     }
     /// Returns false if the driver rejects specialised programs.
-    bool settle() {
+    bool specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_frames = 300;
         int frames = 0;
-        while (!m_lab->renderer()->executor().is_settled() && ++frames < most_frames)
+        while (!m_lab->renderer()->executor().is_specialized() && ++frames < most_frames)
             frame(longest);
         frame();
         frame();
@@ -82,16 +82,16 @@ void measure(SettlingBench& bench, const std::string& look) {
     std::vector<double> itself;
     std::vector<double> turns;
     for (int i = 0; i < rounds; ++i) {
-        if (!bench.settle()) {
+        if (!bench.specialize()) {
             fmt::print("  {}: no specialised programs, so not measured\n", look);
             return;
         }
-        const double settled = bench.frame_milliseconds();
+        const double specialized = bench.frame_milliseconds();
         turns.push_back(bench.first_turn_milliseconds());
         const double one = bench.frame_milliseconds();
         const double other = bench.frame_milliseconds();
         own.push_back((one + other) / 2.0);
-        ratios.push_back(settled / own.back());
+        ratios.push_back(specialized / own.back());
         itself.push_back(one / other);
     }
     bench::tell(topic, {.key = name,

@@ -29,7 +29,7 @@ public:
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
                m_lab->player().frame_number() < 5)
             turn();
-        settle();
+        specialize();
     }
     ~StripLab() { m_context->make_current(); }
     StripLab(const StripLab&) = delete;
@@ -48,10 +48,10 @@ public:
     }
 
 private:
-    void settle() {
+    void specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_turns = 300;
-        for (int i = 0; i < most_turns && !m_lab->renderer()->executor().is_settled(); ++i)
+        for (int i = 0; i < most_turns && !m_lab->renderer()->executor().is_specialized(); ++i)
             turn(longest);
         for (int i = 0; i < 20; ++i)
             turn();

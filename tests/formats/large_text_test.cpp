@@ -1,4 +1,4 @@
-#include "formats/bare/varyings.h"
+#include "formats/fragment/varyings.h"
 #include "formats/glsl/modern_glsl.h"
 #include "formats/isf/header.h"
 #include "formats/json/json_document.h"
@@ -39,14 +39,15 @@ TEST_CASE("very many varyings are found fast, each once") {
     std::string names;
     for (int i = 0; i < 300'000; ++i)
         names += fmt::format(", a{}", i);
-    std::vector<BareVarying> found;
+    std::vector<FragmentVarying> found;
     CHECK(is_done_in_a_moment([&] { found = find_varyings("varying vec2 a0" + names + ";"); }));
     CHECK(found.size() == 300'000);
     const std::string odd = "varying vec2 " + times(300'000, "a ") + "b" + times(300'000, ", b");
     CHECK(is_done_in_a_moment([&] { found = find_varyings(odd + ";"); }));
     CHECK(found.size() == 2);
     Diagnostics warnings;
-    vertex_stage_for(std::vector(5000, BareVarying{"mat3", "m"}), builtin_stage("\n"), warnings);
+    vertex_stage_for(std::vector(5000, FragmentVarying{"mat3", "m"}), builtin_stage("\n"),
+                     warnings);
     CHECK(warnings.size() == 1);
 }
 

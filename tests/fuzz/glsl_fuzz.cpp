@@ -1,6 +1,6 @@
 // Single fragment shaders: everything that reads the text before a compiler.
 
-#include "formats/bare/varyings.h"
+#include "formats/fragment/varyings.h"
 #include "formats/glsl/modern_glsl.h"
 #include "fuzz/fuzz_files.h"
 #include "glsl/annotations/hint.h"
@@ -19,7 +19,7 @@ void fuzz_one(std::string_view input) {
     add_words(input, words);
     const Stage stage = builtin_stage(modern_glsl_start(words) + modern);
     Diagnostics problems;
-    const std::vector<BareVarying> varyings = find_varyings(stage.text);
+    const std::vector<FragmentVarying> varyings = find_varyings(stage.text);
     require_places(vertex_stage_for(varyings, stage, problems));
     for (const Declaration& declared : find_declarations(stage.text))
         parse_hints(declared.comments, stage, problems);

@@ -1,5 +1,5 @@
 // Presets of looks from other programs or outside the library.
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 #include "lab/small_lab.h"
 
 namespace {
@@ -30,9 +30,9 @@ public:
     }
 };
 
-std::vector<std::string> presets_of(const ShelfLook& look) {
+std::vector<std::string> presets_of(const ListedLook& look) {
     std::vector<std::string> names;
-    for (const ShelfPreset& preset : look.presets)
+    for (const ListedLookPreset& preset : look.presets)
         names.push_back(preset.name);
     return names;
 }
@@ -42,17 +42,17 @@ TEST_CASE("an open look outside the library is listed last") {
     LabElsewhere elsewhere;
     elsewhere.set_level(0.75);
     elsewhere.lab().presets().save_as("Lighter");
-    Shelf shelf;
-    shelf.update(elsewhere.lab().work().library, nullptr, 0.0);
-    REQUIRE(shelf.looks().size() == 1);
-    CHECK(shelf.looks()[0].entry.id == "small");
+    LibraryView library_view;
+    library_view.update(elsewhere.lab().work().library, nullptr, 0.0);
+    REQUIRE(library_view.looks().size() == 1);
+    CHECK(library_view.looks()[0].entry.id == "small");
     const Look& open = elsewhere.document().look();
-    shelf.update(elsewhere.lab().work().library, &open, 0.0);
-    REQUIRE(shelf.looks().size() == 2);
-    CHECK_FALSE(is_listed_as(open, shelf.looks()[0]));
-    CHECK(is_listed_as(open, shelf.looks()[1]));
-    CHECK(presets_of(shelf.looks()[1]) == std::vector<std::string>{"Lighter"});
-    CHECK(shelf.looks()[1].argument() == argument_of(open));
+    library_view.update(elsewhere.lab().work().library, &open, 0.0);
+    REQUIRE(library_view.looks().size() == 2);
+    CHECK_FALSE(is_listed_as(open, library_view.looks()[0]));
+    CHECK(is_listed_as(open, library_view.looks()[1]));
+    CHECK(presets_of(library_view.looks()[1]) == std::vector<std::string>{"Lighter"});
+    CHECK(library_view.looks()[1].argument() == argument_of(open));
 }
 
 TEST_CASE("a preset of a look from another program opens, and so do its defaults") {

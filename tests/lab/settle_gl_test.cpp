@@ -25,10 +25,10 @@ struct Drawn {
     int draw_calls = 0;
 };
 
-Drawn drawn(const RenderRequest& request, bool is_settled) {
+Drawn drawn(const RenderRequest& request, bool is_specialized) {
     Offline offline = opened(request);
-    if (is_settled)
-        REQUIRE(offline.settle().has_value());
+    if (is_specialized)
+        REQUIRE(offline.specialize().has_value());
     for (int i = 0; i < 4; ++i)
         offline.advance();
     return {offline.picture(), offline.executor().draw_calls()};
@@ -53,20 +53,20 @@ TEST_CASE("specialised programs draw the same picture with fewer draw calls") {
         CAPTURE(story.preset);
         const RenderRequest request{.look = story.look, .preset = story.preset, .size = {96, 72}};
         const Drawn before = drawn(request, false);
-        const Drawn settled = drawn(request, true);
-        const auto apart = difference_between(before.picture, settled.picture, 0.0);
+        const Drawn specialized = drawn(request, true);
+        const auto apart = difference_between(before.picture, specialized.picture, 0.0);
         REQUIRE(apart.has_value());
         CHECK(apart->largest < 2e-3);
-        CHECK(settled.draw_calls <= before.draw_calls);
+        CHECK(specialized.draw_calls <= before.draw_calls);
         if (story.draw_calls > 0)
-            CHECK(settled.draw_calls == story.draw_calls);
+            CHECK(specialized.draw_calls == story.draw_calls);
     }
 }
 
 TEST_CASE("a displayed pass is drawn even if the picture does not need it") {
     const RenderRequest request{.look = "phosphor", .preset = "article", .size = {64, 64}};
     Offline offline = opened(request);
-    REQUIRE(offline.settle({"bloom_x"}).has_value());
+    REQUIRE(offline.specialize({"bloom_x"}).has_value());
     offline.advance();
     CHECK(offline.executor().draw_calls() == 17);
 }
@@ -80,7 +80,7 @@ TEST_CASE("automated parameters stay uniforms, and the next start is generic aga
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {8, 8}, 60.0);
     REQUIRE(offline.has_value());
-    REQUIRE(offline->settle().has_value());
+    REQUIRE(offline->specialize().has_value());
     std::vector<float> shown;
     for (int i = 0; i < 3; ++i) {
         offline->advance();
@@ -92,7 +92,7 @@ TEST_CASE("automated parameters stay uniforms, and the next start is generic aga
     REQUIRE(still.has_value());
     auto turned = Offline::create(std::move(*still), {8, 8}, 60.0);
     REQUIRE(turned.has_value());
-    REQUIRE(turned->settle().has_value());
+    REQUIRE(turned->specialize().has_value());
     turned->advance();
     CHECK(turned->picture().pixels[0] == 2.0f);
     Document document = turned->document();
@@ -115,7 +115,7 @@ TEST_CASE("every Phosphor preset draws the same picture without displayed passes
                                     .size = size};
         Offline apart = opened(request);
         Offline together = opened(request);
-        REQUIRE(together.settle().has_value());
+        REQUIRE(together.specialize().has_value());
         const auto& targets = together.executor().plan().targets;
         sharing += static_cast<int>(std::ranges::count_if(
             targets, [](const PlannedTarget& target) { return target.onto.has_value(); }));
@@ -140,6 +140,6 @@ TEST_CASE("a target is not shared if automation may change its condition") {
     REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), {32, 32}, 60.0);
     REQUIRE(offline.has_value());
-    REQUIRE(offline->settle().has_value());
+    REQUIRE(offline->specialize().has_value());
     CHECK_FALSE(offline->executor().plan().targets[0].onto.has_value());
 }

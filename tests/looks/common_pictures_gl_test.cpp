@@ -36,7 +36,7 @@ public:
         REQUIRE(m_renderer.set_source(colors(), 1.0).has_value());
         std::vector<bool> seen(look.passes.size(), false);
         seen.back() = true;
-        REQUIRE(m_renderer.set_seen(seen, frames).has_value());
+        REQUIRE(m_renderer.set_displayed(seen, frames).has_value());
     }
 
     std::vector<float> picture_of(int frame) {

@@ -29,9 +29,9 @@ public:
     }
 
     /// Specialises the programs for the current values.
-    Result<void> settle() {
+    Result<void> specialize() {
         m_offline.make_current();
-        return m_offline.settle();
+        return m_offline.specialize();
     }
     /// Draws one more batch, with any current context.
     void advance() {

@@ -44,7 +44,7 @@ public:
         m_context->make_current();
         std::vector<bool> seen(m_renderer->executor().look().passes.size(), false);
         seen.back() = true;
-        REQUIRE(m_renderer->set_seen(seen, Executor::Frames::drawn_again).has_value());
+        REQUIRE(m_renderer->set_displayed(seen, Executor::Frames::drawn_again).has_value());
     }
     bool is_drawn_onto(const char* pass) const {
         const Executor& executor = m_renderer->executor();

@@ -1,7 +1,7 @@
 #include "formats/glsl/modern_glsl.h"
 
 #include "base/text.h"
-#include "formats/glsl/later_words.h"
+#include "formats/glsl/reserved_words.h"
 #include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
@@ -147,7 +147,7 @@ private:
     // only if it is declared.
     bool is_taken(std::string_view word) const {
         constexpr int usual = 330;
-        const LaterWord* const later = find_later_word(word);
+        const ReservedWord* const later = find_reserved_word(word);
         if (!later || later->since <= m_version.words)
             return false;
         return later->since > usual || m_names.contains(word);

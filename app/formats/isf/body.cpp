@@ -1,6 +1,6 @@
 #include "formats/isf/body.h"
 
-#include "formats/glsl/later_words.h"
+#include "formats/glsl/reserved_words.h"
 #include "glsl/text/tokens.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace {
 const std::string own_prefix = "isf_own_";
 
 // An older shader may use such a word as a name.
-bool is_later(std::string_view word, LaterWord::Kind kind) {
+bool is_reserved_later(std::string_view word, ReservedWord::Kind kind) {
     constexpr int first_too_late = 400;
-    const LaterWord* const later = find_later_word(word);
+    const ReservedWord* const later = find_reserved_word(word);
     return later && later->kind == kind && later->since >= first_too_late;
 }
 
@@ -111,8 +111,9 @@ private:
     void find_own_functions() {
         const std::vector<Token>& all = m_tokens.all;
         for (std::size_t i = 1; i + 1 < all.size(); ++i)
-            if (is_later(all[i].text, LaterWord::Kind::function) && all[i + 1].is("(") &&
-                all[i - 1].kind == Token::Kind::word && !all[i - 1].is("return"))
+            if (is_reserved_later(all[i].text, ReservedWord::Kind::function) &&
+                all[i + 1].is("(") && all[i - 1].kind == Token::Kind::word &&
+                !all[i - 1].is("return"))
                 m_own.insert(all[i].text);
     }
 
@@ -137,8 +138,9 @@ private:
             return std::string(former->second);
         if (m_own.contains(token.text))
             return own_prefix + std::string(token.text);
-        return is_later(token.text, LaterWord::Kind::keyword) ? own_prefix + std::string(token.text)
-                                                              : std::string();
+        return is_reserved_later(token.text, ReservedWord::Kind::keyword)
+                   ? own_prefix + std::string(token.text)
+                   : std::string();
     }
 
     std::string_view m_text;
@@ -151,7 +153,7 @@ private:
 
 std::string isf_declared_word(std::string_view name) {
     const bool is_taken =
-        is_later(name, LaterWord::Kind::keyword) || language_words().contains(name);
+        is_reserved_later(name, ReservedWord::Kind::keyword) || language_words().contains(name);
     return (is_taken ? own_prefix : std::string()) + std::string(name);
 }
 

@@ -126,7 +126,7 @@ private:
     }
 
     // Each look settles after its source has settled.
-    void add_settling(const Look& look) {
+    void add_specialization(const Look& look) {
         m_look.settle_frames =
             std::min(m_look.settle_frames + look.settle_frames - 1, most_settle_frames);
     }
@@ -148,7 +148,7 @@ private:
             m_look.images.push_back(std::move(image));
         }
         m_look.passes.back().output = m_look.output = look.output;
-        add_settling(look);
+        add_specialization(look);
     }
 
     // 8 bits are only for the screen. For another look, keeps light above 1 and fine steps.

@@ -71,7 +71,7 @@ private:
         return name.substr(name.rfind(':') + 1);  // npos + 1 is 0
     }
 
-    static bool is_displayed(const pugi::xml_node& tag) {
+    static bool is_seen(const pugi::xml_node& tag) {
         std::string style = tag.attribute("style").value();
         std::erase(style, ' ');
         return tag.attribute("display").value() != std::string_view("none") &&
@@ -83,7 +83,7 @@ private:
         const bool is_keyframe = static_cast<bool>(tag.attribute("data-keyframe"));
         if (is_keyframe)
             level.keyframe = m_found.keyframes++;
-        else if (!is_displayed(tag))
+        else if (!is_seen(tag))
             level.is_hidden = true;
         if (is_keyframe && m_found.keyframes == most_keyframes + 1)
             problem(tag, fmt::format("too many keyframes; the limit is {}", most_keyframes));

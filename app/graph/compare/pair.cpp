@@ -1,7 +1,7 @@
 #include "graph/compare/pair.h"
 
-#include "graph/inspect/measuring.h"
 #include "graph/inspect/pair_text.h"
+#include "graph/inspect/texel_programs.h"
 
 #include <array>
 

@@ -69,9 +69,9 @@ void Executor::prepare() {
     }
     m_parameters = ParameterUniforms(m_look, m_programs);
     m_parameters.write(m_look, m_values);
-    m_upright.forget();
+    m_flipped_rows.forget();
     if (m_programs.views)
-        m_upright.draw_with(part_of(m_programs.views, &ViewPrograms::pass_through));
+        m_flipped_rows.draw_with(part_of(m_programs.views, &ViewPrograms::pass_through));
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {
@@ -104,21 +104,21 @@ Result<void> Executor::replace(Look look, Programs programs) {
         m_sound = std::move(*sound);
     }
     if (has_other_passes)
-        m_seen.clear();
+        m_displayed.clear();
     m_cubes = {};
     if (m_unsettled)
         take_own_back();
     m_spots.clear();
     if (!are_bound_alike(look, m_look)) {
         m_passes.clear();
-        m_settled_passes.clear();
+        m_specialized_passes.clear();
     }
     m_look = std::move(look);
     m_programs = std::move(programs);
     ++m_picture_number;
     prepare();
-    if (m_tripwire)
-        m_tripwire->clear();
+    if (m_nan_detector)
+        m_nan_detector->clear();
     return {};
 }
 
@@ -162,7 +162,7 @@ Result<void> Executor::resize(Extent viewport, Extent source) {
         m_plan = std::move(*plan);
         m_order = draw_order(m_plan);
         if (!share_alike)
-            end_settled();  // those programs contain which pass was drawn onto which
+            end_specialized();  // those programs contain which pass was drawn onto which
         m_source.set_slots(m_plan.source_slots);
         ++m_picture_number;
         forget_paces();
@@ -185,14 +185,14 @@ void Executor::set_values(const Values& values) {
     const std::vector<std::string> changed = changed_parameters(m_look, m_values, values);
     if (!changed.empty()) {
         restart_samples(redraw_after(m_look, changed).passes);
-        end_settled_if_moved(changed);
+        end_specialized_if_moved(changed);
         m_spots.clear();
     }
     follow_values(m_values, values);
     m_parameters.write(m_look, m_values, changed);
 }
 
-void Executor::claim_programs() {
+void Executor::invalidate_uniforms() {
     const gpu::ContextScope scope(m_home.get());
     m_parameters.forget_written();
     m_parameters.write(m_look, m_values);

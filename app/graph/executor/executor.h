@@ -6,7 +6,7 @@
 #include "graph/beam/quad.h"
 #include "graph/executor/frame_work.h"
 #include "graph/executor/row_pace.h"
-#include "graph/inspect/tripwire.h"
+#include "graph/inspect/nan_detector.h"
 #include "graph/programs/bound_input.h"
 #include "graph/programs/built_in_uniforms.h"
 #include "graph/programs/frame.h"
@@ -14,12 +14,12 @@
 #include "graph/programs/pass_report.h"
 #include "graph/programs/programs.h"
 #include "graph/targets/cube_copies.h"
+#include "graph/targets/flipped_rows.h"
 #include "graph/targets/keyboard.h"
 #include "graph/targets/pass_through.h"
 #include "graph/targets/sound_textures.h"
 #include "graph/targets/source_history.h"
 #include "graph/targets/target_set.h"
-#include "graph/targets/upright.h"
 #include "model/look/texture_choice.h"
 #include "model/plan/pass_switches.h"
 
@@ -67,11 +67,11 @@ public:
     /// Draws with specialised programs of the same look, whose constants are the current values.
     /// The parameters in `moving` are still uniforms. programs() and report() still describe the
     /// generic programs. These return when another value is set or the look is replaced.
-    void settle(Programs programs, std::set<std::string> moving);
-    bool is_settled() const { return m_unsettled.has_value(); }
+    void specialize(Programs programs, std::set<std::string> moving);
+    bool is_specialized() const { return m_unsettled.has_value(); }
     /// Programs hold the values of the executor that drew last. Call this before each draw if two
     /// executors share programs.
-    void claim_programs();
+    void invalidate_uniforms();
     /// Sets how each pass is handled from the next frame on; empty: all are drawn. A frozen pass
     /// with an empty target is drawn once.
     Result<void> set_runs(std::vector<PassRun> runs);
@@ -81,8 +81,8 @@ public:
     /// Sets the displayed passes from the next frame on; empty: all. The others may share targets.
     /// target() draws a pass that shares a target once more, separately. With drawn_once these
     /// pictures may be overwritten: redraw() and double-buffered frames are not allowed.
-    Result<void> set_seen(std::vector<bool> seen, Frames frames = Frames::drawn_again);
-    const std::vector<bool>& seen() const { return m_seen; }
+    Result<void> set_displayed(std::vector<bool> seen, Frames frames = Frames::drawn_again);
+    const std::vector<bool>& seen() const { return m_displayed; }
     /// Converts the picture to the look's source_encoding. The planned size of the source is set by
     /// resize().
     Result<void> set_source(const Picture& picture);
@@ -108,13 +108,13 @@ public:
     bool is_amid_frame() const { return m_is_amid_frame; }
     /// Whether the previous frame can be displayed meanwhile. Not if a pass that reads its own
     /// history is drawn several times in a frame.
-    bool can_draw_beside() const;
+    bool can_double_buffer() const;
     /// Continues for about `seconds`; true when the frame is complete.
     bool continue_frame(double seconds);
     void drop_frame();
     /// Draws a band of the pass, its levels, NaN detection and displayed picture, only so that the
     /// driver compiles for them. The contents of the targets are lost.
-    void rehearse(const Frame& frame, std::size_t pass);
+    void warm_up_pass(const Frame& frame, std::size_t pass);
     /// Frees the memory for slices.
     void end_slices();
 
@@ -133,15 +133,15 @@ public:
     /// frames read, and in one other pass per frame in turn. search: detects them in every drawn
     /// pass. clamp: replaces them in every pass of a whole frame, otherwise in targets that later
     /// frames read. Targets whose format has no such numbers are skipped.
-    enum class Guard { off, watch, search, clamp };
-    Result<void> set_guard(Guard guard);
-    Guard guard() const { return m_guard; }
-    /// The first such number since the last call; see Tripwire::take.
-    std::optional<Trip> take_trip(bool waits = false);
-    /// Whether the GPU has not finished the checks that take_trip() reports.
-    bool awaits_trip() const { return m_tripwire && m_tripwire->is_waiting(); }
+    enum class NanPolicy { off, watch, search, clamp };
+    Result<void> set_nan_policy(NanPolicy guard);
+    NanPolicy guard() const { return m_guard; }
+    /// The first such number since the last call; see NanDetector::take.
+    std::optional<NonFinitePixel> take_non_finite(bool waits = false);
+    /// Whether the GPU has not finished the checks that take_non_finite() reports.
+    bool awaits_nan_check() const { return m_nan_detector && m_nan_detector->is_waiting(); }
     /// Replaces such numbers in all stored pictures.
-    void mend();
+    void sanitize();
 
     /// The picture of a pass in this frame. This and the following functions return textures whose
     /// bottom row comes first, whatever the look's row order is. Not during a draw.
@@ -206,12 +206,12 @@ private:
     };
 
     PassState make_state(std::size_t pass) const;
-    void end_settled();
+    void end_specialized();
     void take_own_back();
-    void hand_on_state(std::vector<PassState>& from);
+    void move_state(std::vector<PassState>& from);
     void forget_paces();
-    void end_settled_if_moved(const std::vector<std::string>& changed);
-    const PassState& told_state(std::size_t pass) const {
+    void end_specialized_if_moved(const std::vector<std::string>& changed);
+    const PassState& reported_state(std::size_t pass) const {
         return m_unsettled ? m_unsettled->passes[pass] : m_passes[pass];
     }
     void prepare();
@@ -231,7 +231,7 @@ private:
     void move_on(bool is_unfinished);
     void draw_passes();
     void draw_pass(std::size_t pass);
-    void hand_back_after(std::size_t pass);
+    void release_after(std::size_t pass);
     bool begin_pass(std::size_t pass);
     void start_draw(std::size_t pass, int draw);
     void write_sample(std::size_t pass, int draw);
@@ -266,10 +266,10 @@ private:
     void draw_shape(std::size_t pass) const;
     bool is_remembered(std::size_t pass) const;  // later frames read it
     bool is_watched(std::size_t pass) const;
-    bool is_handed_back(std::size_t pass) const;
-    void guard_pass(std::size_t pass);
-    void guard_frame();
-    void look_behind(const std::vector<bool>& drawn);
+    bool is_released(std::size_t pass) const;
+    void check_pass(std::size_t pass);
+    void check_frame();
+    void check_cause(const std::vector<bool>& drawn);
 
     std::shared_ptr<gpu::Context> m_home;
     std::unique_ptr<gpu::ContextScope> m_scope;  // while the members below are built and destroyed
@@ -285,9 +285,9 @@ private:
     Quad m_quad;
     std::vector<PassState> m_passes;
     std::optional<Unsettled> m_unsettled;
-    std::vector<PassState> m_settled_passes;  // the last specialised ones, which may return
+    std::vector<PassState> m_specialized_passes;  // the last specialised ones, which may return
     std::vector<PassRun> m_runs;
-    std::vector<bool> m_seen;
+    std::vector<bool> m_displayed;
     Frames m_frames = Frames::drawn_again;
     std::vector<std::size_t> m_order;           // drawing order of the passes
     std::optional<PassThrough> m_pass_through;  // since the first bypass
@@ -302,13 +302,13 @@ private:
     std::map<std::string, std::shared_ptr<const gpu::Texture>> m_images;
     std::map<SampleKind, gpu::Canvas> m_empty;  // one texel of transparent black
     mutable gpu::Samplers m_samplers;
-    mutable Upright m_upright;
-    Guard m_guard = Guard::off;
+    mutable FlippedRows m_flipped_rows;
+    NanPolicy m_guard = NanPolicy::off;
     bool m_draws_whole = false;  // the current frame
     FrameWork m_work;
     bool m_is_amid_frame = false;
     bool m_is_beside = false;  // targets report the frame before the unfinished one
-    std::optional<Tripwire> m_tripwire;
+    std::optional<NanDetector> m_nan_detector;
     int m_draw_calls = 0;
     std::uint64_t m_picture_number = 0;
     Frame m_drawn;  // the current or last frame, without its beam

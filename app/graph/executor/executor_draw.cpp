@@ -133,18 +133,18 @@ void Executor::draw_passes() {
     for (const std::size_t pass : m_order) {
         if (m_work.passes[pass])
             draw_pass(pass);
-        hand_back_after(pass);
+        release_after(pass);
     }
-    guard_frame();
+    check_frame();
     m_samplers.release();
     m_draw_calls = m_work.draw_calls;
 }
 
 // No later pass of the frame reads these pictures.
-void Executor::hand_back_after(std::size_t pass) {
+void Executor::release_after(std::size_t pass) {
     for (std::size_t i = 0; i < m_plan.targets.size(); ++i)
         if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
-            m_targets[i].hand_back(m_work.passes[i]);
+            m_targets[i].release(m_work.passes[i]);
 }
 
 void Executor::draw_pass(std::size_t index) {
@@ -221,7 +221,7 @@ void Executor::end_pass(std::size_t index) {
     if (is_followed_onto(index))
         return;
     const std::size_t host = host_of(index);
-    guard_pass(host);
+    check_pass(host);
     m_targets[host].canvas().texture().generate_mipmaps();
 }
 
@@ -267,7 +267,7 @@ std::optional<TextureChoice> choice_of(const BoundInput& input, const Look& look
 
 PassReport Executor::report(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    const PassState& state = told_state(index);
+    const PassState& state = reported_state(index);
     PassReport report;
     for (const BoundInput& input : state.inputs) {
         SamplerReport sampler{input.uniform, choice_of(input, m_look), {}, {}, {}};

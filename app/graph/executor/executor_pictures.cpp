@@ -31,9 +31,10 @@ RowOrder Executor::rows_of(const BoundInput& input) const {
 }
 
 const gpu::Texture& Executor::upright(const gpu::Texture& stored, RowOrder rows) const {
-    const bool draws = rows != RowOrder::bottom_first && !m_upright.holds(stored, m_picture_number);
+    const bool draws =
+        rows != RowOrder::bottom_first && !m_flipped_rows.holds(stored, m_picture_number);
     const gpu::ContextScope scope(draws ? m_home.get() : nullptr);
-    return m_upright.view(stored, rows, m_picture_number);
+    return m_flipped_rows.view(stored, rows, m_picture_number);
 }
 
 const gpu::Texture& Executor::target(int pass) const {

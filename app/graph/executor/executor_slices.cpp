@@ -27,7 +27,7 @@ void Executor::begin_redraw(const Frame& frame, const std::vector<bool>& passes,
     m_is_beside = is_beside;
 }
 
-bool Executor::can_draw_beside() const {
+bool Executor::can_double_buffer() const {
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         if (m_passes[i].reads_itself && repeats_of(m_look.passes[i]) > 1)
             return false;
@@ -65,7 +65,7 @@ void Executor::continue_pass(double seconds) {
     if (is_drawn && !m_work.has_begun_pass)
         m_work.has_begun_pass = begin_pass(index);
     const auto next_pass = [&] {
-        hand_back_after(index);
+        release_after(index);
         ++m_work.pass;
         m_work.draw = m_work.row = 0;
         m_work.has_begun_pass = false;
@@ -117,7 +117,7 @@ void Executor::finish_frame() {
         m_targets[i].finish();
     {
         const gpu::DrawScope scope;
-        guard_frame();
+        check_frame();
         m_samplers.release();
     }
     m_draw_calls = m_work.draw_calls;
@@ -136,7 +136,7 @@ void Executor::drop_frame() {
         m_targets[i].drop();
 }
 
-void Executor::rehearse(const Frame& frame, std::size_t pass) {
+void Executor::warm_up_pass(const Frame& frame, std::size_t pass) {
     const gpu::ContextScope home(m_home.get());
     std::vector<bool> only(m_passes.size(), false);
     only[pass] = true;
@@ -147,7 +147,7 @@ void Executor::rehearse(const Frame& frame, std::size_t pass) {
             if (m_work.draws > m_work.first_draw)
                 draw_band(pass, 0.0);
             end_pass(pass);
-            guard_frame();
+            check_frame();
         }
         m_samplers.release();
     }

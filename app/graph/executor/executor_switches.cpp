@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-Result<void> Executor::set_seen(std::vector<bool> seen, Frames frames) {
+Result<void> Executor::set_displayed(std::vector<bool> seen, Frames frames) {
     const gpu::ContextScope scope(m_home.get());
-    std::swap(m_seen, seen);
+    std::swap(m_displayed, seen);
     std::swap(m_frames, frames);
     auto planned = plan_again();
     if (!planned) {
-        std::swap(m_seen, seen);
+        std::swap(m_displayed, seen);
         std::swap(m_frames, frames);
     }
     return planned;
@@ -17,7 +17,7 @@ Result<void> Executor::set_seen(std::vector<bool> seen, Frames frames) {
 
 PlanTerms Executor::plan_terms() const {
     PlanTerms terms{.largest_side = m_largest_side,
-                    .seen = m_seen,
+                    .seen = m_displayed,
                     .draws_once = m_frames == Frames::drawn_once};
     if (!terms.seen.empty())
         terms.seen.resize(m_passes.size(), true);
@@ -120,7 +120,7 @@ void Executor::clear_history(int pass) {
 
 void Executor::pass_through(std::size_t index) {
     const Pass& pass = m_look.passes[index];
-    const BoundInput input = bound_input(m_look, static_cast<int>(index), *handed_on(pass));
+    const BoundInput input = bound_input(m_look, static_cast<int>(index), *passed_input(pass));
     const gpu::Texture* from = texture_for(input);
     Target& target = m_targets[index];
     m_passes[index].timer->begin();
@@ -136,7 +136,7 @@ bool Executor::rests(std::size_t index) const {
     if (is_kept(index))
         return true;
     if (run_of(index) == PassRun::bypassed)
-        return handed_on(pass)->frames_ago == 0;
+        return passed_input(pass)->frames_ago == 0;
     if (pass.accumulate)
         return enough_of(pass).value_or(0) > 0 && m_passes[index].samples >= *enough_of(pass);
     const bool reads_what_moves = std::ranges::any_of(pass.inputs, [](const Input& input) {

@@ -1,7 +1,7 @@
 #include "graph/inspect/gatherer.h"
 
 #include "gpu/objects/draw.h"
-#include "graph/inspect/measuring.h"
+#include "graph/inspect/texel_programs.h"
 
 #include <algorithm>
 

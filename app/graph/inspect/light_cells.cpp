@@ -1,8 +1,8 @@
 #include "graph/inspect/light_cells.h"
 
 #include "gpu/objects/draw.h"
-#include "graph/inspect/measuring.h"
 #include "graph/inspect/pair_text.h"
+#include "graph/inspect/texel_programs.h"
 
 #include <array>
 #include <string>

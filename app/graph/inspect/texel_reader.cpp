@@ -1,7 +1,7 @@
 #include "graph/inspect/texel_reader.h"
 
 #include "gpu/objects/draw.h"
-#include "graph/inspect/measuring.h"
+#include "graph/inspect/texel_programs.h"
 
 namespace {
 constexpr const char* reader_start = R"(#version 410 core

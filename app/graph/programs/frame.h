@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/devices/date.h"
-#include "model/devices/hand.h"
+#include "model/devices/input_state.h"
 #include "model/look/sound_texture.h"
 #include "model/picture/source_raster.h"
 #include "model/picture/source_spec.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 class FirstViews;
-struct TripwirePrograms;
+struct NanDetectorPrograms;
 struct ViewPrograms;
 
 /// The linked program of a pass and what it was built from.
@@ -29,7 +29,7 @@ struct Programs {
     // The context that executors draw in; null: the one that is current when they are created.
     std::shared_ptr<gpu::Context> home = {};
     // Programs of the NaN detector; null: each executor builds its own.
-    std::shared_ptr<const TripwirePrograms> tripwire = {};
+    std::shared_ptr<const NanDetectorPrograms> nan_detector = {};
     // The programs that display passes in `home`; null: passes are not displayed.
     std::shared_ptr<const ViewPrograms> views = {};
     // The warm-up of `views`; null without `home`.

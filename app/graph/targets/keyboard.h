@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/objects/texture.h"
-#include "model/devices/hand.h"
+#include "model/devices/input_state.h"
 #include "model/look/look.h"
 
 #include <optional>

@@ -54,7 +54,7 @@ void Target::take_spare() {
     std::swap(*m_spare, m_slots[m_current]);
 }
 
-void Target::hand_back(bool is_drawn) {
+void Target::release(bool is_drawn) {
     if (!std::exchange(m_is_newest_lent, false) || m_slots.empty() || !is_drawn)
         return;
     m_current = (m_current + 1) % m_slots.size();

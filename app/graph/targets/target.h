@@ -42,7 +42,7 @@ public:
     void lend(gpu::Canvas* common) { m_lent = common; }
     /// Releases the common picture, which others may then overwrite. If it was drawn and previous
     /// pictures are kept, it is first swapped with the oldest.
-    void hand_back(bool is_drawn);
+    void release(bool is_drawn);
 
     /// Moves the newest pictures of a target of the same size and format here.
     void adopt(Target&& former);

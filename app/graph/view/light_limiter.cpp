@@ -2,8 +2,8 @@
 
 #include "gpu/objects/draw.h"
 #include "graph/inspect/light_cells.h"
-#include "graph/inspect/measuring.h"
 #include "graph/inspect/pair_text.h"
+#include "graph/inspect/texel_programs.h"
 
 #include <initializer_list>
 #include <string>

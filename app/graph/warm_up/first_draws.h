@@ -27,7 +27,7 @@ struct FirstDrawsOf {
     enum class Size { small, whole, own };
     Size size = Size::small;
     Values values = {};           // that sizes depend on
-    std::vector<bool> seen = {};  // as in Executor::set_seen
+    std::vector<bool> seen = {};  // as in Executor::set_displayed
 };
 
 /// The programs that are not in `known`; null: all.

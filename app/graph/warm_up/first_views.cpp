@@ -44,15 +44,15 @@ void FirstViews::expect(const Kind& kind) {
 
 // Without memory, later views report the error.
 const gpu::Texture* FirstViews::picture_of(const Kind& kind) {
-    if (m_seen && m_seen->kind == kind)
-        return &m_seen->canvas.texture();
-    m_seen.reset();
+    if (m_displayed && m_displayed->kind == kind)
+        return &m_displayed->canvas.texture();
+    m_displayed.reset();
     auto made = gpu::Canvas::make(
         {small_side(kind.has_power_of_two[0]), small_side(kind.has_power_of_two[1])}, kind.format,
         kind.is_mipmapped);
     if (!made)
         return nullptr;
-    return &m_seen.emplace(Seen{kind, std::move(*made)}).canvas.texture();
+    return &m_displayed.emplace(Seen{kind, std::move(*made)}).canvas.texture();
 }
 
 void FirstViews::draw_next() {
@@ -61,7 +61,7 @@ void FirstViews::draw_next() {
     if (const gpu::Texture* picture = picture_of(owed.kind))
         look_at(*picture, owed);
     if (m_owed.empty())
-        m_seen.reset();
+        m_displayed.reset();
     gpu::finish();
 }
 

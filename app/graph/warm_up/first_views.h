@@ -72,5 +72,5 @@ private:
     LightCells m_cells;
     std::set<Kind> m_met;
     std::deque<Owed> m_owed;
-    std::optional<Seen> m_seen;
+    std::optional<Seen> m_displayed;
 };

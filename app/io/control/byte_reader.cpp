@@ -92,7 +92,7 @@ Result<void> ByteReader::make_socket(const fs::path& path) {
         return cleared;
     if (auto cleared = clear_place(made, address_of(made)); !cleared)
         return cleared;
-    const PassingFile passing(made);
+    const ScopedFile passing(made);
     Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
     const sockaddr_un address = address_of(made);
     if (::bind(listener.get(), general(address), sizeof address) != 0)

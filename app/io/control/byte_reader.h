@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "io/files/passing_file.h"
+#include "io/files/scoped_file.h"
 #include "io/system/descriptor.h"
 
 #include <filesystem>
@@ -49,7 +49,7 @@ private:
 
     ByteSink& m_sink;
     Descriptor m_listener;
-    std::optional<PassingFile> m_socket_file;
+    std::optional<ScopedFile> m_socket_file;
     Descriptor m_stop_reader;
     Descriptor m_stop_writer;  // closed to end the thread
     std::thread m_thread;

@@ -85,7 +85,7 @@ std::vector<fs::path> FileWatcher::take_changed() {
         place_watches();
         note_differences();
     }
-    settle_missing();
+    specialize_missing();
     std::vector<fs::path> changed;
     for (const fs::path& file : m_changed) {
         const auto watched = m_files.find(file);
@@ -212,7 +212,7 @@ void FileWatcher::note_differences() {
     }
 }
 
-void FileWatcher::settle_missing() {
+void FileWatcher::specialize_missing() {
     std::uint64_t expirations = 0;
     const bool is_over = ::read(m_timer.get(), &expirations, sizeof expirations) > 0 ||
                          Clock::now() >= m_missing_until;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/files/passing_file.h"
+#include "io/files/scoped_file.h"
 #include "io/system/descriptor.h"
 
 #include <filesystem>
@@ -27,7 +27,7 @@ private:
 
     std::filesystem::path m_path;
     Descriptor m_descriptor;
-    std::optional<PassingFile> m_passing;  // the name is never reused
+    std::optional<ScopedFile> m_passing;  // the name is never reused
 };
 
 /// Removes the temporary files in a folder whose programs were killed while saving. A living

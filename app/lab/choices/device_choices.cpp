@@ -7,22 +7,22 @@
 #include <cmath>
 
 namespace {
-Deed set_sound(const SoundSettings& settings) {
+MenuCommand set_sound(const SoundSettings& settings) {
     return [settings](Lab& lab) { lab.audio().set_settings(settings); };
 }
 
 Choice sound_choice(std::string name, const SoundSettings& next, bool is_present) {
-    return {.name = std::move(name), .deeds = {set_sound(next)}, .is_present = is_present};
+    return {.name = std::move(name), .commands = {set_sound(next)}, .is_present = is_present};
 }
 
 Choice sound_number(const char* name, const char* unit, double present, Limit limit,
-                    const std::function<Deed(double)>& deed) {
-    return {
-        .name = name,
-        .number = AskedNumber{.present = present,
-                              .unit = unit,
-                              .limit = limit,
-                              .answer = [deed](double typed) -> Deeds { return {deed(typed)}; }}};
+                    const std::function<MenuCommand(double)>& command) {
+    return {.name = name,
+            .number = AskedNumber{
+                .present = present,
+                .unit = unit,
+                .limit = limit,
+                .answer = [command](double typed) -> MenuCommands { return {command(typed)}; }}};
 }
 
 void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, const char* words,
@@ -73,14 +73,14 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<Choice>& choices) {
     if (facts.sound_seconds <= 0.0)
         return;
     choices.push_back(sound_number("Volume…", "×", facts.level, {0.0, 2.0}, [](double typed) {
-        return Deed([typed](Lab& lab) { lab.player().set_level(typed); });
+        return MenuCommand([typed](Lab& lab) { lab.player().set_level(typed); });
     }));
     choices.push_back(sound_number(
         "Go to…", "s", facts.place, {0.0, facts.sound_seconds},
-        [](double typed) { return Deed([typed](Lab& lab) { lab.player().seek(typed); }); }));
+        [](double typed) { return MenuCommand([typed](Lab& lab) { lab.player().seek(typed); }); }));
 }
 
-Deed change_remote(const std::function<void(RemoteSettings&)>& change) {
+MenuCommand change_remote(const std::function<void(RemoteSettings&)>& change) {
     return [change](Lab& lab) {
         RemoteSettings settings = lab.remote().settings();
         settings.listens_to_osc = lab.remote().osc().is_listening();
@@ -98,7 +98,7 @@ ChoiceList sound_choices(const SoundFacts& facts) {
     list.choices.push_back(
         sound_choice("Send beam to audio output", beam, facts.settings.plays_beam));
     list.choices.push_back(
-        {.name = "Rescan devices", .deeds = {[](Lab& lab) { lab.audio().find_devices(); }}});
+        {.name = "Rescan devices", .commands = {[](Lab& lab) { lab.audio().find_devices(); }}});
     add_devices(facts, &SoundSettings::output, "Output", list.choices);
     add_devices(facts, &SoundSettings::input, "Input", list.choices);
     add_sizes(facts.settings, list.choices);
@@ -110,8 +110,9 @@ ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool h
     ChoiceList list{"Remote"};
     const auto offer = [&](std::string name, bool is_present,
                            const std::function<void(RemoteSettings&)>& change) {
-        list.choices.push_back(
-            {.name = std::move(name), .deeds = {change_remote(change)}, .is_present = is_present});
+        list.choices.push_back({.name = std::move(name),
+                                .commands = {change_remote(change)},
+                                .is_present = is_present});
     };
     offer("Listen to OSC", hears_osc,
           [next = !hears_osc](RemoteSettings& changed) { changed.listens_to_osc = next; });
@@ -120,13 +121,13 @@ ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool h
     offer("Soft takeover", settings.picks_up,
           [](RemoteSettings& changed) { changed.picks_up = !changed.picks_up; });
     list.choices.push_back({.name = "Rescan MIDI devices",
-                            .deeds = {[](Lab& lab) { lab.remote().find_midi_devices(); }}});
+                            .commands = {[](Lab& lab) { lab.remote().find_midi_devices(); }}});
     list.choices.push_back(
         {.name = "OSC port…",
          .number = AskedNumber{.present = static_cast<double>(settings.osc_port),
                                .limit = {1.0, 65535.0},
                                .is_whole = true,
-                               .answer = [](double typed) -> Deeds {
+                               .answer = [](double typed) -> MenuCommands {
                                    return {change_remote([typed](RemoteSettings& changed) {
                                        changed.osc_port = static_cast<int>(std::lround(typed));
                                    })};

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-Deed look_into(const TextureChoice& choice) {
+MenuCommand look_into(const TextureChoice& choice) {
     return [choice](WindowState& window) {
         window.inspected.look_into(choice);
         window.shows_inspector = true;
@@ -18,7 +18,7 @@ ChoiceList texture_choices(const InspectedParts& parts) {
     ChoiceList list{"Inspect", ChoiceList::Place::pass};
     const auto offer = [&](const TextureChoice& choice) {
         list.choices.push_back({.name = choice.label(),
-                                .deeds = {look_into(choice)},
+                                .commands = {look_into(choice)},
                                 .is_present = choice == parts.present});
     };
     std::ranges::for_each(parts.textures, offer);
@@ -28,7 +28,7 @@ ChoiceList texture_choices(const InspectedParts& parts) {
         const std::string label = choice.present().label();
         list.choices.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
                                                  : fmt::format("{}, {} frames ago", label, ago),
-                                .deeds = {look_into(choice)},
+                                .commands = {look_into(choice)},
                                 .is_present = choice == parts.present});
     }
     for (int level = 1; level < parts.levels; ++level) {
@@ -47,7 +47,7 @@ ChoiceList channel_choices(Channels present) {
           std::pair{Channels::blue, "Blue as grey"}, std::pair{Channels::alpha, "Alpha as grey"},
           std::pair{Channels::luminance, "Luminance as grey"}})
         list.choices.push_back({.name = name,
-                                .deeds = {[chosen = channels](WindowState& window) {
+                                .commands = {[chosen = channels](WindowState& window) {
                                     window.inspected.channels = chosen;
                                     window.shows_inspector = true;
                                 }},
@@ -61,7 +61,7 @@ Choice view_number(const char* name, double present, Limit limit, std::string un
             .number = AskedNumber{.present = present,
                                   .unit = std::move(unit),
                                   .limit = limit,
-                                  .answer = [set](double number) -> Deeds {
+                                  .answer = [set](double number) -> MenuCommands {
                                       return {[set, number](WindowState& window) {
                                           set(window.inspected, number);
                                           window.shows_inspector = true;
@@ -86,7 +86,7 @@ ChoiceList level_choices(const PassView& view) {
     return list;
 }
 
-Deed override_pass(const std::string& pass, const PassOverride& changed) {
+MenuCommand override_pass(const std::string& pass, const PassOverride& changed) {
     return [=](Document& document) { document.set_override(pass, changed); };
 }
 }  // namespace
@@ -137,7 +137,7 @@ ChoiceList pass_setting_choices(const Document& document, const std::string& pas
         return list;
     const auto offer = [&](std::string name, const PassOverride& changed, bool is_present) {
         list.choices.push_back({.name = std::move(name),
-                                .deeds = {override_pass(pass, changed)},
+                                .commands = {override_pass(pass, changed)},
                                 .is_present = is_present});
     };
     for (const double scale : pass_scales) {

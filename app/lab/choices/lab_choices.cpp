@@ -7,14 +7,14 @@
 #include "lab/choices/source_choices.h"
 #include "lab/choices/stack_choices.h"
 #include "lab/choices/tuning_choices.h"
+#include "lab/previews/previews.h"
 #include "lab/session.h"
 #include "lab/storage/include_store.h"
-#include "lab/trials/tryouts.h"
 
 #include <fmt/format.h>
 
 namespace {
-Deed change_comparison(const std::function<void(Comparison&)>& change) {
+MenuCommand change_comparison(const std::function<void(Comparison&)>& change) {
     return [change](Lab& lab) {
         Comparison next = lab.frames().comparison().selection().chosen();
         change(next);
@@ -31,7 +31,7 @@ ChoiceList comparing_choices(const Lab& lab) {
           std::pair{DifferenceMeasure::squared, "Squared difference"}})
         list.choices.push_back(
             {.name = name,
-             .deeds = {change_comparison([to = measure](Comparison& next) {
+             .commands = {change_comparison([to = measure](Comparison& next) {
                  next.measure = to;
                  next.mode = CompareMode::difference;
              })},
@@ -41,7 +41,7 @@ ChoiceList comparing_choices(const Lab& lab) {
          .number = AskedNumber{.present = chosen.gain_stops,
                                .unit = "stops",
                                .limit = {-16.0, 16.0},
-                               .answer = [](double typed) -> Deeds {
+                               .answer = [](double typed) -> MenuCommands {
                                    return {change_comparison(
                                        [typed](Comparison& next) { next.gain_stops = typed; })};
                                }}});
@@ -49,29 +49,30 @@ ChoiceList comparing_choices(const Lab& lab) {
         lab.frames().comparison().selection().reference().picture())
         list.choices.push_back(
             {.name = fmt::format("With {}", file.filename().string()),
-             .deeds = {[file](Lab& changed) {
+             .commands = {[file](Lab& changed) {
                  changed.frames().comparison().compare_with({Other::Kind::file, 0, file});
              }}});
-    list.choices.push_back(
-        {.name = "Stop comparing",
-         .deeds = {[](Lab& changed) { changed.frames().comparison().set_mode(CompareMode::off); }},
-         .is_present = chosen.mode == CompareMode::off});
+    list.choices.push_back({.name = "Stop comparing",
+                            .commands = {[](Lab& changed) {
+                                changed.frames().comparison().set_mode(CompareMode::off);
+                            }},
+                            .is_present = chosen.mode == CompareMode::off});
     for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
         if (lab.frames().comparison().slots()[i])
             list.choices.push_back(
                 {.name = fmt::format("Clear slot {}", slot_name(i)),
-                 .deeds = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
+                 .commands = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
     return list;
 }
 
-Deed on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
+MenuCommand on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
     return [change](Lab& lab) { lab.drawing().edit(change); };
 }
 
 void add_pens(const Pen& pen, std::vector<Choice>& choices) {
     const auto offer = [&](const char* name, const Pen& next) {
         choices.push_back({.name = name,
-                           .deeds = {on_board([next](DrawingBoard& board, Document& document) {
+                           .commands = {on_board([next](DrawingBoard& board, Document& document) {
                                board.set_pen(next, document);
                            })},
                            .is_present = next == pen});
@@ -87,7 +88,7 @@ void add_pens(const Pen& pen, std::vector<Choice>& choices) {
 void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
     const auto offer = [&](const char* name,
                            const std::function<void(DrawingBoard&, Document&)>& change) {
-        choices.push_back({.name = name, .deeds = {on_board(change)}});
+        choices.push_back({.name = name, .commands = {on_board(change)}});
     };
     offer("New keyframe", &DrawingBoard::add_keyframe);
     offer("Duplicate keyframe", &DrawingBoard::duplicate_keyframe);
@@ -99,7 +100,7 @@ void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
           [](DrawingBoard& desk, Document& document) { desk.move_keyframe(1, document); });
     for (std::size_t i = 0; i < board.drawing()->keyframes.size(); ++i)
         choices.push_back({.name = fmt::format("Keyframe {}", i + 1),
-                           .deeds = {on_board([i](DrawingBoard& desk, Document& document) {
+                           .commands = {on_board([i](DrawingBoard& desk, Document& document) {
                                desk.choose_keyframe(i, document);
                            })},
                            .is_present = board.keyframe() == i});
@@ -115,7 +116,7 @@ ChoiceList drawing_choices(const DrawingBoard& board) {
     }
     for (const auto& [name, kind] : {std::pair{"Load SVG…", Dialog::Kind::load_drawing},
                                      std::pair{"Save SVG…", Dialog::Kind::save_drawing}})
-        list.choices.push_back({.name = name, .deeds = {[shown = kind](WindowState& window) {
+        list.choices.push_back({.name = name, .commands = {[shown = kind](WindowState& window) {
                                                   window.dialog = {.kind = shown};
                                               }}});
     return list;
@@ -128,7 +129,7 @@ ChoiceList unsaved_choices(const KeptSessions& kept) {
         list.choices.push_back(
             {.name = session.preset.empty() ? session.look
                                             : fmt::format("{} – {}", session.look, session.preset),
-             .deeds = {[file = session.file](Lab& changed) { restore_kept(changed, file); }}});
+             .commands = {[file = session.file](Lab& changed) { restore_kept(changed, file); }}});
     return list;
 }
 
@@ -137,7 +138,7 @@ ChoiceList include_choices(const Lab& lab) {
     list.choices.push_back(
         {.name = "Folders, separated by ':'…",
          .text = AskedText{include_folders_text(lab.looks().include_folders()),
-                           [](const std::string& typed) -> Deeds {
+                           [](const std::string& typed) -> MenuCommands {
                                return {[folders = parse_include_folders(typed)](Lab& changed) {
                                    changed.looks().set_include_folders(folders);
                                }};
@@ -149,19 +150,20 @@ ChoiceList include_choices(const Lab& lab) {
 ChoiceList trouble_choices(const Lab& lab) {
     ChoiceList list{"Problem"};
     if (lab.frames().nan_guard().found())
-        for (const auto& [answer, name] : {std::pair{TripAnswer::clear, "Restart history"},
-                                           std::pair{TripAnswer::clamp, "Clamp NaN/Inf"},
-                                           std::pair{TripAnswer::go_on, "Ignore NaN/Inf"}})
-            list.choices.push_back({.name = name, .deeds = {[to = answer](Lab& changed) {
+        for (const auto& [answer, name] : {std::pair{NonFiniteAction::clear, "Restart history"},
+                                           std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
+                                           std::pair{NonFiniteAction::go_on, "Ignore NaN/Inf"}})
+            list.choices.push_back({.name = name, .commands = {[to = answer](Lab& changed) {
                                                       changed.frames().nan_guard().answer(to);
                                                   }}});
     for (const Problem& problem : lab.messages().problems()) {
         const Diagnostic& said = problem.diagnostic;
-        list.choices.push_back({.name = fmt::format("{}:{} {}", said.file.filename().string(),
-                                                    said.line, said.message),
-                                .deeds = {[place = Location{said.file, said.line}](Lab& changed) {
-                                    changed.looks().open_in_editor(place);
-                                }}});
+        list.choices.push_back(
+            {.name =
+                 fmt::format("{}:{} {}", said.file.filename().string(), said.line, said.message),
+             .commands = {[place = Location{said.file, said.line}](Lab& changed) {
+                 changed.looks().open_in_editor(place);
+             }}});
     }
     return list;
 }
@@ -173,11 +175,11 @@ void add_lists(Lists& all, Lists more) {
         all.push_back(std::move(list));
 }
 
-void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ShelfLook>& looks,
+void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ListedLook>& looks,
                  Lists& all) {
     const Document& document = *lab.document();
     add_lists(all, signal_choices(document));
-    add_lists(all, source_choices(document, open_source(lab.work().drive)));
+    add_lists(all, source_choices(document, open_source(lab.work().media)));
     all.push_back(stack_choices(document.state().stack, looks));
     if (lab.renderer())
         add_lists(all,
@@ -209,7 +211,7 @@ void add_further(const Lab& lab, const WindowState& window, Lists& all) {
 }  // namespace
 
 std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
-                                    const std::vector<ShelfLook>& looks) {
+                                    const std::vector<ListedLook>& looks) {
     Lists all;
     if (lab.document()) {
         add_of_look(lab, window, looks, all);
@@ -232,7 +234,8 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
 }
 
 std::vector<ChoiceList> menu_choices(const Lab& lab, const WindowState& window,
-                                     const std::vector<ShelfLook>& looks, ChoiceList::Place place) {
+                                     const std::vector<ListedLook>& looks,
+                                     ChoiceList::Place place) {
     Lists all;
     if (lab.document())
         add_of_look(lab, window, looks, all);

@@ -11,8 +11,8 @@
 namespace {
 using Kind = PaletteEntry::Kind;
 
-void add_presets(const ShelfLook& look, std::vector<PaletteEntry>& entries) {
-    for (const ShelfPreset& preset : look.presets) {
+void add_presets(const ListedLook& look, std::vector<PaletteEntry>& entries) {
+    for (const ListedLookPreset& preset : look.presets) {
         const std::string file = preset.entry.file.string();
         entries.push_back(
             {Kind::preset,
@@ -73,17 +73,17 @@ std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query)
 }
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ShelfLook>& looks) {
+std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ListedLook>& looks) {
     std::vector<PaletteEntry> entries;
-    const auto is_open = [open](const ShelfLook& look) {
+    const auto is_open = [open](const ListedLook& look) {
         return open && look.entry.id == open->id;
     };
-    for (const ShelfLook& look : looks)
+    for (const ListedLook& look : looks)
         if (is_open(look))
             add_presets(look, entries);
     if (open)
         add_parts(*open, entries);
-    for (const ShelfLook& look : looks)
+    for (const ListedLook& look : looks)
         entries.push_back({Kind::look,
                            "look:" + look.argument(),
                            fmt::format("Look: {}", look.name),
@@ -91,7 +91,7 @@ std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<Sh
                            look.argument(),
                            {},
                            {}});
-    for (const ShelfLook& look : looks)
+    for (const ListedLook& look : looks)
         if (!is_open(look))
             add_presets(look, entries);
     return entries;
@@ -132,10 +132,10 @@ std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent) {
 }
 
 std::vector<PaletteEntry> difference_entries(const Look& open,
-                                             const std::vector<ShelfLook>& looks) {
+                                             const std::vector<ListedLook>& looks) {
     std::vector<PaletteEntry> entries;
-    for (const ShelfLook& look : looks)
-        for (const ShelfPreset& preset : look.presets)
+    for (const ListedLook& look : looks)
+        for (const ListedLookPreset& preset : look.presets)
             if (look.entry.id == open.id)
                 entries.push_back({Kind::difference,
                                    "difference:" + preset.name,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 #include "lab/messages/choice.h"
 #include "model/look/look.h"
 
@@ -24,14 +24,15 @@ struct PaletteEntry {
 
 /// All entries except actions: the presets, passes and parameters of the open look, then all looks
 /// and their presets. `open` may be null.
-std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ShelfLook>& looks);
+std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ListedLook>& looks);
 
 /// All choices of lists; the id is the label. Duplicates are removed.
 std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists);
 
 /// The recent files, and the presets that can be compared with the open document.
 std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent);
-std::vector<PaletteEntry> difference_entries(const Look& open, const std::vector<ShelfLook>& looks);
+std::vector<PaletteEntry> difference_entries(const Look& open,
+                                             const std::vector<ListedLook>& looks);
 
 /// An entry that matches the query.
 struct PaletteMatch {

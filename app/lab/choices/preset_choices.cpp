@@ -9,13 +9,13 @@ ChoiceList morph_choices(const std::vector<ListedPreset>& presets, double second
     ChoiceList list{"Morph", ChoiceList::Place::file};
     for (const ListedPreset& preset : presets)
         list.choices.push_back({.name = fmt::format("To {}", preset.preset.name),
-                                .deeds = {[file = preset.preset.entry.file, seconds](Lab& lab) {
+                                .commands = {[file = preset.preset.entry.file, seconds](Lab& lab) {
                                     lab.presets().navigation().morph_to(file, seconds);
                                 }}});
     for (const double length : morph_lengths)
         list.choices.push_back(
             {.name = fmt::format("Duration {:g} s", length),
-             .deeds = {[length](WindowState& window) { window.presets.morph_seconds = length; }},
+             .commands = {[length](WindowState& window) { window.presets.morph_seconds = length; }},
              .is_present = length == seconds});
     return list;
 }
@@ -26,9 +26,8 @@ ChoiceList star_choices(const std::vector<ListedPreset>& presets) {
         if (!preset.is_plain())
             list.choices.push_back(
                 {.name = preset.preset.name,
-                 .deeds = {[name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
-                     lab.presets().navigation().star(name, has_star);
-                 }},
+                 .commands = {[name = preset.preset.entry.id, has_star = !preset.has_star](
+                                  Lab& lab) { lab.presets().navigation().star(name, has_star); }},
                  .is_present = preset.has_star});
     return list;
 }
@@ -42,18 +41,19 @@ void show_preset_pictures(WindowState& window) {
 ChoiceList browsing_choices(const PresetBrowsing& wanted) {
     ChoiceList list{"Presets"};
     list.choices.push_back({.name = "Favourites only",
-                            .deeds = {[](WindowState& window) {
+                            .commands = {[](WindowState& window) {
                                 window.presets.only_starred = !window.presets.only_starred;
                                 show_preset_pictures(window);
                             }},
                             .is_present = wanted.only_starred});
     list.choices.push_back(
-        {.name = "Search…", .text = AskedText{wanted.search, [](const std::string& words) -> Deeds {
-                                                  return {[words](WindowState& window) {
-                                                      window.presets.search = words;
-                                                      show_preset_pictures(window);
-                                                  }};
-                                              }}});
+        {.name = "Search…",
+         .text = AskedText{wanted.search, [](const std::string& words) -> MenuCommands {
+                               return {[words](WindowState& window) {
+                                   window.presets.search = words;
+                                   show_preset_pictures(window);
+                               }};
+                           }}});
     return list;
 }
 }  // namespace
@@ -68,5 +68,5 @@ ChoiceList shipped_preset_choices() {
     return {"Preset",
             ChoiceList::Place::palette,
             {{.name = "Save to shipped presets",
-              .deeds = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
+              .commands = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
 }

@@ -23,6 +23,6 @@ Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_
     if (auto fitted = fitted_modulations(open.look(), *preset, preset_file))
         preset->modulations = std::move(*fitted);
     const auto folder = media_folder(preset_file);
-    Preset found = with_found_media(*preset, folder, lab.work().drive.recent());
+    Preset found = with_found_media(*preset, folder, lab.work().media.recent());
     return difference_from(with_found_files(std::move(found), open.look(), folder), open);
 }

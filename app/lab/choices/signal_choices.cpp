@@ -12,7 +12,7 @@
 #include <cctype>
 
 namespace {
-Deed set_signal_setting(const std::string& key, Spec::Setting value) {
+MenuCommand set_signal_setting(const std::string& key, Spec::Setting value) {
     return [key, value = std::move(value)](Document& document) {
         auto spec = completed(document.state().signal);
         if (!spec)
@@ -31,7 +31,7 @@ std::string full_label(const SettingFacts& setting) {
 void add_words(const SettingFacts& setting, const Spec& spec, std::vector<Choice>& choices) {
     for (const std::string& word : setting.words)
         choices.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
-                           .deeds = {set_signal_setting(setting.key, word)},
+                           .commands = {set_signal_setting(setting.key, word)},
                            .is_present = spec.settings.at(setting.key) == Spec::Setting(word)});
 }
 
@@ -42,7 +42,7 @@ Choice number_setting(const SettingFacts& setting, const Spec& spec) {
                                   .limit = setting.limit,
                                   .is_whole = setting.step == 1.0,
                                   .help = setting.help,
-                                  .answer = [key = setting.key](double number) -> Deeds {
+                                  .answer = [key = setting.key](double number) -> MenuCommands {
                                       return {set_signal_setting(key, number)};
                                   }}};
 }
@@ -50,10 +50,10 @@ Choice number_setting(const SettingFacts& setting, const Spec& spec) {
 Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
     const std::string name = fmt::format("{}…", full_label(setting));
     if (setting.key == kind.file_setting)
-        return {.name = name, .deeds = {deed_for(kind)}};
+        return {.name = name, .commands = {command_for(kind)}};
     return {.name = name,
             .text = AskedText{std::get<std::string>(spec.settings.at(setting.key)),
-                              [key = setting.key](const std::string& text) -> Deeds {
+                              [key = setting.key](const std::string& text) -> MenuCommands {
                                   return {set_signal_setting(key, text)};
                               }}};
 }
@@ -68,7 +68,7 @@ ChoiceList kind_choices(const std::string& present) {
     ChoiceList list{"Signal", ChoiceList::Place::edit};
     for (const SignalKind& kind : signal_kinds())
         list.choices.push_back({.name = name_of_kind(kind),
-                                .deeds = {deed_for(kind)},
+                                .commands = {command_for(kind)},
                                 .is_present = kind.kind == present});
     return list;
 }
@@ -94,7 +94,7 @@ ChoiceList setting_choices(const Document& document) {
         scope_graticule(document.look(), document.values(), document.state().signal);
     if (!graticule.empty())
         list.choices.push_back(
-            {.name = "Show 10 × 8 divisions", .deeds = {[graticule](Document& changed) {
+            {.name = "Show 10 × 8 divisions", .commands = {[graticule](Document& changed) {
                                                   changed.set_values(graticule, "Graticule");
                                               }}});
     return list;
@@ -111,7 +111,7 @@ std::string label_of_word(std::string word) {
     return word;
 }
 
-Deed deed_for(const SignalKind& kind) {
+MenuCommand command_for(const SignalKind& kind) {
     if (kind.kind == "drawing")
         return [](Lab& lab) { lab.drawing().take_pen(true); };
     if (!kind.file_setting.empty())
@@ -132,7 +132,7 @@ Deed deed_for(const SignalKind& kind) {
 Choice content_lock_choice(const Document& document) {
     const bool is_locked = document.is_content_locked();
     return {.name = keep_content_words(document.look()),
-            .deeds = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
+            .commands = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
             .is_present = is_locked};
 }
 

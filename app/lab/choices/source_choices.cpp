@@ -1,7 +1,7 @@
 #include "lab/choices/source_choices.h"
 
 #include "lab/choices/signal_choices.h"
-#include "lab/media/drive.h"
+#include "lab/media/media_input.h"
 #include "lab/window/window_state.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
@@ -12,7 +12,7 @@
 #include <utility>
 
 namespace {
-Deed set_source_to(const SourceSpec& source) {
+MenuCommand set_source_to(const SourceSpec& source) {
     return [text = to_string(source)](Document& document) { document.set_source(text); };
 }
 
@@ -21,7 +21,7 @@ AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, 
     return {.present = source.*number,
             .unit = std::move(unit),
             .limit = limit,
-            .answer = [source, number](double typed) -> Deeds {
+            .answer = [source, number](double typed) -> MenuCommands {
                 SourceSpec changed = source;
                 changed.*number = typed;
                 return {set_source_to(changed)};
@@ -35,7 +35,7 @@ void add_fits(SourceSpec source, std::vector<Choice>& choices) {
           std::pair{Fit::crop, "Fill (crop)"}, std::pair{Fit::integer, "Integer scale"}}) {
         source.fit = fit;
         choices.push_back({.name = fmt::format("Scaling: {}", label),
-                           .deeds = {set_source_to(source)},
+                           .commands = {set_source_to(source)},
                            .is_present = fit == present});
     }
 }
@@ -45,14 +45,14 @@ void add_ends(SourceSpec source, std::vector<Choice>& choices) {
     for (const bool loops : {true, false}) {
         source.loops = loops;
         choices.push_back({.name = loops ? "At end: Loop" : "At end: Hold",
-                           .deeds = {set_source_to(source)},
+                           .commands = {set_source_to(source)},
                            .is_present = loops == present});
     }
 }
 }  // namespace
 
-OpenSource open_source(const Drive& drive) {
-    const auto& source = drive.source();
+OpenSource open_source(const MediaInput& media) {
+    const auto& source = media.source();
     if (!source)
         return {};
     return {source->extent(), source->prescale(),
@@ -125,7 +125,7 @@ void add_named(const std::string& heading, const std::vector<NamedSource>& from,
                const SourceSpec& present, std::vector<Choice>& choices) {
     for (const NamedSource& named : from)
         choices.push_back({.name = fmt::format("{}: {}", heading, named.name),
-                           .deeds = {set_source_to(named.source)},
+                           .commands = {set_source_to(named.source)},
                            .is_present = named.source == present});
 }
 }  // namespace
@@ -138,11 +138,11 @@ std::vector<ChoiceList> source_choices(const Document& document, const OpenSourc
     for (const PatternFacts& pattern : all_patterns()) {
         const SourceSpec chosen = with_pattern(source, pattern.name);
         list.choices.push_back({.name = pattern.label,
-                                .deeds = {set_source_to(chosen)},
+                                .commands = {set_source_to(chosen)},
                                 .is_present = name_of_pattern(source) == pattern.name});
     }
     list.choices.push_back(
-        {.name = "Picture or video file…", .deeds = {[](WindowState& window) {
+        {.name = "Picture or video file…", .commands = {[](WindowState& window) {
                                                window.dialog = {.kind = Dialog::Kind::open_file};
                                            }}});
     list.choices.push_back(content_lock_choice(document));

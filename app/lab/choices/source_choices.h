@@ -4,7 +4,7 @@
 #include "lab/messages/choice.h"
 #include "model/picture/source_spec.h"
 
-class Drive;
+class MediaInput;
 
 /// The source with a pattern as its picture; fit and shape stay, prescale becomes 1.
 SourceSpec with_pattern(SourceSpec source, const std::string& name);
@@ -28,7 +28,7 @@ struct OpenSource {
     std::optional<int> prescale = {};      // as set or detected
     std::optional<double> film_rate = {};  // pictures/s of a film
 };
-OpenSource open_source(const Drive& drive);
+OpenSource open_source(const MediaInput& media);
 
 /// The choices of pattern, file and fit; empty if the look does not use a picture.
 std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open);

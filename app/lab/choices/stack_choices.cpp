@@ -7,7 +7,8 @@
 namespace {
 using StackChange = std::function<void(Stack& stack, std::size_t part)>;
 
-Deed change_of_stack(const std::string& tag, const std::string& step, const StackChange& change) {
+MenuCommand change_of_stack(const std::string& tag, const std::string& step,
+                            const StackChange& change) {
     return [=](Document& document) {
         Stack stack = document.state().stack;
         const auto part = std::ranges::find(stack, tag, &StackPart::tag);
@@ -19,14 +20,14 @@ Deed change_of_stack(const std::string& tag, const std::string& step, const Stac
 }
 }  // namespace
 
-Deed bypass_part(const StackPart& part, const std::string& name) {
+MenuCommand bypass_part(const StackPart& part, const std::string& name) {
     const bool next = !part.is_bypassed;
     return change_of_stack(
         part.tag, next ? fmt::format("Bypass {}", name) : fmt::format("Re-enable {}", name),
         [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
 }
 
-Deed move_part(const StackPart& part, const std::string& name, int by) {
+MenuCommand move_part(const StackPart& part, const std::string& name, int by) {
     return change_of_stack(
         part.tag, fmt::format("Move {}", name), [by](Stack& stack, std::size_t place) {
             const std::size_t other = place + static_cast<std::size_t>(by);  // wraps if negative
@@ -35,7 +36,7 @@ Deed move_part(const StackPart& part, const std::string& name, int by) {
         });
 }
 
-Deed remove_part(const StackPart& part, const std::string& name) {
+MenuCommand remove_part(const StackPart& part, const std::string& name) {
     return change_of_stack(part.tag, fmt::format("Remove {}", name),
                            [](Stack& left, std::size_t place) {
                                if (left.size() > 1)
@@ -43,7 +44,7 @@ Deed remove_part(const StackPart& part, const std::string& name) {
                            });
 }
 
-Deed add_part(const ShelfLook& look) {
+MenuCommand add_part(const ListedLook& look) {
     return [entry = look.entry, name = look.name](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
@@ -51,12 +52,12 @@ Deed add_part(const ShelfLook& look) {
     };
 }
 
-std::vector<std::string> part_names(const Stack& stack, const std::vector<ShelfLook>& looks) {
+std::vector<std::string> part_names(const Stack& stack, const std::vector<ListedLook>& looks) {
     std::vector<std::string> names;
     const std::vector<std::string> keys = stack_keys(stack);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         const auto known = std::ranges::find_if(
-            looks, [&](const ShelfLook& look) { return look.entry.id == stack[i].look; });
+            looks, [&](const ListedLook& look) { return look.entry.id == stack[i].look; });
         names.push_back(known == looks.end() ? stack[i].look : known->name);
         if (const std::size_t copy = keys[i].find('#'); copy != std::string::npos)
             names.back() += ' ' + keys[i].substr(copy + 1);
@@ -68,19 +69,20 @@ bool is_worth_listing(const Stack& stack) {
     return stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
 }
 
-ChoiceList stack_choices(const Stack& stack, const std::vector<ShelfLook>& looks) {
+ChoiceList stack_choices(const Stack& stack, const std::vector<ListedLook>& looks) {
     ChoiceList list{"Stack", ChoiceList::Place::edit};
-    for (const ShelfLook& look : looks)
+    for (const ListedLook& look : looks)
         if (!look.is_stack())
             list.choices.push_back(
-                {.name = fmt::format("Add {}", look.name), .deeds = {add_part(look)}});
+                {.name = fmt::format("Add {}", look.name), .commands = {add_part(look)}});
     if (!is_worth_listing(stack))
         return list;
     const std::vector<std::string> names = part_names(stack, looks);
     for (std::size_t i = 0; i < stack.size(); ++i) {
-        const auto offer = [&](const std::string& name, Deed deed, bool is_present = false) {
+        const auto offer = [&](const std::string& name, MenuCommand command,
+                               bool is_present = false) {
             list.choices.push_back(
-                {.name = name, .deeds = {std::move(deed)}, .is_present = is_present});
+                {.name = name, .commands = {std::move(command)}, .is_present = is_present});
         };
         offer(fmt::format("Bypass {}", names[i]), bypass_part(stack[i], names[i]),
               stack[i].is_bypassed);

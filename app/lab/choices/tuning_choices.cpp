@@ -19,7 +19,7 @@ Choice mark_choice(const char* name, const std::string& parameter, const KnobSet
     next.*mark = !(next.*mark);
     return {
         .name = name,
-        .deeds = {[parameter, next](Document& document) { document.set_knob(parameter, next); }},
+        .commands = {[parameter, next](Document& document) { document.set_knob(parameter, next); }},
         .is_present = setting.*mark};
 }
 
@@ -41,7 +41,7 @@ Choice end_choice(const Parameter& parameter, bool is_low) {
     const Limit ends{parameter.range.low, parameter.range.high};
     AskedNumber asked = asked_of(parameter, is_low ? ends.low : ends.high);
     asked.answer = [ends, is_low, factor = typed_factor(parameter),
-                    name = parameter.name](double typed) -> Deeds {
+                    name = parameter.name](double typed) -> MenuCommands {
         const double end = typed / factor;
         const Limit next = is_low ? Limit{end, ends.high} : Limit{ends.low, end};
         return {[name, next](Lab& lab) { lab.parameters().set_slider_ends(name, next); }};
@@ -57,7 +57,7 @@ void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector
     choices.push_back(end_choice(parameter, false));
     if (setting.ends)
         choices.push_back(
-            {.name = "Reset slider range", .deeds = {[name = declared.name](Lab& lab) {
+            {.name = "Reset slider range", .commands = {[name = declared.name](Lab& lab) {
                                                lab.parameters().set_slider_ends(name, std::nullopt);
                                            }}});
 }
@@ -67,7 +67,7 @@ void add_parts(const Parameter& parameter, const Value& value, std::vector<Choic
     for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
         AskedNumber asked = asked_of(parameter, value.numbers[i]);
         asked.answer = [value, i, factor = typed_factor(parameter),
-                        name = parameter.name](double typed) -> Deeds {
+                        name = parameter.name](double typed) -> MenuCommands {
             Value next = value;
             next.numbers[i] = typed / factor;
             return {[name, next](Document& document) { document.set_value(name, next); }};
@@ -85,7 +85,7 @@ void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
         choices.push_back({.name = count == 1
                                        ? "MIDI learn"
                                        : fmt::format("MIDI learn: {}", part_label(parameter, i)),
-                           .deeds = {[goal = MidiGoal{parameter.name, i}](Lab& lab) {
+                           .commands = {[goal = MidiGoal{parameter.name, i}](Lab& lab) {
                                lab.remote().learn_midi(goal);
                            }}});
 }
@@ -97,14 +97,14 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
                     mark_choice("Locked", parameter.name, setting, &KnobSetting::is_locked)};
     if (parameter.control == Control::image || parameter.control == Control::sound)
         list.choices.push_back(
-            {.name = "Choose file…", .deeds = {[name = parameter.name](WindowState& window) {
+            {.name = "Choose file…", .commands = {[name = parameter.name](WindowState& window) {
                                          window.dialog = {.kind = Dialog::Kind::choose_file,
                                                           .subject = name};
                                      }}});
     for (const Item& item : parameter.items)
         list.choices.push_back(
             {.name = item.label,
-             .deeds = {[name = parameter.name, to = item.value](Document& changed) {
+             .commands = {[name = parameter.name, to = item.value](Document& changed) {
                  changed.set_value(name, Value(to));
              }},
              .is_present = document.value(parameter).number() == item.value});
@@ -113,13 +113,13 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
     add_midi(parameter, list.choices);
     if (!parameter.declared.file.empty())
         list.choices.push_back(
-            {.name = "Open declaration", .deeds = {[place = parameter.declared](Lab& lab) {
+            {.name = "Open declaration", .commands = {[place = parameter.declared](Lab& lab) {
                                              lab.looks().open_in_editor(place);
                                          }}});
     return list;
 }
 
-Deed modulate(const std::string& name, const std::optional<Modulation>& next) {
+MenuCommand modulate(const std::string& name, const std::optional<Modulation>& next) {
     return [name, next](Document& document) { document.set_modulation(name, next); };
 }
 
@@ -130,7 +130,7 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
     const Modulation* present = document.modulation(parameter);
     const auto offer = [&](std::string name, const std::optional<Modulation>& next, bool is_it) {
         list.choices.push_back({.name = std::move(name),
-                                .deeds = {modulate(parameter.name, next)},
+                                .commands = {modulate(parameter.name, next)},
                                 .is_present = is_it});
     };
     offer("Modulation: None", std::nullopt, !present);
@@ -155,7 +155,7 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
                                    .limit = figure.limit,
                                    .help = figure.help,
                                    .answer = [now = *present, number = figure.number,
-                                              name = parameter.name](double typed) -> Deeds {
+                                              name = parameter.name](double typed) -> MenuCommands {
                                        Modulation next = now;
                                        next.*number = typed;
                                        return {modulate(name, next)};
@@ -168,7 +168,7 @@ void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
         SheetRequest next = request;
         next.columns = count;
         choices.push_back({.name = fmt::format("{} columns", count),
-                           .deeds = sheet_deeds(next),
+                           .commands = sheet_commands(next),
                            .is_present = request.columns == count});
     }
     for (const int count : sheet_counts) {
@@ -176,7 +176,7 @@ void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
         next.rows = count;
         if (!request.down.empty())
             choices.push_back({.name = fmt::format("{} rows", count),
-                               .deeds = sheet_deeds(next),
+                               .commands = sheet_commands(next),
                                .is_present = request.rows == count});
     }
 }
@@ -194,7 +194,7 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
           std::pair{ParameterFilter::favourites, "Show only favourites"},
           std::pair{ParameterFilter::of_pass, "Show only this pass"}})
         shown.choices.push_back({.name = name,
-                                 .deeds = {[chosen = filter](WindowState& changed) {
+                                 .commands = {[chosen = filter](WindowState& changed) {
                                      changed.filter = chosen;
                                      changed.shows_parameters = true;
                                      if (chosen == ParameterFilter::all)
@@ -212,7 +212,7 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
             shown.choices.push_back(
                 {.name = group.name.empty() ? "Reset ungrouped parameters"
                                             : fmt::format("Reset {}", group.name),
-                 .deeds = {[names](Document& changed) { changed.reset_group(names); }}});
+                 .commands = {[names](Document& changed) { changed.reset_group(names); }}});
     }
     return {shown};
 }
@@ -222,7 +222,7 @@ bool can_be_varied(const Parameter& parameter) {
     return !is_file && parameter.control != Control::event && parameter.type.size() == 1;
 }
 
-Deeds sheet_deeds(const SheetRequest& request) {
+MenuCommands sheet_commands(const SheetRequest& request) {
     return {[request](Lab& lab) { lab.frames().previews().sheet().begin(request); },
             [is_grid = !request.down.empty()](WindowState& window) {
                 constexpr float room_of_grid = 330.0f;
@@ -239,24 +239,24 @@ ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCel
     ChoiceList list{"Sheet"};
     if (in_hand && can_be_varied(*in_hand)) {
         list.choices.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
-                                .deeds = sheet_deeds({.across = in_hand->name})});
+                                .commands = sheet_commands({.across = in_hand->name})});
         SheetRequest next = request;
         next.down = in_hand->name;
         if (!request.across.empty() && request.across != in_hand->name)
-            list.choices.push_back(
-                {.name = fmt::format("Rows: {}", in_hand->label), .deeds = sheet_deeds(next)});
+            list.choices.push_back({.name = fmt::format("Rows: {}", in_hand->label),
+                                    .commands = sheet_commands(next)});
     }
     if (request.across.empty())
         return list;
     if (!request.down.empty()) {
         SheetRequest next = request;
         next.down.clear();
-        list.choices.push_back({.name = "Rows: None", .deeds = sheet_deeds(next)});
+        list.choices.push_back({.name = "Rows: None", .commands = sheet_commands(next)});
     }
     add_counts(request, list.choices);
     for (std::size_t i = 0; i < cells.size(); ++i)
         list.choices.push_back({.name = fmt::format("Apply {}", cells[i].caption),
-                                .deeds = {[i](Lab& lab) {
+                                .commands = {[i](Lab& lab) {
                                     if (lab.work().document)
                                         lab.frames().previews().sheet().apply(i,
                                                                               *lab.work().document);

@@ -2,7 +2,7 @@
 
 #include "lab/document/document.h"
 #include "lab/messages/choice.h"
-#include "lab/trials/variant_sheet.h"
+#include "lab/previews/variant_sheet.h"
 #include "lab/window/window_state.h"
 
 /// The commands for the revealed parameter, except changing its value.
@@ -17,7 +17,7 @@ ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCel
                          const Parameter* in_hand);
 
 /// Draws the sheet and shows its panel.
-Deeds sheet_deeds(const SheetRequest& request);
+MenuCommands sheet_commands(const SheetRequest& request);
 
 /// Whether a filmstrip of it can be drawn.
 bool can_be_varied(const Parameter& parameter);

@@ -9,7 +9,7 @@
 namespace {
 Choice sized(std::string name, const PictureSize& size, bool is_present) {
     return {.name = std::move(name),
-            .deeds = {[size](Lab& lab) { lab.work().size.choose(size); }},
+            .commands = {[size](Lab& lab) { lab.work().size.choose(size); }},
             .is_present = is_present};
 }
 
@@ -20,7 +20,7 @@ ChoiceList size_choices(const SizeInForce& in_force) {
     for (const auto& [shape, name] : picture_shapes)
         list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
     list.choices.push_back(
-        {.name = "Match pane once", .deeds = {[](Lab& lab) { lab.work().size.fix_to_view(); }}});
+        {.name = "Match pane once", .commands = {[](Lab& lab) { lab.work().size.fix_to_view(); }}});
     for (const Extent& extent : picture_sizes)
         list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                      {false, extent, present.scale, present.shape},
@@ -38,12 +38,12 @@ ChoiceList zoom_choices(const PictureView& present) {
     ChoiceList list{"Zoom"};
     list.choices.push_back(
         {.name = "Largest integer zoom",
-         .deeds = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
+         .commands = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
          .is_present = present.fit == PictureView::Fit::whole});
     for (const double zoom : picture_zooms)
         list.choices.push_back(
             {.name = times_text(zoom),
-             .deeds = {[zoom](WindowState& window) {
+             .commands = {[zoom](WindowState& window) {
                  window.large_view().fit = PictureView::Fit::free;
                  window.large_view().zoom = zoom;
              }},
@@ -51,7 +51,7 @@ ChoiceList zoom_choices(const PictureView& present) {
     for (const auto& [name, x, y] :
          {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
           std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
-        list.choices.push_back({.name = name, .deeds = {[x = x, y = y](WindowState& window) {
+        list.choices.push_back({.name = name, .commands = {[x = x, y = y](WindowState& window) {
                                                   PictureView& view = window.large_view();
                                                   view.x = std::clamp(view.x + x, 0.0, 1.0);
                                                   view.y = std::clamp(view.y + y, 0.0, 1.0);
@@ -65,7 +65,7 @@ ChoiceList pane_choices() {
     for (const PaneSide& side : pane_sides())
         for (const float by : {step, -step})
             list.choices.push_back({.name = by > 0.0f ? side.larger : side.smaller,
-                                    .deeds = {[size = side.size, by](WindowState& window) {
+                                    .commands = {[size = side.size, by](WindowState& window) {
                                         resize_pane(window.panes, size, by);
                                     }}});
     return list;
@@ -74,10 +74,10 @@ ChoiceList pane_choices() {
 ChoiceList pin_choices(const std::vector<Pin>& pins) {
     ChoiceList list{"Pins"};
     list.choices.push_back({.name = "Pin picture centre",
-                            .deeds = {[](WindowState& window) { add_pin(window, {}); }}});
+                            .commands = {[](WindowState& window) { add_pin(window, {}); }}});
     for (std::size_t i = 0; i < pins.size(); ++i)
         list.choices.push_back({.name = fmt::format("Remove pin {}", i + 1),
-                                .deeds = {[i](WindowState& window) {
+                                .commands = {[i](WindowState& window) {
                                     if (i < window.pins.size())
                                         window.pins.erase(window.pins.begin() +
                                                           static_cast<std::ptrdiff_t>(i));
@@ -95,7 +95,7 @@ ChoiceList waveform_choices(const WindowState& window, Extent picture) {
     ChoiceList list{"Waveform"};
     for (const bool is_luminance : {false, true})
         list.choices.push_back({.name = is_luminance ? "Luminance" : "Red, green and blue",
-                                .deeds = {[is_luminance](WindowState& changed) {
+                                .commands = {[is_luminance](WindowState& changed) {
                                     changed.plots_luminance = is_luminance;
                                     show_waveform(changed);
                                 }},
@@ -107,7 +107,7 @@ ChoiceList waveform_choices(const WindowState& window, Extent picture) {
          .number = AskedNumber{.present = row,
                                .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
                                .is_whole = true,
-                               .answer = [height = picture.height](double typed) -> Deeds {
+                               .answer = [height = picture.height](double typed) -> MenuCommands {
                                    return {[row = static_cast<int>(typed),
                                             height](WindowState& changed) {
                                        changed.scan_line = ScanLine::along_row(row, height);
@@ -123,7 +123,7 @@ Choice window_number(const char* name, const char* unit, double present, Limit l
             .number = AskedNumber{.present = present,
                                   .unit = unit,
                                   .limit = limit,
-                                  .answer = [set](double number) -> Deeds {
+                                  .answer = [set](double number) -> MenuCommands {
                                       return {[set, number](WindowState& window) {
                                           set(window, number);
                                       }};
@@ -137,7 +137,7 @@ ChoiceList number_choices(const WindowState& window) {
             "Frame budget…", "ms", window.budget_milliseconds, {0.1, 1000.0},
             [](WindowState& changed, double number) { changed.budget_milliseconds = number; }),
         window_number("Flash limiter…", "× full brightness per second",
-                      window.comfort.most_a_second, {ComfortClamp::lowest, ComfortClamp::highest},
+                      window.comfort.most_a_second, {FlashLimit::lowest, FlashLimit::highest},
                       [](WindowState& changed, double number) {
                           changed.comfort = {.is_on = true, .most_a_second = number};
                       }),
@@ -175,7 +175,7 @@ void offer_display_size(Lab& lab, Extent display) {
     lab.messages().offer(fmt::format("The render size is {} × {} px, the display {} × {} px",
                                      picture.width, picture.height, display.width, display.height),
                          {.name = "Match display",
-                          .deeds = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
+                          .commands = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

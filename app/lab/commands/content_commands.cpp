@@ -46,7 +46,7 @@ void ContentCommands::open(const fs::path& file) {
         return m_work.messages.say(is_sound ? needs_signal_look : needs_picture_look, true);
     }
     if (is_sound)
-        return m_work.drive.choose({.driver = Driver::signal,
+        return m_work.media.choose({.driver = Driver::signal,
                                     .signal = playing(file, m_work.document->state().signal),
                                     .file = file});
     SourceSpec source = parse_source(m_work.document->state().source).value_or(SourceSpec{});
@@ -54,7 +54,7 @@ void ContentCommands::open(const fs::path& file) {
         !is_users_content(m_work.document->state().source) && source.fit == Fit::stretch;
     source.picture = fs::absolute(file).string();
     const std::string text = to_string(source);
-    m_work.drive.choose(
+    m_work.media.choose(
         {.driver = Driver::picture,
          .source = is_first ? with_users_defaults(text, m_work.document->look()) : text,
          .file = file});
@@ -66,10 +66,10 @@ void ContentCommands::choose_picture(const std::string& parameter, const fs::pat
 }
 
 void ContentCommands::cancel_loading() {
-    const std::string name = m_work.drive.loading();
+    const std::string name = m_work.media.loading();
     if (name.empty() || !m_work.document)
         return;
-    m_work.drive.cancel();
+    m_work.media.cancel();
     m_work.messages.say(
         fmt::format("Cancelled loading \"{}\"", fs::path(name).filename().string()));
 }
@@ -85,7 +85,7 @@ void ContentCommands::take_pictures() {
         chosen && m_work.messages.succeeded(*chosen)) {
         m_work.document->set_value((*chosen)->parameter, Value::of_path((*chosen)->file.string()));
         m_work.opened_files.add((*chosen)->file);
-        m_work.drive.recent().remember((*chosen)->file, {});
+        m_work.media.recent().remember((*chosen)->file, {});
     }
     Diagnostics problems;
     const auto names =
@@ -99,7 +99,7 @@ void ContentCommands::take_pictures() {
 }
 
 void ContentCommands::take_content() {
-    const auto taken = m_work.drive.take_chosen(m_work.document->look(), m_work.player);
+    const auto taken = m_work.media.take_chosen(m_work.document->look(), m_work.player);
     if (!taken || !m_work.messages.succeeded(*taken))
         return;
     const ChosenContent& chosen = **taken;
@@ -111,7 +111,7 @@ void ContentCommands::take_content() {
         is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
         return m_work.document->keep_content(content);
     }
-    for (const Diagnostic& note : m_work.drive.problems())
+    for (const Diagnostic& note : m_work.media.problems())
         m_work.messages.say(note);
     if (!is_signal)
         return m_work.document->set_source(chosen.source);
@@ -130,11 +130,11 @@ void ContentCommands::offer_outside(const OutsideContent& content) {
         if (!content.files.empty())
             document.set_values(content.files, "Use the preset's files");
         for (const auto& [name, value] : content.files)
-            m_work.drive.recent().remember(value.path, {});
+            m_work.media.recent().remember(value.path, {});
     };
     m_work.messages.ask(
         content.notice(),
-        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .deeds = {use}}});
+        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .commands = {use}}});
 }
 
 // While the user's own content is locked, a button offers the preset's.
@@ -150,9 +150,9 @@ void ContentCommands::offer_own(const Preset& preset) {
                   : is_same_content(own.source, present.source))
         return;
     const std::string kept = fmt::format("Kept {}", content_name(present, look));
-    m_work.messages.append(kept,
-                           {.name = use_content_words(look),
-                            .deeds = {[own](Document& document) { document.use_content(own); }}});
+    m_work.messages.append(
+        kept, {.name = use_content_words(look),
+               .commands = {[own](Document& document) { document.use_content(own); }}});
 }
 
 void ContentCommands::offer(const CheckedPreset& checked) {

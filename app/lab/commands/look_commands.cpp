@@ -107,7 +107,7 @@ bool LookCommands::must_duplicate(const fs::path& file) const {
 void LookCommands::offer_duplicate(const std::string& reason) {
     const std::string id = m_work.document->look().id + "-copy";
     m_work.messages.offer(reason, {.name = "Duplicate look",
-                                   .deeds = {[id](WindowState& window) {
+                                   .commands = {[id](WindowState& window) {
                                        window.dialog = {.kind = Dialog::Kind::duplicate_look,
                                                         .text = id};
                                    }}});

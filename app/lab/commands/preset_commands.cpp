@@ -4,8 +4,8 @@
 #include "formats/preset/preset_format.h"
 #include "io/system/file_status.h"
 #include "lab/document/sharing.h"
+#include "lab/storage/display_name.h"
 #include "lab/storage/editor.h"
-#include "lab/storage/told_name.h"
 #include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
@@ -83,7 +83,7 @@ void PresetCommands::replace(const std::string& name) {
 
 void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     Document& document = *m_work.document;
-    const RecentMedia& recent = m_work.drive.recent();
+    const RecentMedia& recent = m_work.media.recent();
     remember_files(document, recent);
     Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
     preset.name = name;
@@ -186,7 +186,7 @@ void PresetCommands::remove(const fs::path& file) {
     m_work.messages.offer(
         was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
                  : fmt::format("Deleted \"{}\"", removal.name),
-        {.name = "Undo", .deeds = {[this](Document& open) {
+        {.name = "Undo", .commands = {[this](Document& open) {
                              if (!undo_removal())
                                  open.undo();
                          }}});
@@ -236,7 +236,7 @@ void PresetCommands::offer_move() {
     m_work.messages.offer(
         count == 1 ? "1 of your presets is in the program folder"
                    : fmt::format("{} of your presets are in the program folder", count),
-        {.name = "Move to my presets", .deeds = {[this](Lab&) { move_to_user_folder(); }}});
+        {.name = "Move to my presets", .commands = {[this](Lab&) { move_to_user_folder(); }}});
 }
 
 void PresetCommands::move_to_user_folder() {
@@ -252,7 +252,7 @@ void PresetCommands::move_to_user_folder() {
             document.set_identity(document.identity(), *moved);
         }
     }
-    const std::string folder = told_folder(m_work.library.roots().user / "presets");
+    const std::string folder = display_folder(m_work.library.roots().user / "presets");
     m_work.messages.say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)
                                    : fmt::format("Moved {} presets to {}", count, folder));
 }

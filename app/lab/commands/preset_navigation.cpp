@@ -2,7 +2,7 @@
 
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ void PresetNavigation::star(const std::string& preset, bool has_star) {
         m_stars.erase(star);
 }
 
-std::optional<PresetPlace> PresetNavigation::target(int by, bool only_starred) {
+std::optional<PresetIndex> PresetNavigation::target(int by, bool only_starred) {
     const std::vector<PresetEntry> presets =
         in_listed_order(m_work.library.presets(m_work.document->look().id));
     const bool is_stepping = m_step && m_loader.is_opening_preset(m_step->file);
@@ -46,8 +46,8 @@ std::optional<PresetPlace> PresetNavigation::target(int by, bool only_starred) {
         return std::nullopt;
     }
     if (!only_starred)
-        return preset_beside(presets, present, by);
-    auto starred = starred_beside(presets, m_stars, present, by);
+        return preset_after(presets, present, by);
+    auto starred = starred_after(presets, m_stars, present, by);
     if (!starred)
         m_work.messages.say("This look has no favourite presets");
     return starred;
@@ -95,7 +95,7 @@ void PresetNavigation::morph_to(const fs::path& file, double seconds) {
             return m_work.messages.say(
                 fmt::format("\"{}\" belongs to another look. It can be opened, but not morphed to.",
                             preset->name));
-        to = with_checked_media(*preset, look, media_folder(file), m_work.drive.recent()).preset;
+        to = with_checked_media(*preset, look, media_folder(file), m_work.media.recent()).preset;
         const auto values = fitted_values(look, to, file);
         const auto modulations = fitted_modulations(look, *preset, file);
         if (!m_work.messages.succeeded(values) || !m_work.messages.succeeded(modulations))
@@ -126,7 +126,7 @@ void PresetNavigation::update(double wall_seconds) {
         const fs::path& file = m_morphing->file();
         if (const auto preset = load_preset(file))
             m_content.offer(with_checked_media(*preset, m_work.document->look(), media_folder(file),
-                                               m_work.drive.recent()));
+                                               m_work.media.recent()));
     } else {
         m_work.messages.say("Morph stopped because you changed something else");
     }

@@ -3,7 +3,7 @@
 #include "lab/commands/content_commands.h"
 #include "lab/document/morphing.h"
 #include "lab/frame/workspace.h"
-#include "lab/library/preset_ring.h"
+#include "lab/library/preset_cycle.h"
 #include "lab/reload/look_loader.h"
 
 #include <memory>
@@ -39,12 +39,12 @@ public:
     void note_opened(const OpenRequest& request, bool had_changes);
 
 private:
-    std::optional<PresetPlace> target(int by, bool only_starred);
+    std::optional<PresetIndex> target(int by, bool only_starred);
 
     Workspace& m_work;
     LookLoader& m_loader;
     ContentCommands& m_content;
     PresetStars m_stars;
     std::unique_ptr<Morphing> m_morphing;
-    std::optional<PresetPlace> m_step;  // the preset that is being opened
+    std::optional<PresetIndex> m_step;  // the preset that is being opened
 };

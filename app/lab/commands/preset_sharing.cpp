@@ -6,7 +6,7 @@
 #include "formats/slang/write.h"
 #include "io/files/atomic_file.h"
 #include "lab/document/sharing.h"
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,7 @@
 namespace fs = std::filesystem;
 
 std::string PresetSharing::line() const {
-    return m_work.document ? share_line_of(*m_work.document, m_work.drive.recent()) : std::string();
+    return m_work.document ? share_line_of(*m_work.document, m_work.media.recent()) : std::string();
 }
 
 void PresetSharing::paste(const std::string& line) {
@@ -24,7 +24,7 @@ void PresetSharing::paste(const std::string& line) {
         return;
     if (m_work.document && preset->look == m_work.document->look().id) {
         const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
-                                                         fs::current_path(), m_work.drive.recent());
+                                                         fs::current_path(), m_work.media.recent());
         m_work.document->take(checked.preset, "Paste");
         return m_content.offer(checked);
     }
@@ -74,9 +74,9 @@ void PresetSharing::file_changed(const fs::path& file) {
         return;
     m_work.messages.withdraw(file.string());
     const fs::path folder = media_folder(file);
-    remember_files(*m_work.document, m_work.drive.recent());
+    remember_files(*m_work.document, m_work.media.recent());
     const Preset present =
-        with_portable_media(m_work.document->preset(), folder, m_work.drive.recent());
+        with_portable_media(m_work.document->preset(), folder, m_work.media.recent());
     if (is_written_alike(*preset, present, m_work.document->look()))
         return;
     if (m_work.document->is_modified()) {
@@ -86,7 +86,7 @@ void PresetSharing::file_changed(const fs::path& file) {
         return;
     }
     const CheckedPreset checked =
-        with_checked_media(*preset, m_work.document->look(), folder, m_work.drive.recent());
+        with_checked_media(*preset, m_work.document->look(), folder, m_work.media.recent());
     m_work.document->take(checked.preset, "Preset changed on disk");
     DocumentState saved = m_work.document->state();
     saved.signal = checked.preset.signal.value_or(saved.signal);

@@ -2,7 +2,7 @@
 
 #include "base/elapsed.h"
 #include "gpu/objects/texels.h"
-#include "graph/inspect/measuring.h"
+#include "graph/inspect/texel_programs.h"
 
 #include <algorithm>
 #include <chrono>

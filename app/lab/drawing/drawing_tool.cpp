@@ -3,7 +3,7 @@
 #include "formats/svg/svg_file.h"
 #include "io/files/atomic_file.h"
 #include "lab/document/users_content.h"
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 #include "signals/drawing/stroke_line.h"
 #include "signals/signal_table.h"
 

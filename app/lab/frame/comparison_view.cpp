@@ -213,7 +213,7 @@ void ComparisonView::start_variant() {
     update_constants();
     m_work.messages.succeeded(
         m_work.pictures.show_new_variant(look, m_variant->values, *m_work.renderer));
-    m_work.messages.succeeded(m_work.drive.show_anew(m_work.player, *m_work.renderer));
+    m_work.messages.succeeded(m_work.media.show_anew(m_work.player, *m_work.renderer));
     constexpr double patience_seconds = 1.0;
     constexpr double fewest = 4;
     const double all = std::max(look.settle_frames, 1);

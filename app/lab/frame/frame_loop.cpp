@@ -50,7 +50,7 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
 }  // namespace
 
 void report_content_problems(Workspace& work) {
-    Diagnostics problems = work.drive.problems();
+    Diagnostics problems = work.media.problems();
     const auto add = [&problems](const Diagnostics& more) {
         problems.insert(problems.end(), more.begin(), more.end());
     };
@@ -95,7 +95,7 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
     }
     m_drawn_extent = {};
     m_work.pictures.clear();
-    m_work.drive.forget();
+    m_work.media.forget();
     m_work.player.restart();
     m_work.player.play();
     end_look(built);
@@ -105,7 +105,7 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
 void FrameLoop::replace(BuiltLook& built) {
     if (!reads_images_alike(m_work.document->look(), *built.look))
         m_work.pictures.clear();
-    const bool is_specialized = m_work.renderer->executor().is_settled() &&
+    const bool is_specialized = m_work.renderer->executor().is_specialized() &&
                                 !m_work.renderer->variant() && m_applied &&
                                 m_applied->values == m_work.document->values();
     begin_look(built);
@@ -188,7 +188,7 @@ void FrameLoop::update_displayed() {
     if (displayed == executor.seen())
         return;
     const Plan before = executor.plan();
-    if (!m_work.messages.succeeded(m_work.renderer->set_seen(displayed)))
+    if (!m_work.messages.succeeded(m_work.renderer->set_displayed(displayed)))
         m_displayed = {};
     if (executor.plan() == before)
         return;
@@ -243,7 +243,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
 }
 
 bool FrameLoop::has_converged() const {
-    const auto& source = m_work.drive.source();
+    const auto& source = m_work.media.source();
     const bool moves =
         (source && source->moves()) || (m_applied && !m_applied->modulations.empty());
     return m_work.renderer && !moves && m_work.renderer->has_converged();
@@ -253,9 +253,9 @@ bool FrameLoop::is_moving() const {
     const Renderer* renderer = m_work.renderer.get();
     return (m_work.player.is_playing() && !has_converged()) || !m_work.redraw.is_empty() ||
            m_previews.is_busy() || m_work.pictures.chosen().is_reading() ||
-           !m_work.drive.loading().empty() || m_work.drive.is_source_late() ||
+           !m_work.media.loading().empty() || m_work.media.is_source_late() ||
            (renderer && (renderer->is_amid_frame() || renderer->replay().is_running() ||
-                         renderer->awaits_trip()));
+                         renderer->awaits_nan_check()));
 }
 
 void FrameLoop::apply_document() {
@@ -302,21 +302,21 @@ Redraw FrameLoop::apply_changes(const DocumentState& state, Spec signal) {
 
 Result<void> FrameLoop::apply_signal() {
     m_work.renderer->set_beam_fit(beam_fit_of(m_work.document->state().signal));
-    auto followed = m_work.drive.follow(*m_work.document, m_work.player, *m_work.renderer);
+    auto followed = m_work.media.follow(*m_work.document, m_work.player, *m_work.renderer);
     if (!followed || !m_board.has_pen())
         return followed;
     return m_work.player.set_signal(m_applied_signal);
 }
 
 void FrameLoop::update_source() {
-    const Diagnostics problems = m_work.drive.take_problems();
+    const Diagnostics problems = m_work.media.take_problems();
     for (const Diagnostic& problem : problems)
         m_work.messages.say(problem);
     if (!problems.empty())
         report_content_problems(m_work);
-    if (m_work.drive.is_source_late())
+    if (m_work.media.is_source_late())
         show_source(m_work.player.time());
-    const auto taken = m_work.drive.update(*m_work.document, m_work.player, *m_work.renderer);
+    const auto taken = m_work.media.update(*m_work.document, m_work.player, *m_work.renderer);
     if (!taken)
         return;
     m_work.messages.succeeded(*taken);
@@ -328,7 +328,7 @@ void FrameLoop::update_source() {
 
 // Redraws a paused picture with the new source.
 void FrameLoop::show_source(double seconds) {
-    const auto is_new = m_work.drive.show_source(seconds, *m_work.renderer);
+    const auto is_new = m_work.media.show_source(seconds, *m_work.renderer);
     if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.is_playing())
         m_work.redraw.add_replay();
 }
@@ -339,10 +339,10 @@ void FrameLoop::resize_picture() {
         return;
     m_drawn_extent = extent;
     m_loader.worker().builder().set_picture(extent);
-    m_work.drive.set_viewport(extent);
+    m_work.media.set_viewport(extent);
     show_source(m_work.player.time());
     const Plan before = m_work.renderer->executor().plan();
-    const Extent source = m_work.drive.source_extent();
+    const Extent source = m_work.media.source_extent();
     if (m_work.messages.succeeded(
             m_work.renderer->resize(extent, source.is_empty() ? extent : source)) &&
         m_work.renderer->executor().plan() != before)
@@ -363,7 +363,7 @@ void FrameLoop::limit_frame(double wall_seconds) {
 // Without the source, the first frames would be empty and have wrong sizes.
 bool FrameLoop::awaits_source() const {
     return m_work.document && m_work.document->look().driven_by == Driver::picture &&
-           !m_work.drive.source() && !m_work.drive.loading().empty();
+           !m_work.media.source() && !m_work.media.loading().empty();
 }
 
 void FrameLoop::draw_picture(double wall_seconds) {
@@ -386,7 +386,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
     if (frame) {
         m_work.redraw.clear();
         m_work.renderer->cancel_replay();
-        m_work.messages.succeeded(m_work.drive.show_source(frame->span.end, *m_work.renderer));
+        m_work.messages.succeeded(m_work.media.show_source(frame->span.end, *m_work.renderer));
         m_work.renderer->draw(*frame, m_work.player.trace(frame->span));
         return;
     }
@@ -396,7 +396,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.renderer->continue_replay(
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
                 m_work.messages.succeeded(
-                    m_work.drive.show_past_source(past.span.end, *m_work.renderer));
+                    m_work.media.show_past_source(past.span.end, *m_work.renderer));
             });
     else if (m_work.redraw.needs_replay() && !comes_next)
         start_replay();
@@ -443,6 +443,6 @@ void FrameLoop::update_previews() {
         m_work.renderer->executor().plan().targets.empty() ||
         m_work.renderer->replay().is_running())
         return;
-    m_previews.update({*m_work.document, m_work.player, m_work.drive, *m_work.renderer,
+    m_previews.update({*m_work.document, m_work.player, m_work.media, *m_work.renderer,
                        m_work.pictures.look_images(), m_work.size.extent()});
 }

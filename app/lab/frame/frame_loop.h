@@ -6,9 +6,9 @@
 #include "lab/frame/nan_guard.h"
 #include "lab/frame/pass_control.h"
 #include "lab/frame/workspace.h"
+#include "lab/previews/previews.h"
 #include "lab/reload/specialization.h"
 #include "lab/reload/text_constants.h"
-#include "lab/trials/tryouts.h"
 
 #include <chrono>
 #include <optional>
@@ -25,8 +25,8 @@ public:
     const NanGuard& nan_guard() const { return m_guard; }
     ComparisonView& comparison() { return m_comparison; }
     const ComparisonView& comparison() const { return m_comparison; }
-    Tryouts& previews() { return m_previews; }
-    const Tryouts& previews() const { return m_previews; }
+    Previews& previews() { return m_previews; }
+    const Previews& previews() const { return m_previews; }
     const HeavyPassNotice& heavy_pass() const { return m_heavy_pass; }
 
     /// Draws a look that has just become the document's. `is_same`: the same look with another
@@ -46,8 +46,8 @@ public:
     /// Applies the whole document again: a file that it names changed.
     void reapply() { m_applied.reset(); }
     /// Sets the displayed passes, from the next frame on.
-    void set_displayed(SeenPasses passes) { m_displayed = std::move(passes); }
-    const SeenPasses& displayed() const { return m_displayed; }
+    void set_displayed(PassSelection passes) { m_displayed = std::move(passes); }
+    const PassSelection& displayed() const { return m_displayed; }
     /// Whether a frame is unfinished.
     bool is_amid_frame() const;
     /// Whether the picture has all samples, and nothing moves.
@@ -90,8 +90,8 @@ private:
     NanGuard m_guard{m_work};
     ComparisonView m_comparison{m_work, m_loader, m_constants};
     HeavyPassNotice m_heavy_pass{m_work, m_passes};
-    Tryouts m_previews;
-    SeenPasses m_displayed;
+    Previews m_previews;
+    PassSelection m_displayed;
     std::optional<DocumentState> m_applied;  // state of player and renderer; nullopt: none yet
     Spec m_applied_signal;                   // as displayed: with the pen up, a keyframe is static
     Extent m_drawn_extent;                   // empty: sizes may have changed

@@ -1,30 +1,30 @@
 #include "lab/frame/nan_guard.h"
 
 #include "base/text.h"
-#include "lab/offline/trip_words.h"
+#include "lab/offline/non_finite_text.h"
 
 #include <algorithm>
 
 void NanGuard::prepare() {
-    using Guard = Executor::Guard;
+    using NanPolicy = Executor::NanPolicy;
     if (m_work.player.is_playing()) {
         m_plays_after = false;
         if (m_found)
-            answer(TripAnswer::go_on);
+            answer(NonFiniteAction::go_on);
     }
-    const bool clamps = m_is_unattended || m_answer == TripAnswer::clamp;
+    const bool clamps = m_is_unattended || m_answer == NonFiniteAction::clamp;
     const bool is_first =
         !m_work.renderer->has_drawn();  // its history is checked with the next frame
-    Guard guard = m_work.player.is_playing() ? Guard::watch : Guard::search;
-    if (m_answer == TripAnswer::go_on || (is_first && guard == Guard::watch))
-        guard = Guard::off;
+    NanPolicy guard = m_work.player.is_playing() ? NanPolicy::watch : NanPolicy::search;
+    if (m_answer == NonFiniteAction::go_on || (is_first && guard == NanPolicy::watch))
+        guard = NanPolicy::off;
     else if (clamps)
-        guard = Guard::clamp;
+        guard = NanPolicy::clamp;
     if (clamps && m_found) {
         m_found.reset();
-        m_work.renderer->mend();
+        m_work.renderer->sanitize();
     }
-    m_work.messages.succeeded(m_work.renderer->set_guard(guard));
+    m_work.messages.succeeded(m_work.renderer->set_nan_policy(guard));
 }
 
 // While the clock is paused, the replay shows which pass wrote the first one.
@@ -33,25 +33,25 @@ void NanGuard::update() {
     if (m_found) {
         if (is_replaying)
             return;
-        if (const auto first = m_work.renderer->take_trip(true);
+        if (const auto first = m_work.renderer->take_non_finite(true);
             first && first->frame <= m_found->frame)
             m_found = first;
         return;
     }
-    if (const auto trip = m_work.renderer->take_trip()) {
+    if (const auto trip = m_work.renderer->take_non_finite()) {
         stop_at(*trip);
         return;
     }
     if (m_plays_after && m_work.redraw.is_empty() && !is_replaying &&
-        !m_work.renderer->awaits_trip())
+        !m_work.renderer->awaits_nan_check())
         m_work.player.play();
 }
 
 // Some frames have been drawn since the finding. A replay up to its frame restores the history and
 // shows the pixel.
-void NanGuard::stop_at(const Trip& found) {
-    if (m_work.renderer->executor().guard() == Executor::Guard::clamp) {
-        if (!m_was_reported && m_answer != TripAnswer::clamp) {
+void NanGuard::stop_at(const NonFinitePixel& found) {
+    if (m_work.renderer->executor().guard() == Executor::NanPolicy::clamp) {
+        if (!m_was_reported && m_answer != NonFiniteAction::clamp) {
             Diagnostic problem = diagnostic_of(found, m_work.renderer->executor().look());
             problem.message = with_sentence(problem.message, "NaN and Inf are clamped.");
             m_work.messages.say(problem);
@@ -82,17 +82,17 @@ void NanGuard::reset() {
     m_was_reported = false;
 }
 
-void NanGuard::answer(TripAnswer wanted) {
+void NanGuard::answer(NonFiniteAction wanted) {
     if (!m_found)
         return;
     m_found.reset();
     m_work.renderer->cancel_replay();
-    if (wanted == TripAnswer::clear) {
+    if (wanted == NonFiniteAction::clear) {
         m_work.renderer->clear_history();
     } else {
         m_answer = wanted;
-        if (wanted == TripAnswer::clamp)
-            m_work.renderer->mend();
+        if (wanted == NonFiniteAction::clamp)
+            m_work.renderer->sanitize();
     }
     m_work.player.play();
 }

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "graph/inspect/tripwire.h"
+#include "graph/inspect/nan_detector.h"
 #include "lab/frame/workspace.h"
 
 #include <optional>
 
 /// The user's action for NaN and infinity.
-enum class TripAnswer {
+enum class NonFiniteAction {
     clear,  // clears the history
     clamp,  // replaces them by finite values
     go_on,  // ignores them until the look changes
@@ -18,8 +18,8 @@ public:
     explicit NanGuard(Workspace& work) : m_work(work) {}
 
     /// The pixel that paused the picture; nullopt: none.
-    const std::optional<Trip>& found() const { return m_found; }
-    void answer(TripAnswer answer);
+    const std::optional<NonFinitePixel>& found() const { return m_found; }
+    void answer(NonFiniteAction answer);
     /// Without a user to ask, the values are clamped, and the first one is reported.
     void set_unattended(bool is_unattended) { m_is_unattended = is_unattended; }
 
@@ -35,11 +35,11 @@ public:
     void reset();
 
 private:
-    void stop_at(const Trip& found);
+    void stop_at(const NonFinitePixel& found);
 
     Workspace& m_work;
-    std::optional<Trip> m_found;
-    std::optional<TripAnswer> m_answer;  // until the look changes
+    std::optional<NonFinitePixel> m_found;
+    std::optional<NonFiniteAction> m_answer;  // until the look changes
     bool m_is_unattended = false;
     bool m_was_reported = false;
     bool m_plays_after = false;  // when another value or text removes the cause

@@ -3,8 +3,8 @@
 #include "lab/document/document.h"
 #include "lab/library/library.h"
 #include "lab/library/opened_files.h"
-#include "lab/media/drive.h"
 #include "lab/media/look_pictures.h"
+#include "lab/media/media_input.h"
 #include "lab/media/render_size.h"
 #include "lab/messages/messages.h"
 #include "lab/playback/player.h"
@@ -20,8 +20,8 @@ struct Workspace {
     OpenedFiles opened_files = {};
     OpenDocument document = {};
     Player player{machine_sound_devices()};
-    Drive drive{RecentMedia(library.roots())};
-    RenderSize size{document, drive};
+    MediaInput media{RecentMedia(library.roots())};
+    RenderSize size{document, media};
     std::unique_ptr<Renderer> renderer = {};  // null until a look has drawn
     LookPictures pictures = {};
     PendingRedraw redraw = {};

@@ -8,7 +8,7 @@ void GainMeters::stop() {
     m_meter.stop();
     m_passes.clear();
     m_gains.clear();
-    m_rota.restart(0);
+    m_round_robin.restart(0);
 }
 
 void GainMeters::take_answer() {
@@ -22,10 +22,10 @@ void GainMeters::update(const Executor& executor, const Values& values, double s
         stop();  // discard gains of another look
         m_passes = pass_names(look);
         m_gains.resize(m_passes.size());
-        m_rota.restart(m_passes.size());
+        m_round_robin.restart(m_passes.size());
     }
     take_answer();
-    const auto due = m_rota.due(executor.picture_number(), seconds);
+    const auto due = m_round_robin.due(executor.picture_number(), seconds);
     if (m_meter.is_busy() || !due)
         return;
     m_asked = *due;
@@ -33,7 +33,7 @@ void GainMeters::update(const Executor& executor, const Values& values, double s
     const auto start = std::chrono::steady_clock::now();
     m_meter.start(executor.target(static_cast<int>(m_asked)), ChannelChoice::rgb,
                   clips_from(m_ceiling));
-    m_rota.done(seconds, seconds_since(start));
+    m_round_robin.done(seconds, seconds_since(start));
 }
 
 const Gain* GainMeters::gain(std::size_t pass) const {

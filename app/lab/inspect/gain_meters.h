@@ -2,7 +2,7 @@
 
 #include "graph/executor/executor.h"
 #include "graph/inspect/meter.h"
-#include "lab/inspect/rota.h"
+#include "lab/inspect/round_robin.h"
 #include "model/picture/gain.h"
 
 #include <memory>
@@ -22,7 +22,7 @@ public:
     void stop();
 
     /// Whether some passes have not been measured since the last change.
-    bool is_owing() const { return m_rota.is_owing() || m_meter.is_busy(); }
+    bool is_owing() const { return m_round_robin.is_owing() || m_meter.is_busy(); }
     /// Null: not measured yet.
     const Gain* gain(std::size_t pass) const;
 
@@ -34,5 +34,5 @@ private:
     std::vector<std::optional<Gain>> m_gains;  // of each pass
     std::size_t m_asked = 0;                   // the pass being measured
     double m_ceiling = 1.0;                    // of that pass
-    Rota m_rota;
+    RoundRobin m_round_robin;
 };

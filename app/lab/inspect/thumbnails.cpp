@@ -22,13 +22,13 @@ void Thumbnails::update(Viewer& viewer, const Executor& executor, int height, do
         m_pictures.resize(passes.size());  // the previous ones stay until their update
         m_passes = passes;
         m_height = height;
-        m_rota.restart(passes.size());
+        m_round_robin.restart(passes.size());
     }
-    const auto pass = m_rota.due(executor.picture_number(), seconds);
+    const auto pass = m_round_robin.due(executor.picture_number(), seconds);
     if (!pass)
         return;
     draw(viewer, executor, *pass);
-    m_rota.done(seconds);
+    m_round_robin.done(seconds);
 }
 
 // Without memory the thumbnail stays empty, because the passes need the memory.

@@ -3,7 +3,7 @@
 #include "gpu/objects/canvas.h"
 #include "graph/executor/executor.h"
 #include "graph/inspect/viewer.h"
-#include "lab/inspect/rota.h"
+#include "lab/inspect/round_robin.h"
 
 #include <optional>
 #include <string>
@@ -20,7 +20,7 @@ public:
     /// Null: not drawn yet.
     const gpu::Texture* picture(std::size_t pass) const;
     /// Whether some thumbnails are outdated.
-    bool is_owing() const { return m_rota.is_owing(); }
+    bool is_owing() const { return m_round_robin.is_owing(); }
 
 private:
     void draw(Viewer& viewer, const Executor& executor, std::size_t pass);
@@ -28,5 +28,5 @@ private:
     std::vector<std::string> m_passes;  // to detect another look
     int m_height = 0;
     std::vector<std::optional<gpu::Texture>> m_pictures;
-    Rota m_rota;
+    RoundRobin m_round_robin;
 };

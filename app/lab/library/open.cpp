@@ -6,7 +6,7 @@
 #include "formats/json/json_document.h"
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
-#include "formats/shadertoy/toy_files.h"
+#include "formats/shadertoy/shadertoy_files.h"
 #include "formats/stack/stack_format.h"
 #include "glsl/cache/check_cache.h"
 #include "lab/storage/media.h"
@@ -98,7 +98,7 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
 OpenRequest request_of_folder(const fs::path& folder) {
     std::error_code error;
     const auto image =
-        fs::exists(folder / "look.json", error) ? std::nullopt : find_toy_image(folder);
+        fs::exists(folder / "look.json", error) ? std::nullopt : find_shadertoy_image(folder);
     return {image.value_or(folder), {}, {}};
 }
 

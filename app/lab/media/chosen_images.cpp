@@ -2,7 +2,7 @@
 
 #include "io/pictures/picture_file.h"
 #include "lab/media/look_media.h"
-#include "lab/rendering/mend.h"
+#include "lab/rendering/sanitize.h"
 #include "model/picture/solid_picture.h"
 #include "signals/patterns/generated_picture.h"
 
@@ -97,7 +97,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
         }
         drop_reading(parameter.name);
         if (reads_beside && written) {
-            read_beside(look, parameter, file);
+            read_async(look, parameter, file);
             shown[parameter.name] = {file, written, {}};
             continue;
         }
@@ -122,7 +122,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
     return {};
 }
 
-void ChosenImages::read_beside(const Look& look, const Parameter& parameter, const fs::path& file) {
+void ChosenImages::read_async(const Look& look, const Parameter& parameter, const fs::path& file) {
     m_reading.push_back(
         {parameter.name, file,
          std::async(std::launch::async, read_chosen, file, shape_of(look, parameter))});

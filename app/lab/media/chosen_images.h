@@ -58,8 +58,8 @@ private:
         std::future<Result<Picture>> picture;
     };
 
-    void read_beside(const Look& look, const Parameter& parameter,
-                     const std::filesystem::path& file);
+    void read_async(const Look& look, const Parameter& parameter,
+                    const std::filesystem::path& file);
     void drop_reading(const std::string& parameter);
 
     std::map<std::string, Shown> m_shown;  // by the sampler's parameter

@@ -1,6 +1,6 @@
 #include "lab/media/frame_stream.h"
 
-#include "lab/rendering/mend.h"
+#include "lab/rendering/sanitize.h"
 #include "model/picture/encoding_curve.h"
 
 #include <algorithm>
@@ -112,16 +112,16 @@ void FrameStream::run() {
         const std::int64_t number = *next_to_read();
         lock.unlock();
         auto read = m_reader->read(number);
-        std::optional<Diagnostic> mended;
+        std::optional<Diagnostic> sanitized;
         std::optional<Diagnostic> note;
         if (read && *read)
             note = note_about(**read, m_name);
         if (read && *read && (*read)->encoding == Encoding::linear)
-            mended = mend(**read, m_name);
+            sanitized = sanitize(**read, m_name);
         if (const auto encoding = m_encoding.load(); read && *read && encoding)
             recode(**read, *encoding);
         lock.lock();
-        for (std::optional<Diagnostic>* amiss : {&mended, &note})
+        for (std::optional<Diagnostic>* amiss : {&sanitized, &note})
             if (*amiss)
                 tell(std::move(**amiss));
         keep(number, std::move(read));

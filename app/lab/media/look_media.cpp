@@ -4,7 +4,7 @@
 #include "io/pictures/picture_file.h"
 #include "lab/media/source.h"
 #include "lab/playback/signal_file.h"
-#include "lab/rendering/mend.h"
+#include "lab/rendering/sanitize.h"
 #include "signals/patterns/generated_picture.h"
 #include "signals/patterns/patterns.h"
 #include "signals/patterns/solids.h"

@@ -11,7 +11,7 @@ ViewShape RenderSize::shape() const {
 }
 
 Extent RenderSize::extent() const {
-    const auto& source = m_drive.source();
+    const auto& source = m_media.source();
     const bool has_source =
         m_document && m_document->look().driven_by == Driver::picture && source.has_value();
     const Extent room = m_chosen.room(m_view);

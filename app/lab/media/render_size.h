@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/media/drive.h"
+#include "lab/media/media_input.h"
 #include "lab/rendering/picture_size.h"
 
 #include <optional>
@@ -10,8 +10,8 @@
 /// ratio of the source.
 class RenderSize {
 public:
-    RenderSize(const OpenDocument& document, const Drive& drive)
-        : m_document(document), m_drive(drive) {}
+    RenderSize(const OpenDocument& document, const MediaInput& media)
+        : m_document(document), m_media(media) {}
 
     const PictureSize& chosen() const { return m_chosen; }
     void choose(const PictureSize& size) { m_chosen = within_bounds(size); }
@@ -30,7 +30,7 @@ public:
 
 private:
     const OpenDocument& m_document;
-    const Drive& m_drive;
+    const MediaInput& m_media;
     PictureSize m_chosen;
     Extent m_view{1280, 720};
     std::optional<double> m_view_seconds;  // since it changed; nullopt: not set yet

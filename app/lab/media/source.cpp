@@ -3,8 +3,8 @@
 #include "io/pictures/picture_file.h"
 #include "io/pictures/picture_sequence.h"
 #include "io/video/video_file.h"
-#include "lab/rendering/mend.h"
 #include "lab/rendering/renderer.h"
+#include "lab/rendering/sanitize.h"
 #include "lab/storage/media.h"
 #include "model/picture/placing.h"
 #include "model/picture/prescaled.h"
@@ -58,8 +58,8 @@ Result<Source> Source::open(const std::string& text) {
         return fail(picture.error());
     if (auto note = note_about(*picture, file))
         source.m_problems.push_back(std::move(*note));
-    if (auto mended = mend(*picture, file))
-        source.m_problems.push_back(std::move(*mended));
+    if (auto sanitized = sanitize(*picture, file))
+        source.m_problems.push_back(std::move(*sanitized));
     source.m_picture = std::make_shared<const Picture>(std::move(*picture));
     source.find_prescale();
     source.m_is_moving_pattern = is_pattern && is_moving_pattern(pattern_of(source.m_spec));

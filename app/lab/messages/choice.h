@@ -13,9 +13,9 @@ class Lab;
 struct WindowState;
 
 /// An effect on the document, the lab or the window.
-using Deed = std::variant<std::function<void(Document&)>, std::function<void(Lab&)>,
-                          std::function<void(WindowState&)>>;
-using Deeds = std::vector<Deed>;
+using MenuCommand = std::variant<std::function<void(Document&)>, std::function<void(Lab&)>,
+                                 std::function<void(WindowState&)>>;
+using MenuCommands = std::vector<MenuCommand>;
 
 /// A number that the user must type for a choice.
 struct AskedNumber {
@@ -24,19 +24,19 @@ struct AskedNumber {
     Limit limit = {};
     bool is_whole = false;
     std::string help = {};
-    std::function<Deeds(double)> answer = {};  // for a number within the limit
+    std::function<MenuCommands(double)> answer = {};  // for a number within the limit
 };
 
 /// A text that the user must type for a choice.
 struct AskedText {
     std::string present;
-    std::function<Deeds(const std::string&)> answer;
+    std::function<MenuCommands(const std::string&)> answer;
 };
 
 /// An entry of a menu, a panel or the command palette.
 struct Choice {
     std::string name;  // "Lissajous"; "Frequency…" if a value must be typed first
-    Deeds deeds = {};
+    MenuCommands commands = {};
     bool is_present = false;  // it is the current state
     std::optional<AskedNumber> number = {};
     std::optional<AskedText> text = {};

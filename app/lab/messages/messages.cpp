@@ -2,7 +2,7 @@
 
 #include "base/printable.h"
 #include "lab/messages/source_lines.h"
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ void Messages::say(std::string text, bool is_problem, std::string subject) {
 }
 
 void Messages::say(const Diagnostic& problem) {
-    const std::string name = told_name(problem.file);
+    const std::string name = display_name(problem.file);
     const std::string line = problem.line > 0 ? fmt::format(":{}", problem.line) : std::string();
     say(name.empty() ? problem.message : fmt::format("{}{}: {}", name, line, problem.message), true,
         problem.file.string());

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "formats/foreign_format.h"
-#include "formats/shadertoy/toy_files.h"
+#include "formats/shadertoy/shadertoy_files.h"
 #include "gpu/error_log.h"
 #include "gpu/objects/draw.h"
 #include "lab/offline/offline.h"

@@ -93,7 +93,7 @@ PassImpulse impulse_of(std::string pass, const std::vector<Numbers>& frames,
     const auto channel = static_cast<std::size_t>(impulse.channel);
     for (std::size_t i = dark_frames; i < frames.size(); ++i)
         impulse.light.push_back(frames[i][channel] - dark[channel]);
-    impulse.fall = fall_of(seconds, impulse.light);
+    impulse.fall = decay_curve(seconds, impulse.light);
     return impulse;
 }
 }  // namespace

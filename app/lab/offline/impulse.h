@@ -3,7 +3,7 @@
 #include "base/work.h"
 #include "lab/document/document.h"
 #include "lab/window/window_state.h"
-#include "model/picture/fall.h"
+#include "model/picture/decay_curve.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +22,7 @@ struct PassImpulse {
     std::string pass;
     int channel = 0;            // 0 red, 1 green, 2 blue: the brightest
     std::vector<double> light;  // above the background; per frame, linear
-    Fall fall;                  // times from the end of the impulse's frame
+    DecayCurve fall;            // times from the end of the impulse's frame
 };
 
 /// The response of all passes to an impulse of one frame.

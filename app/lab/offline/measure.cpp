@@ -30,10 +30,10 @@ double median(std::vector<double> values) {
 
 Result<Measurement> measure(Offline& offline, int frames) {
     constexpr int warm_up_frames = 8;
-    if (auto off = offline.set_guard(Executor::Guard::off); !off)
+    if (auto off = offline.set_nan_policy(Executor::NanPolicy::off); !off)
         return fail(off.error());
-    if (auto settled = offline.settle(); !settled)
-        return fail(settled.error());
+    if (auto specialized = offline.specialize(); !specialized)
+        return fail(specialized.error());
     for (int frame = 0; frame < warm_up_frames; ++frame)
         offline.advance();
     gpu::finish();

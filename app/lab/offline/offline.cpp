@@ -7,16 +7,16 @@
 #include "formats/stack/stack_format.h"
 #include "glsl/cache/check_cache.h"
 #include "gpu/objects/readback.h"
-#include "graph/programs/settled_look.h"
+#include "graph/programs/specialized_look.h"
 #include "lab/document/moves_file.h"
 #include "lab/document/naming.h"
 #include "lab/document/users_content.h"
 #include "lab/media/image_budget.h"
 #include "lab/media/look_media.h"
-#include "lab/offline/trip_words.h"
+#include "lab/offline/non_finite_text.h"
 #include "lab/playback/signal_file.h"
-#include "lab/storage/kept_shaders.h"
 #include "lab/storage/media.h"
+#include "lab/storage/shader_cache.h"
 #include "model/picture/placing.h"
 #include "model/plan/parameter_use.h"
 #include "model/plan/plan_memory.h"
@@ -144,14 +144,14 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
         return fail(preset.error());
-    auto kept = kept_shaders(library.roots());
+    auto kept = shader_cache(library.roots());
     CheckCache checks(kept.get(), library.roots().shader_limits);
     LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     Prepared prepared{.document = Document(std::move(*loaded.look)),
                       .warnings = std::move(loaded.warnings),
-                      .kept_shaders = std::move(kept),
+                      .shader_cache = std::move(kept),
                       .progress = request.progress,
                       .sender_seconds = request.sender_seconds};
     const fs::path preset_file = preset->preset_file;
@@ -225,7 +225,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (auto done = turn_texts(prepared.document); !done)
         return fail(done.error());
     const Look look = prepared.document.drawn_look();
-    auto programs = build_programs(look, nullptr, prepared.kept_shaders.get(), prepared.progress);
+    auto programs = build_programs(look, nullptr, prepared.shader_cache.get(), prepared.progress);
     if (!programs)
         return fail(programs.error());
     const auto seen = prepared.seen;
@@ -236,7 +236,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
             return fail(done.error());
     if (auto done = offline.m_renderer->resize(size, size); !done)
         return fail(done.error());
-    if (auto done = offline.set_guard(Executor::Guard::clamp); !done)
+    if (auto done = offline.set_nan_policy(Executor::NanPolicy::clamp); !done)
         return fail(done.error());
     if (auto done = offline.load_signal(); !done)
         return fail(done.error());
@@ -298,13 +298,13 @@ Diagnostics Offline::take_problems() {
         const Diagnostics more = m_source->take_problems();
         problems.insert(problems.end(), more.begin(), more.end());
     }
-    if (const auto trip = m_renderer->take_trip(true)) {
+    if (const auto trip = m_renderer->take_non_finite(true)) {
         problems.push_back(diagnostic_of(*trip, executor().look()));
         std::string& message = problems.back().message;
         message = with_sentence(message, "NaN and Inf were clamped.");
     }
     add_new(problems, m_chosen_images.problems());
-    const Diagnostics sent = m_player->sent_problems();
+    const Diagnostics sent = m_player->beam_input_problems();
     problems.insert(problems.end(), sent.begin(), sent.end());
     return problems;
 }
@@ -353,7 +353,7 @@ bool Offline::moves(const Parameter& parameter) const {
     return m_moves.has(parameter.name) || m_document.state().modulations.contains(parameter.name);
 }
 
-Result<void> Offline::settle(const std::vector<std::string>& seen) {
+Result<void> Offline::specialize(const std::vector<std::string>& seen) {
     const Look look = executor().look();
     const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
         return parameter.is_constant && moves(parameter);
@@ -363,12 +363,12 @@ Result<void> Offline::settle(const std::vector<std::string>& seen) {
     const std::vector<bool> is_seen = seen_with_picture(seen);
     if (auto done = show_to(is_seen); !done)
         return done;
-    SettledTexts texts;
-    const auto programs = build_programs(settled_look(
+    SpecializedTexts texts;
+    const auto programs = build_programs(specialized_look(
         look, m_document.values(), executor().plan(),
         [&](const Parameter& parameter) { return moves(parameter); }, texts));
     if (!programs)  // the driver refused: keep the generic programs
-        return m_renderer->set_seen({});
+        return m_renderer->set_displayed({});
     m_unsettled = executor().programs();
     if (auto done = m_renderer->replace(look, *programs); !done)
         return done;
@@ -389,7 +389,7 @@ std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& nam
 Result<void> Offline::show_to(const std::vector<bool>& seen) {
     if (turns_sharing())
         return {};
-    return m_renderer->set_seen(seen, Executor::Frames::drawn_once);
+    return m_renderer->set_displayed(seen, Executor::Frames::drawn_once);
 }
 
 // Specialised programs support only one plan.
@@ -400,10 +400,10 @@ bool Offline::turns_sharing() const {
     });
 }
 
-Result<void> Offline::end_settled() {
+Result<void> Offline::end_specialized() {
     if (!m_unsettled)
         return {};
-    if (auto done = m_renderer->set_seen({}); !done)
+    if (auto done = m_renderer->set_displayed({}); !done)
         return done;
     const Programs programs = *std::exchange(m_unsettled, std::nullopt);
     if (auto done = m_renderer->replace(executor().look(), programs); !done)
@@ -414,7 +414,7 @@ Result<void> Offline::end_settled() {
 Result<void> Offline::start_again(Document document) {
     const DocumentState before = m_document.state();
     m_document = std::move(document);
-    if (auto done = end_settled(); !done)
+    if (auto done = end_specialized(); !done)
         return done;
     if (auto done = follow_constants(); !done)
         return done;

@@ -41,7 +41,7 @@ struct Prepared {
     Document document;
     Diagnostics warnings = {};
     Moves moves = {};
-    std::shared_ptr<ByteStore> kept_shaders = {};  // null: not cached
+    std::shared_ptr<ByteStore> shader_cache = {};  // null: not cached
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
@@ -93,10 +93,12 @@ public:
     /// parameters stay uniforms. Passes that affect neither the picture nor the passes in `seen`
     /// are omitted. Frames are cheaper, after compiling. If the driver refuses the programs,
     /// nothing changes. start_again() ends it.
-    Result<void> settle(const std::vector<std::string>& seen = {});
+    Result<void> specialize(const std::vector<std::string>& seen = {});
     /// How NaN and infinity are handled. By default they are clamped, and the first one is reported
     /// with the problems.
-    Result<void> set_guard(Executor::Guard guard) { return m_renderer->set_guard(guard); }
+    Result<void> set_nan_policy(Executor::NanPolicy guard) {
+        return m_renderer->set_nan_policy(guard);
+    }
     /// Replaces the signal's beam in all later frames.
     void drive_by(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
     /// Replaces the document's source from now on.
@@ -130,7 +132,7 @@ private:
     bool turns_sharing() const;
     std::vector<bool> seen_with_picture(const std::vector<std::string>& names) const;
     Result<void> show_to(const std::vector<bool>& seen);
-    Result<void> end_settled();
+    Result<void> end_specialized();
     Result<void> follow_constants();
     void make_moves(double seconds);
     Result<void> load_signal();

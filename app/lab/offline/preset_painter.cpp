@@ -6,10 +6,10 @@
 #include "formats/preset/preset_format.h"
 #include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
-#include "lab/media/drive.h"
+#include "lab/media/media_input.h"
 #include "lab/offline/small_picture.h"
 #include "lab/storage/file_stamp.h"
-#include "lab/storage/kept_shaders.h"
+#include "lab/storage/shader_cache.h"
 #include "signals/signal_table.h"
 
 #include <fmt/format.h>
@@ -110,7 +110,7 @@ fs::path PresetPainter::kept_file(const fs::path& preset) const {
 
 // A preset for other bypassed looks of the stack needs another look.
 Result<Prepared> PresetPainter::prepared(const fs::path& file) const {
-    Prepared made{.document = m_plain, .kept_shaders = kept_shaders(m_library.roots())};
+    Prepared made{.document = m_plain, .shader_cache = shader_cache(m_library.roots())};
     if (file.empty())
         return made;
     auto preset = load_preset(file);

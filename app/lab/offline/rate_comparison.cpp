@@ -11,8 +11,8 @@ double moment_to_compare(const Look& look) {
     constexpr double common = 6.0;  // greatest common divisor of all rates
     constexpr double shortest = 0.5;
     constexpr double longest = 10.0;
-    const double settled = std::clamp(look.settle_frames / 60.0, shortest, longest);
-    return std::ceil(settled * common - 1e-9) / common;
+    const double specialized = std::clamp(look.settle_frames / 60.0, shortest, longest);
+    return std::ceil(specialized * common - 1e-9) / common;
 }
 
 Extent size_to_compare(Extent picture) {

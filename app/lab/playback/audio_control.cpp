@@ -24,5 +24,5 @@ void AudioControl::update() {
     if (!m_player.draws_muted_input())
         return m_messages.say(m_reported, true, subject);
     const auto unmute = [this](Lab&) { m_messages.succeeded(m_player.mute_input(false)); };
-    m_messages.ask(m_reported, {{.name = "Unmute", .deeds = {unmute}}}, subject, false);
+    m_messages.ask(m_reported, {{.name = "Unmute", .commands = {unmute}}}, subject, false);
 }

@@ -2,7 +2,7 @@
 
 #include "base/user_folders.h"
 #include "io/system/private_folder.h"
-#include "signals/beam/sent.h"
+#include "signals/beam/beam_input_format.h"
 #include "signals/signal/settings.h"
 
 #include <fmt/format.h>
@@ -29,21 +29,22 @@ Result<void> make_runtime_folder(const fs::path& socket) {
 }
 }  // namespace
 
-BeamFeed::BeamFeed(const Spec& complete, SentBeam::Pace pace, double start)
+BeamFeed::BeamFeed(const Spec& complete, BeamInput::Pace pace, double start)
     : m_spec(complete),
       m_name(complete.kind == "stdin" ? std::string("stdin")
                                       : std::string(Settings(complete).word("path"))),
       m_pace(pace),
-      m_beam(std::make_shared<SentBeam>(pace, start)) {}
+      m_beam(std::make_shared<BeamInput>(pace, start)) {}
 
-Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, SentBeam::Pace pace,
+Result<std::unique_ptr<BeamFeed>> BeamFeed::open(const Spec& complete, BeamInput::Pace pace,
                                                  double start) {
     std::unique_ptr<BeamFeed> feed(new BeamFeed(complete, pace, start));
     if (auto made = make_runtime_folder(feed->m_name); !made)
         return fail(made.error());
     // A rendered picture has exactly one sender. In the window, another one can follow.
-    const auto senders = pace == SentBeam::Pace::waiting ? ByteReader::Senders::one
-                                                         : ByteReader::Senders::one_after_the_other;
+    const auto senders = pace == BeamInput::Pace::waiting
+                             ? ByteReader::Senders::one
+                             : ByteReader::Senders::one_after_the_other;
     auto bytes = complete.kind == "stdin" ? ByteReader::read_stdin(*feed)
                                           : ByteReader::listen(feed->m_name, senders, *feed);
     if (!bytes)
@@ -58,7 +59,7 @@ BeamFeed::~BeamFeed() {
 }
 
 void BeamFeed::begin() {
-    m_reader.emplace(sent_format(Settings(m_spec)), m_name);
+    m_reader.emplace(beam_input_format(Settings(m_spec)), m_name);
     m_has_drawn = false;
     const std::lock_guard lock(m_mutex);
     m_state = State::sending;
@@ -90,7 +91,7 @@ void BeamFeed::end() {
         if (!m_has_drawn && !m_problem)
             m_problem = Diagnostic{m_name, 0, "ended without sending a point", Severity::warning};
     }
-    if (m_pace == SentBeam::Pace::waiting)
+    if (m_pace == BeamInput::Pace::waiting)
         m_beam->end();
 }
 
@@ -119,7 +120,7 @@ Diagnostics BeamFeed::problems() const {
                             "--timeout."});
     if (m_bad_count > 1)
         problems.push_back({m_name, 0,
-                            sent_format(Settings(m_spec)).is_raw
+                            beam_input_format(Settings(m_spec)).is_raw
                                 ? fmt::format("skipped {} invalid points", m_bad_count)
                                 : fmt::format("skipped {} invalid lines", m_bad_count),
                             Severity::warning});

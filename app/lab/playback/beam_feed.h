@@ -2,7 +2,7 @@
 
 #include "io/control/byte_reader.h"
 #include "model/look/spec.h"
-#include "signals/beam/sent_beam.h"
+#include "signals/beam/beam_input.h"
 
 #include <memory>
 #include <mutex>
@@ -11,12 +11,12 @@
 class BeamFeed : private ByteSink {
 public:
     /// From a completed spec; the first point is after `start` seconds.
-    static Result<std::unique_ptr<BeamFeed>> open(const Spec& complete, SentBeam::Pace pace,
+    static Result<std::unique_ptr<BeamFeed>> open(const Spec& complete, BeamInput::Pace pace,
                                                   double start);
     ~BeamFeed() override;
 
     const Spec& spec() const { return m_spec; }
-    std::shared_ptr<SentBeam> beam() const { return m_beam; }
+    std::shared_ptr<BeamInput> beam() const { return m_beam; }
     /// The first problem so far, and the number of invalid lines or points.
     Diagnostics problems() const;
     /// The first problem as one line, or that the sender has stopped; "": no problem.
@@ -25,7 +25,7 @@ public:
     std::string state() const;
 
 private:
-    BeamFeed(const Spec& complete, SentBeam::Pace pace, double start);
+    BeamFeed(const Spec& complete, BeamInput::Pace pace, double start);
 
     void begin() override;
     void take(std::string_view bytes) override;
@@ -38,10 +38,10 @@ private:
 
     Spec m_spec;
     std::string m_name;  // for display
-    SentBeam::Pace m_pace;
-    std::shared_ptr<SentBeam> m_beam;  // shared with the signal
-    std::optional<SentReader> m_reader;
-    std::vector<SentPoint> m_points;
+    BeamInput::Pace m_pace;
+    std::shared_ptr<BeamInput> m_beam;  // shared with the signal
+    std::optional<BeamInputReader> m_reader;
+    std::vector<BeamInputPoint> m_points;
     bool m_has_drawn = false;    // the current sender
     mutable std::mutex m_mutex;  // for the members below
     std::optional<Diagnostic> m_problem;

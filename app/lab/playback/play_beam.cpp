@@ -18,7 +18,7 @@ Result<Sound> play_beam(const std::string& text, const BeamSoundFormat& format,
     }
     std::unique_ptr<BeamFeed> feed;
     if (const auto complete = completed(*spec); complete && find_kind(complete->kind)->is_sent) {
-        auto opened = BeamFeed::open(*complete, SentBeam::Pace::waiting, 0.0);
+        auto opened = BeamFeed::open(*complete, BeamInput::Pace::waiting, 0.0);
         if (!opened)
             return fail(opened.error());
         feed = std::move(*opened);

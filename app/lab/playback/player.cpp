@@ -143,7 +143,7 @@ Result<void> Player::open_feed(const Spec& complete) {
         return {};
     if (m_feed && place_of(m_feed->spec()) == place_of(complete))
         m_feed.reset();  // two cannot share a path
-    const auto pace = m_devices ? SentBeam::Pace::live : SentBeam::Pace::waiting;
+    const auto pace = m_devices ? BeamInput::Pace::live : BeamInput::Pace::waiting;
     auto feed = BeamFeed::open(complete, pace, m_time);
     if (!feed)
         return fail(feed.error());

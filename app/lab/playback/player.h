@@ -57,10 +57,10 @@ public:
     bool draws_muted_input() const;
 
     /// The errors in the beam of another program.
-    Diagnostics sent_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
+    Diagnostics beam_input_problems() const { return m_feed ? m_feed->problems() : Diagnostics(); }
     /// As BeamFeed::state(); "": not used.
     std::string sender_state() const { return m_feed ? m_feed->state() : std::string(); }
-    /// As SentBeam::set_patience(), for later senders.
+    /// As BeamInput::set_patience(), for later senders.
     void set_sender_patience(double seconds) { m_sender_patience = seconds; }
 
     /// The device that plays the beam; "": not played.

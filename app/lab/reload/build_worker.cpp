@@ -1,10 +1,10 @@
 #include "lab/reload/build_worker.h"
 
-#include "lab/storage/kept_shaders.h"
+#include "lab/storage/shader_cache.h"
 
 BuildWorker::BuildWorker(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                          const Roots& roots)
-    : m_store(kept_shaders(roots)),
+    : m_store(shader_cache(roots)),
       m_context(std::move(context), screen),
       m_reader(roots, m_store.get()),
       m_builder(m_context, m_store),

@@ -3,7 +3,7 @@
 #include "base/pass_progress.h"
 #include "lab/reload/built_look.h"
 #include "lab/reload/look_contexts.h"
-#include "lab/reload/seen_passes.h"
+#include "lab/reload/pass_selection.h"
 
 #include <array>
 #include <chrono>
@@ -20,7 +20,7 @@ struct Job {
     OpenRequest request = {};
     bool is_reload = false;   // of the open look
     bool is_opening = false;  // no programs of the open look are reused
-    SeenPasses seen = {};
+    PassSelection seen = {};
     std::shared_ptr<PassProgress> progress = std::make_shared<PassProgress>();
     std::shared_ptr<const Programs> shown = {};  // of the open look; null: is_opening
     std::shared_ptr<gpu::Context> context = {};  // that draws the look

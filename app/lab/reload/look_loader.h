@@ -71,7 +71,7 @@ public:
     WatchedFiles& files() { return m_files; }
     OpeningMark& mark() { return m_mark; }
     /// The displayed passes of looks that will be opened.
-    void set_displayed(SeenPasses passes) { m_displayed = std::move(passes); }
+    void set_displayed(PassSelection passes) { m_displayed = std::move(passes); }
 
 private:
     void submit(OpenRequest request, bool is_reload, const std::filesystem::path& edited = {});
@@ -92,6 +92,6 @@ private:
     std::string m_failed;
     double m_reading_seconds = 0.0;
     std::unique_ptr<PendingLook> m_pending;  // the newest one; null: none was built
-    SeenPasses m_displayed;
+    PassSelection m_displayed;
     ProgramSet m_programs;
 };

@@ -22,7 +22,7 @@ Diagnostics no_context() {
 
 // The objects of the context that draws a look are shared by all of its programs.
 void share_context_objects(const Programs& from, Programs& to) {
-    to.tripwire = from.tripwire;
+    to.nan_detector = from.nan_detector;
     to.views = from.views;
     to.first_views = from.first_views;
 }
@@ -123,10 +123,10 @@ std::optional<SpecializedLook> ProgramBuilder::specialize(const Job& job, const 
     const auto is_moving = [&job](const Parameter& parameter) {
         return job.key->moving.contains(parameter.name);
     };
-    SpecializedLook specialized{
-        settled_look(*built.look, job.key->values, job.key->plan, is_moving, m_specialized_texts),
-        {},
-        job.key};
+    SpecializedLook specialized{specialized_look(*built.look, job.key->values, job.key->plan,
+                                                 is_moving, m_specialized_texts),
+                                {},
+                                job.key};
     auto programs =
         build_programs(specialized.look, known, nullptr, job.progress.get(), generic.home);
     if (!programs)
@@ -142,8 +142,8 @@ BuiltLook ProgramBuilder::build_specialized(const Job& job) {
     const auto is_moving = [&asked](const Parameter& parameter) {
         return asked.key->moving.contains(parameter.name);
     };
-    built.look = settled_look(asked.look, asked.key->values, asked.key->plan, is_moving,
-                              m_specialized_texts);
+    built.look = specialized_look(asked.look, asked.key->values, asked.key->plan, is_moving,
+                                  m_specialized_texts);
     std::optional<gpu::ContextScope> scope;
     if (!m_context.use(nullptr, scope))
         return built;
@@ -173,8 +173,8 @@ void ProgramBuilder::draw_first(const Job& job, const Programs* known, Programs&
 void ProgramBuilder::draw_first_in_look_context(const Job& job, Programs& programs,
                                                 BuiltLook& built) {
     const gpu::ContextScope scope(job.context.get());
-    if (auto made = build_tripwire(job.context))
-        programs.tripwire = std::move(*made);
+    if (auto made = build_nan_detector(job.context))
+        programs.nan_detector = std::move(*made);
     FirstDraws draws({.look = *built.look,
                       .programs = programs,
                       .images = built.images,
@@ -200,7 +200,7 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
         return;
     Programs drawn = programs;
     drawn.home = nullptr;
-    drawn.tripwire = nullptr;  // their uniforms are in use on another thread
+    drawn.nan_detector = nullptr;  // their uniforms are in use on another thread
     drawn.views = nullptr;
     m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsOf::Size::whole},
                     *job.progress);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "graph/programs/settled_look.h"
+#include "graph/programs/specialized_look.h"
 #include "graph/warm_up/warm_up.h"
 #include "lab/reload/job_queue.h"
 #include "lab/reload/look_images.h"
@@ -52,7 +52,7 @@ private:
     std::atomic<Extent> m_picture = Extent{1280, 720};
     std::atomic<int> m_step = 0;  // completed steps of prepare()
     LookImages m_images;
-    SettledTexts m_specialized_texts;
+    SpecializedTexts m_specialized_texts;
     std::optional<Programs> m_linked;  // that the next look may reuse
     std::optional<WarmUp> m_warm_up;   // nullopt: the first frame is slower
 };

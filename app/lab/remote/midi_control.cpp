@@ -39,7 +39,7 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double n
 }
 
 std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
-                                               RemoteHand& hand, double now_seconds) {
+                                               RemoteEdits& hand, double now_seconds) {
     std::optional<MidiBinding> learnt;
     constexpr int most = 1000;  // per update, so that endless input cannot block the picture
     for (int i = 0; i < most; ++i) {
@@ -65,7 +65,7 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
 
 // A parameter that the open look does not have belongs to another look and is ignored.
 void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSettings& settings,
-                       Document& document, RemoteHand& hand, double now_seconds) {
+                       Document& document, RemoteEdits& hand, double now_seconds) {
     const auto meant = meant_parameter(binding.goal.parameter, document.look());
     if (!meant || !can_be_turned(**meant))
         return;

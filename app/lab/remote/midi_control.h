@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/control/midi_inputs.h"
-#include "lab/remote/remote_hand.h"
+#include "lab/remote/remote_edits.h"
 #include "model/devices/remote_settings.h"
 
 #include <cstddef>
@@ -30,7 +30,7 @@ public:
 
     /// Applies the received messages; `document` null: no look is open. Returns a learnt binding.
     std::optional<MidiBinding> update(const RemoteSettings& settings, Document* document,
-                                      RemoteHand& hand, double now_seconds);
+                                      RemoteEdits& hand, double now_seconds);
 
     /// The last received controller value, bound or not.
     const std::optional<MidiTurn>& last() const { return m_last; }
@@ -42,7 +42,7 @@ public:
 private:
     std::optional<MidiBinding> learnt_of(const MidiTurn& turn, double now_seconds);
     void turn(const MidiBinding& binding, double share, const RemoteSettings& settings,
-              Document& document, RemoteHand& hand, double now_seconds);
+              Document& document, RemoteEdits& hand, double now_seconds);
 
     std::unique_ptr<MidiInputs> m_inputs;
     bool m_is_listening = false;

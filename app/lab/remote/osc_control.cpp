@@ -26,7 +26,7 @@ Result<Value> asked_value(const OscMessage& message, const Parameter& parameter)
 }
 }  // namespace
 
-Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
+Result<RemoteChange> turn_of(const OscMessage& message, const Look& look) {
     if (!message.address.starts_with(osc_prefix))
         return fail({{}, 0, fmt::format("expected /afterglow/NAME, got '{}'", message.address)});
     const auto parameter = meant_parameter(message.address.substr(osc_prefix.size()), look);
@@ -35,7 +35,7 @@ Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look) {
     auto value = asked_value(message, **parameter);
     if (!value)
         return fail(value.error());
-    return RemoteTurn{(*parameter)->name, std::move(*value)};
+    return RemoteChange{(*parameter)->name, std::move(*value)};
 }
 
 Result<void> OscControl::listen(int port) {
@@ -58,7 +58,7 @@ void OscControl::refuse(const Diagnostics& reasons) {
     m_problem = reasons.front().message;
 }
 
-void OscControl::update(Document* document, RemoteHand& hand, double now_seconds) {
+void OscControl::update(Document* document, RemoteEdits& hand, double now_seconds) {
     if (!m_port)
         return;
     // Per update, so that an endless sender cannot block the picture. A bundle can contain
@@ -87,7 +87,7 @@ void OscControl::read(const std::vector<std::uint8_t>& packet) {
         refuse(messages.error());
 }
 
-void OscControl::take(const OscMessage& message, Document* document, RemoteHand& hand,
+void OscControl::take(const OscMessage& message, Document* document, RemoteEdits& hand,
                       double now_seconds) {
     const auto turn =
         document ? turn_of(message, document->look()) : fail(Diagnostic{{}, 0, "no look is open"});

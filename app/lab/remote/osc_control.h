@@ -2,7 +2,7 @@
 
 #include "io/control/osc_packet.h"
 #include "io/control/udp_port.h"
-#include "lab/remote/remote_hand.h"
+#include "lab/remote/remote_edits.h"
 
 #include <optional>
 #include <string>
@@ -10,7 +10,7 @@
 
 /// Parses a message `/afterglow/NAME` with one number per component, or with a text as the user
 /// would type it.
-Result<RemoteTurn> turn_of(const OscMessage& message, const Look& look);
+Result<RemoteChange> turn_of(const OscMessage& message, const Look& look);
 
 /// Lets other programs on this machine set parameters by Open Sound Control.
 class OscControl {
@@ -24,7 +24,7 @@ public:
 
     /// Applies up to 1000 received messages; the remaining ones wait for the next call. Null: no
     /// look is open.
-    void update(Document* document, RemoteHand& hand, double now_seconds);
+    void update(Document* document, RemoteEdits& hand, double now_seconds);
 
     /// Whether messages wait for the next call.
     bool has_more() const { return m_next < m_messages.size(); }
@@ -36,7 +36,7 @@ public:
 
 private:
     void read(const std::vector<std::uint8_t>& packet);
-    void take(const OscMessage& message, Document* document, RemoteHand& hand, double now_seconds);
+    void take(const OscMessage& message, Document* document, RemoteEdits& hand, double now_seconds);
     void refuse(const Diagnostics& reasons);
 
     std::optional<UdpPort> m_port;

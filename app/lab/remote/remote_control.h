@@ -40,7 +40,7 @@ private:
     const Roots& m_roots;
     Messages& m_messages;
     RemoteSettings m_settings;
-    RemoteHand m_hand;
+    RemoteEdits m_hand;
     OscControl m_osc;
     MidiControl m_midi;
     double m_seconds = 0.0;

@@ -64,9 +64,9 @@ Result<void> Renderer::replace(Whose whose, const Look& look, const Programs& pr
     return done;
 }
 
-void Renderer::settle(Programs programs, std::set<std::string> moving) {
+void Renderer::specialize(Programs programs, std::set<std::string> moving) {
     drop_frame();
-    m_executor.settle(std::move(programs), std::move(moving));
+    m_executor.specialize(std::move(programs), std::move(moving));
 }
 
 Result<void> Renderer::resize(Extent picture, Extent source) {
@@ -127,11 +127,11 @@ Result<void> Renderer::set_runs(const std::vector<PassRun>& runs) {
     return done;
 }
 
-Result<void> Renderer::set_seen(const std::vector<bool>& seen, Executor::Frames frames) {
+Result<void> Renderer::set_displayed(const std::vector<bool>& seen, Executor::Frames frames) {
     const Plan before = m_executor.plan();
-    if (auto done = m_executor.set_seen(seen, frames); !done)
+    if (auto done = m_executor.set_displayed(seen, frames); !done)
         return done;
-    auto done = m_variant ? m_variant->set_seen(seen, frames) : Result<void>();
+    auto done = m_variant ? m_variant->set_displayed(seen, frames) : Result<void>();
     if (!done)
         end_variant();
     if (m_executor.plan() != before) {
@@ -171,7 +171,7 @@ Result<void> Renderer::start_variant(const Values& values) {
         end_variant();
         return switched;
     }
-    if (auto looked_at = m_variant->set_seen(m_executor.seen()); !looked_at) {
+    if (auto looked_at = m_variant->set_displayed(m_executor.seen()); !looked_at) {
         end_variant();
         return looked_at;
     }
@@ -191,7 +191,7 @@ void Renderer::end_variant() {
     if (m_is_variant_alone)
         cancel_replay();
     m_variant.reset();
-    m_executor.claim_programs();
+    m_executor.invalidate_uniforms();
 }
 
 void Renderer::replay_variant(const Player& player, std::size_t frames) {
@@ -250,13 +250,13 @@ void Renderer::draw_frame(const PlayedFrame& played, const Beam& beam,
     const Frame frame = frame_of(played, beam);
     move_values(frame.time);
     if (m_variant && !m_is_variant_alone)
-        m_executor.claim_programs();
+        m_executor.invalidate_uniforms();
     if (!m_is_variant_alone)
         m_executor.draw(frame, passes);
     m_hand.note_drawn();
     if (!m_variant)
         return;
-    m_variant->claim_programs();
+    m_variant->invalidate_uniforms();
     m_variant->draw(frame, passes);
 }
 
@@ -275,11 +275,11 @@ void Renderer::draw(const PlayedFrame& played, const Beam& beam) {
     draw_frame(played, beam, nullptr);
     const double took = seconds_since(start);
     note_whole(played, beam.size(), took);
-    m_slicing.note(std::max(took, told_seconds()));
+    m_slicing.note(std::max(took, reported_seconds()));
 }
 
 // The GPU time, some frames old; 0 without timers.
-double Renderer::told_seconds() const {
+double Renderer::reported_seconds() const {
     double milliseconds = 0.0;
     for (const double pass : m_pass_milliseconds)
         milliseconds += pass;
@@ -300,7 +300,8 @@ void Renderer::note_whole(const PlayedFrame& played, std::size_t points, double 
 void Renderer::begin_slices(const Frame& frame, const std::vector<bool>* passes,
                             Unfinished unfinished) {
     move_values(frame.time);
-    unfinished.is_beside = m_holds_picture && m_slicing.is_heavy() && m_executor.can_draw_beside();
+    unfinished.is_beside =
+        m_holds_picture && m_slicing.is_heavy() && m_executor.can_double_buffer();
     for (Executor* executor : {&m_executor, m_variant.get()}) {
         const bool is_left_out =
             executor == &m_executor && m_is_variant_alone && !unfinished.is_again;
@@ -325,7 +326,7 @@ bool Renderer::continue_frame(double seconds) {
         if (!executor || !executor->is_amid_frame())
             continue;
         was_dropped = false;
-        executor->claim_programs();
+        executor->invalidate_uniforms();
         is_whole = executor->continue_frame(seconds - seconds_since(begun)) && is_whole;
     }
     if (was_dropped) {
@@ -411,12 +412,12 @@ void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
         return begin_slices(frame, &passes, {.is_again = true});
     move_values(frame.time);
     if (m_variant)
-        m_executor.claim_programs();
+        m_executor.invalidate_uniforms();
     m_executor.redraw(frame, passes);
     m_has_drawn = m_holds_picture = true;
     if (!m_variant)
         return;
-    m_variant->claim_programs();
+    m_variant->invalidate_uniforms();
     m_variant->redraw(frame, passes);
 }
 

@@ -31,7 +31,7 @@ public:
     /// For one of the two only, because their texts may have different constants.
     Result<void> replace(Whose whose, const Look& look, const Programs& programs);
     /// As Executor::settle, for the picture.
-    void settle(Programs programs, std::set<std::string> moving);
+    void specialize(Programs programs, std::set<std::string> moving);
     void set_values(const Values& values);
     /// The modulations of values over the time of the frames.
     void set_modulations(Modulations modulations) { m_modulations = std::move(modulations); }
@@ -50,10 +50,10 @@ public:
     const Values& drawn_values() const { return m_drawn_values; }
     /// As Executor::set_runs, also for the variant.
     Result<void> set_runs(const std::vector<PassRun>& runs);
-    /// As Executor::set_seen, also for the variant. If it changes the plan, has_whole_picture() is
-    /// false until the next frame.
-    Result<void> set_seen(const std::vector<bool>& seen,
-                          Executor::Frames frames = Executor::Frames::drawn_again);
+    /// As Executor::set_displayed, also for the variant. If it changes the plan,
+    /// has_whole_picture() is false until the next frame.
+    Result<void> set_displayed(const std::vector<bool>& seen,
+                               Executor::Frames frames = Executor::Frames::drawn_again);
     /// Clears the output of the pass, also in the variant.
     void clear_history(int pass);
     Result<void> resize(Extent picture, Extent source);
@@ -82,10 +82,14 @@ public:
     void restart_samples();
 
     /// For the picture only; a variant is not checked.
-    Result<void> set_guard(Executor::Guard guard) { return m_executor.set_guard(guard); }
-    std::optional<Trip> take_trip(bool waits = false) { return m_executor.take_trip(waits); }
-    bool awaits_trip() const { return m_executor.awaits_trip(); }
-    void mend() { m_executor.mend(); }
+    Result<void> set_nan_policy(Executor::NanPolicy guard) {
+        return m_executor.set_nan_policy(guard);
+    }
+    std::optional<NonFinitePixel> take_non_finite(bool waits = false) {
+        return m_executor.take_non_finite(waits);
+    }
+    bool awaits_nan_check() const { return m_executor.awaits_nan_check(); }
+    void sanitize() { m_executor.sanitize(); }
 
     /// Draws slow frames in slices of about this time. The draws below begin a frame, and
     /// continue_frame() continues it. 0: frames are drawn whole.
@@ -110,7 +114,7 @@ public:
     /// Redraws these passes of the current frame.
     void redraw(const Player& player, const std::vector<bool>& passes);
     /// Call after another renderer has drawn with the same programs.
-    void claim_programs() { m_executor.claim_programs(); }
+    void invalidate_uniforms() { m_executor.invalidate_uniforms(); }
     /// Starts to redraw the latest `frames` frames of the player with an empty history.
     void start_replay(const Player& player, std::size_t frames);
     /// Called before each replayed frame, to set its source.
@@ -163,7 +167,7 @@ private:
     void drop_frame();
     void end_unfinished();
     void note_whole(const PlayedFrame& played, std::size_t points, double seconds);
-    double told_seconds() const;
+    double reported_seconds() const;
     void move_values(double seconds);
     void note_beam_cost(const PlayedFrame& played);
     Frame frame_of(const PlayedFrame& played, const Beam& beam) const;

@@ -3,9 +3,9 @@
 #include "lab/lab.h"
 #include "lab/window/window_state.h"
 
-SeenPasses displayed_passes(const Lab& lab, const WindowState& window) {
+PassSelection displayed_passes(const Lab& lab, const WindowState& window) {
     const bool has_panels = !window.is_picture_only;
-    SeenPasses seen{.are_all = false};
+    PassSelection seen{.are_all = false};
     if (const Document* document = lab.document())
         seen.names.push_back(
             document->look()

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/reload/seen_passes.h"
+#include "lab/reload/pass_selection.h"
 
 class Lab;
 struct WindowState;
@@ -8,4 +8,4 @@ struct WindowState;
 /// The passes that a window displays in every frame: the picture, the inspected and the probed
 /// pass. The strip and the pins display others only a few times a second; those are drawn again
 /// then.
-SeenPasses displayed_passes(const Lab& lab, const WindowState& window);
+PassSelection displayed_passes(const Lab& lab, const WindowState& window);

@@ -32,8 +32,9 @@ public:
     PresetPictures(const PresetPictures&) = delete;
     PresetPictures& operator=(const PresetPictures&) = delete;
 
-    /// Call it in every update; `is_seen`: the thumbnails are visible. Takes at most one finished
-    /// picture. `content`: the signal or source of all pictures; nullopt: each preset's own.
+    /// Call it in every update; `is_seen`: the thumbnails are visible. Takes at most one
+    /// finished picture. `content`: the signal or source of all pictures; nullopt: each preset's
+    /// own.
     void update(const Lab& lab, bool is_seen, double wall_seconds,
                 const std::optional<Content>& content = {});
     /// "": the look without a preset.

@@ -4,7 +4,7 @@
 #include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
 #include "lab/document/sharing.h"
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 #include "lab/views/views.h"
 
 #include <fmt/format.h>
@@ -22,7 +22,7 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     Picture picture = gpu::read_picture(executor.target(shown));
     picture.encoding = encoding_of(executor.look(), shown);
     const auto saved =
-        save_picture_with_preset(picture, *lab.document(), file, lab.work().drive.recent());
+        save_picture_with_preset(picture, *lab.document(), file, lab.work().media.recent());
     if (saved)
         lab.messages().say(saved_words(file.filename().string()));
     else
@@ -66,7 +66,7 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
     const gpu::Texture& target = closer->level_of(*inspected);
     const bool is_seen = to_lower(file.extension().string()) == ".png";
     const auto picture = is_seen ? seen_picture(target, options_for(view, inspected->encoding))
-                                 : gpu::read_picture(target);
+                                      : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
         lab.messages().say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),

@@ -1,7 +1,7 @@
 #include "lab/views/views.h"
 
 #include "gpu/objects/readback.h"
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 
 #include <algorithm>
 #include <chrono>
@@ -33,7 +33,7 @@ Result<Views> Views::make() {
     Diagnostics problems;
     std::optional<Pins> pins;
     std::optional<ComparedPictures> compared;
-    std::optional<Comfort> comfort;
+    std::optional<FlashLimiter> comfort;
     std::optional<CloserLook> closer;
     if (!made(pins, problems) || !made(compared, problems) || !made(comfort, problems) ||
         !made(closer, problems))
@@ -105,7 +105,7 @@ void Views::move_to(const Programs& programs) {
     if (m_home && m_home->serve(programs))
         return;
     m_shown = {};
-    m_home = std::make_unique<HomeViews>(programs);
+    m_home = std::make_unique<ContextViews>(programs);
 }
 
 void Views::probe(const Lab& lab, const std::optional<Probe>& probe) {
@@ -312,7 +312,7 @@ void Views::count_flashes(const Lab& lab, const WindowState& window) {
 }
 
 // Applies the flash limiter to all displayed pictures.
-void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
+void Views::show_in_comfort(const Lab& lab, const FlashLimit& clamp) {
     const double now = present_seconds();
     if (lab.is_moving() || !clamp.is_on)
         m_comfort.note_moving(clamp, now);
@@ -323,9 +323,9 @@ void Views::show_in_comfort(const Lab& lab, const ComfortClamp& clamp) {
     }
 }
 
-bool Views::is_settling() const {
+bool Views::is_specializing() const {
     return (m_home && m_home->flash_meter.is_counting()) ||
-           m_comfort.is_settling(present_seconds());
+           m_comfort.is_specializing(present_seconds());
 }
 
 Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {

@@ -2,10 +2,10 @@
 
 #include "gpu/objects/canvas.h"
 #include "lab/compare/compared_pictures.h"
-#include "lab/inspect/closer_look.h"
-#include "lab/inspect/comfort.h"
-#include "lab/inspect/home_views.h"
+#include "lab/inspect/context_views.h"
+#include "lab/inspect/flash_limiter.h"
 #include "lab/inspect/pins.h"
+#include "lab/inspect/texel_inspector.h"
 #include "lab/inspect/thumbnails.h"
 #include "lab/lab.h"
 #include "lab/window/window_state.h"
@@ -36,7 +36,7 @@ public:
     /// Flashes within the last second; 0 while they are not measured.
     Flashes flashes() const { return m_home ? m_home->flash_meter.flashes() : Flashes{}; }
     /// Whether displays still change for a while although the lab is idle.
-    bool is_settling() const;
+    bool is_specializing() const;
     /// The pictures and measured differences of a comparison.
     const ComparedPictures& compared() const { return m_compared; }
     /// The content of picture() in memory, without the flash limiter; empty: not drawn. Waits for
@@ -75,7 +75,7 @@ private:
     struct Parts {
         Pins pins;
         ComparedPictures compared;
-        Comfort comfort;
+        FlashLimiter comfort;
         CloserLook closer;
     };
     explicit Views(Parts parts);
@@ -98,7 +98,7 @@ private:
     void draw_picture(const Lab& lab, const WindowState& window);
     void count_flashes(const Lab& lab, const WindowState& window);
     void show_strip(const Lab& lab, int height);
-    void show_in_comfort(const Lab& lab, const ComfortClamp& clamp);
+    void show_in_comfort(const Lab& lab, const FlashLimit& clamp);
     bool draw_step(const Lab& lab, const WindowState& window);
     void compare(const Lab& lab, const Part& part);
     void draw_wiped(const Lab& lab, Part part, const WindowState& window);
@@ -112,13 +112,13 @@ private:
     void move_to(const Programs& programs);
     void stop();
 
-    std::unique_ptr<HomeViews> m_home;  // of the displayed look; null: not created
+    std::unique_ptr<ContextViews> m_home;  // of the displayed look; null: not created
     Pins m_pins;
     Thumbnails m_thumbnails;
     bool m_is_first = true;        // before the first update
     bool m_measures_gains = true;  // alternates with thumbnails
     ComparedPictures m_compared;
-    Comfort m_comfort;
+    FlashLimiter m_comfort;
     CloserLook m_closer;
     std::optional<Part> m_inspected_part;  // of this update; nullopt: not visible
     std::array<const gpu::Texture*, 3>

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-bool holds_words(const ShelfPreset& preset, const std::string& words) {
+bool holds_words(const ListedLookPreset& preset, const std::string& words) {
     const std::string text = to_lower(preset.name + ' ' + preset.entry.name + ' ' + preset.about);
     const std::string lower = to_lower(words);
     return std::ranges::all_of(split(lower, ' '), [&](std::string_view word) {
@@ -21,7 +21,7 @@ bool is_open_preset(const Document& document, const std::filesystem::path& file)
            (!open.empty() && !file.empty() && std::filesystem::equivalent(open, file, error));
 }
 
-ListedPreset as_listed(const ShelfPreset& preset, const Document& document,
+ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
                        const PresetStars& stars) {
     const bool is_open = is_open_preset(document, preset.entry.file);
     return {.preset = preset,
@@ -31,19 +31,19 @@ ListedPreset as_listed(const ShelfPreset& preset, const Document& document,
 }
 
 std::vector<ListedPreset> listed_presets(const Document& document,
-                                         const std::vector<ShelfLook>& looks,
+                                         const std::vector<ListedLook>& looks,
                                          const PresetStars& stars, const PresetBrowsing& wanted) {
     std::vector<ListedPreset> listed;
-    const auto add = [&](const ShelfPreset& preset) {
+    const auto add = [&](const ListedLookPreset& preset) {
         ListedPreset entry = as_listed(preset, document, stars);
         if ((entry.has_star || !wanted.only_starred) && holds_words(preset, wanted.search))
             listed.push_back(std::move(entry));
     };
     add({{document.look().id, {}, {}}, "Default", "All parameters at their defaults."});
     const auto look = std::ranges::find_if(
-        looks, [&](const ShelfLook& known) { return known.entry.id == document.look().id; });
+        looks, [&](const ListedLook& known) { return known.entry.id == document.look().id; });
     if (look != looks.end())
-        for (const ShelfPreset& preset : look->presets)
+        for (const ListedLookPreset& preset : look->presets)
             add(preset);
     return listed;
 }

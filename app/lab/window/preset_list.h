@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 #include "lab/window/window_state.h"
 #include "model/preset/preset_stars.h"
 
@@ -11,7 +11,7 @@
 
 /// A preset of the open look, or the look without a preset.
 struct ListedPreset {
-    ShelfPreset preset;  // an empty file: the look without a preset
+    ListedLookPreset preset;  // an empty file: the look without a preset
     bool is_open = false;
     bool is_modified = false;  // it is open, with unsaved changes
     bool has_star = false;
@@ -19,13 +19,13 @@ struct ListedPreset {
     bool is_plain() const { return preset.entry.file.empty(); }
 };
 
-ListedPreset as_listed(const ShelfPreset& preset, const Document& document,
+ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
                        const PresetStars& stars);
 
 /// The presets that match the filter, after the look without a preset. Each search word must occur
 /// in the name, file name or description.
 std::vector<ListedPreset> listed_presets(const Document& document,
-                                         const std::vector<ShelfLook>& looks,
+                                         const std::vector<ListedLook>& looks,
                                          const PresetStars& stars, const PresetBrowsing& wanted);
 
 /// Whether the document was opened from this file.

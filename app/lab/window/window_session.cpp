@@ -167,8 +167,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
         window.wipe_share = *share;
     window.comfort.is_on = number(numbers, "comfort", 0.0, 1.0).value_or(0.0) != 0.0;
-    if (const auto rate =
-            number(numbers, "comfort_rate", ComfortClamp::lowest, ComfortClamp::highest))
+    if (const auto rate = number(numbers, "comfort_rate", FlashLimit::lowest, FlashLimit::highest))
         window.comfort.most_a_second = *rate;
     if (const auto is_on = number(numbers, "vsync", 0.0, 1.0))
         window.frame_rate.waits_for_display = *is_on != 0.0;

@@ -4,7 +4,7 @@
 #include "lab/storage/folder.h"
 #include "model/look/extent.h"
 #include "model/look/texture_choice.h"
-#include "model/picture/comfort_clamp.h"
+#include "model/picture/flash_limit.h"
 #include "model/picture/levels.h"
 
 #include <array>
@@ -292,7 +292,7 @@ struct WindowState {
     bool walks_menus = false;   // with the keyboard
     bool gives_keys = false;    // keys go to the look under the pointer
     bool shows_flashes = true;  // the flash meter
-    ComfortClamp comfort;
+    FlashLimit comfort;
 
     PictureView picture;
     PassView inspected;

@@ -88,7 +88,7 @@ private:
 
 // Whether the first piece is bare text, as in "a=b.wav": not a setting, and not a plain word or
 // number.
-bool is_bare_text(const Piece& piece, std::string_view kind, HasSetting has_setting) {
+bool is_fragment_text(const Piece& piece, std::string_view kind, HasSetting has_setting) {
     if (!piece.has_key)
         return true;
     const bool is_plain =
@@ -108,7 +108,7 @@ Result<Spec> parse_spec(std::string_view text, HasSetting has_setting) {
     std::string* bare = nullptr;  // the bare text, while pieces without a key belong to it
     for (bool is_first = true; !reader.is_at_end(); is_first = false) {
         const Piece piece = reader.next();
-        if (is_first && is_bare_text(piece, spec.kind, has_setting)) {
+        if (is_first && is_fragment_text(piece, spec.kind, has_setting)) {
             Spec::Setting& setting = spec.settings[""];
             setting = piece.is_quoted ? piece.value : piece.whole;
             bare = piece.is_quoted ? nullptr : &std::get<std::string>(setting);

@@ -27,8 +27,8 @@ void add_edges(const Look& look, std::size_t reader, PassGraph& graph) {
             continue;
         const std::size_t from = node_read_by(input, graph.nodes);
         // A pass that is not drawn yet in this frame is read from the previous frame.
-        const bool is_later = input.from == Input::From::pass && from >= reader;
-        const int ago = is_later ? std::max(input.frames_ago, 1) : input.frames_ago;
+        const bool is_reserved_later = input.from == Input::From::pass && from >= reader;
+        const int ago = is_reserved_later ? std::max(input.frames_ago, 1) : input.frames_ago;
         const auto same = std::ranges::find_if(graph.edges, [&](const Edge& edge) {
             return edge.from == from && edge.to == reader && edge.frames_ago == ago;
         });

@@ -29,7 +29,7 @@ bool PassSwitches::has(PassSwitch which, const std::string& pass) const {
     return false;
 }
 
-const Input* handed_on(const Pass& pass) {
+const Input* passed_input(const Pass& pass) {
     const auto reads_other = [&pass](const Input& input) {
         return input.from == Input::From::source ||
                (input.from == Input::From::pass && input.name != pass.name);
@@ -49,7 +49,7 @@ Result<PassSwitches> switched(const Look& look, PassSwitches switches, PassSwitc
     const Pass& chosen = look.passes[static_cast<std::size_t>(*found)];
     switch (which) {
         case PassSwitch::bypass:
-            if (!handed_on(chosen))
+            if (!passed_input(chosen))
                 return fail(
                     {{},
                      0,
@@ -78,7 +78,7 @@ PassSwitches known_switches(const Look& look, PassSwitches switches) {
     const auto is_unknown = [&look](const std::string& name) { return !find_pass(look, name); };
     std::erase_if(switches.bypassed, [&](const std::string& name) {
         const auto pass = find_pass(look, name);
-        return !pass || !handed_on(look.passes[static_cast<std::size_t>(*pass)]);
+        return !pass || !passed_input(look.passes[static_cast<std::size_t>(*pass)]);
     });
     std::erase_if(switches.frozen, is_unknown);
     for (std::string* name : {&switches.solo, &switches.last})
@@ -105,7 +105,7 @@ std::vector<PassRun> runs_of(const Look& look, const PassSwitches& switches) {
             runs[i] = PassRun::frozen;
         else if (last && i > static_cast<std::size_t>(*last))
             runs[i] = PassRun::left_out;
-        else if (switches.bypassed.contains(pass.name) && handed_on(pass))
+        else if (switches.bypassed.contains(pass.name) && passed_input(pass))
             runs[i] = PassRun::bypassed;
     }
     return runs;

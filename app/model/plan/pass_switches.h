@@ -37,7 +37,7 @@ PassSwitches known_switches(const Look& look, PassSwitches switches);
 
 /// The input that a bypassed pass passes through: the first input that isn't its own output;
 /// otherwise an image. Null without such an input.
-const Input* handed_on(const Pass& pass);
+const Input* passed_input(const Pass& pass);
 
 /// The pass that is displayed as the picture.
 std::size_t picture_pass(const Look& look, const PassSwitches& switches);
@@ -45,7 +45,7 @@ std::size_t picture_pass(const Look& look, const PassSwitches& switches);
 /// How a pass is handled in each frame.
 enum class PassRun {
     drawn,
-    bypassed,  // its target gets the input of handed_on()
+    bypassed,  // its target gets the input of passed_input()
     frozen,    // keeps its last picture, which is also its whole history
     left_out,  // likewise, but discarded with its history
 };

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "model/plan/parameter_use.h"
-#include "model/tuning/dice.h"
+#include "model/tuning/random_numbers.h"
 
 #include <fmt/format.h>
 
@@ -220,7 +220,7 @@ double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) 
     }
     const auto step = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(turns)));
     constexpr std::uint64_t apart = 0xd1342543de82ef95u;  // odd: gives each step its own seed
-    return 2.0 * Dice(seed ^ (step * apart)).roll() - 1.0;
+    return 2.0 * RandomNumbers(seed ^ (step * apart)).roll() - 1.0;
 }
 
 Values modulated(const Look& look, Values values, const Modulations& modulations, double seconds,

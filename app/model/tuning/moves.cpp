@@ -5,7 +5,7 @@
 namespace {
 constexpr double slack = 1e-6;  // s, the resolution of a file
 
-bool is_later(double seconds, const Move& move) {
+bool is_reserved_later(double seconds, const Move& move) {
     return seconds + slack < move.seconds;
 }
 
@@ -28,7 +28,7 @@ bool MovesReader::has(const std::string& name) const {
 
 Values MovesReader::take(double seconds) {
     Values values;
-    for (; m_next < m_moves.size() && !is_later(seconds, m_moves[m_next]); ++m_next)
+    for (; m_next < m_moves.size() && !is_reserved_later(seconds, m_moves[m_next]); ++m_next)
         values[m_moves[m_next].name] = m_moves[m_next].value;
     return values;
 }
@@ -51,7 +51,7 @@ void MovesRecorder::start(Look look, const Values& values) {
 void MovesRecorder::note(const Values& values, double seconds) {
     if (!m_is_running)
         return;
-    if (!m_moves.empty() && is_later(seconds, m_moves.back()))
+    if (!m_moves.empty() && is_reserved_later(seconds, m_moves.back()))
         go_back(seconds);
     if (values == m_last)
         return;

@@ -1,7 +1,7 @@
 #include "model/tuning/randomised.h"
 
 #include "model/look/color.h"
-#include "model/tuning/dice.h"
+#include "model/tuning/random_numbers.h"
 #include "model/tuning/slider_range.h"
 
 #include <algorithm>
@@ -14,35 +14,39 @@ bool counts_work(const Look& look, const std::string& name) {
     });
 }
 
-double rolled_number(const Parameter& parameter, Range range, double origin, Dice& dice) {
+double rolled_number(const Parameter& parameter, Range range, double origin,
+                     RandomNumbers& random_numbers) {
     range.step = step_of(parameter);
     const auto steps = steps_in(range, origin);
     if (steps && parameter.scale == Scale::linear)
-        return steps->value(dice.choose(steps->count));
-    const double value = value_at(range, parameter.scale, dice.roll());
+        return steps->value(random_numbers.choose(steps->count));
+    const double value = value_at(range, parameter.scale, random_numbers.roll());
     return steps ? steps->nearest(value) : readable(range, parameter.scale, value);
 }
 
-Value rolled_color(const Parameter& parameter, Value value, Dice& dice) {
+Value rolled_color(const Parameter& parameter, Value value, RandomNumbers& random_numbers) {
     constexpr std::size_t alpha = 3;
     const Range& range = parameter.range;
     for (std::size_t i = 0; i < std::min(value.numbers.size(), alpha); ++i)
-        value.numbers[i] = range.low + (range.high - range.low) * srgb_decode(dice.roll());
+        value.numbers[i] =
+            range.low + (range.high - range.low) * srgb_decode(random_numbers.roll());
     return value;
 }
 
-Value rolled(const Parameter& parameter, double origin, Value value, Dice& dice) {
+Value rolled(const Parameter& parameter, double origin, Value value,
+             RandomNumbers& random_numbers) {
     if (parameter.control == Control::color)
-        return rolled_color(parameter, std::move(value), dice);
+        return rolled_color(parameter, std::move(value), random_numbers);
     if (parameter.control == Control::list)
         return Value(parameter
                          .items[static_cast<std::size_t>(
-                             dice.choose(static_cast<double>(parameter.items.size())))]
+                             random_numbers.choose(static_cast<double>(parameter.items.size())))]
                          .value);
     for (std::size_t i = 0; i < value.numbers.size(); ++i)
-        value.numbers[i] = parameter.type.scalar == Scalar::boolean
-                               ? dice.choose(2.0)
-                               : rolled_number(parameter, range_of(parameter, i), origin, dice);
+        value.numbers[i] =
+            parameter.type.scalar == Scalar::boolean
+                ? random_numbers.choose(2.0)
+                : rolled_number(parameter, range_of(parameter, i), origin, random_numbers);
     return value;
 }
 }  // namespace
@@ -74,10 +78,10 @@ Values randomised_values(const Look& look, const Values& values, const KnobSetti
         const KnobSetting& setting = setting_of(parameter.name, knobs);
         if (setting.is_locked || !is_randomised(look, parameter))
             continue;
-        Dice dice(seed ^ digest_of(parameter.name));
+        RandomNumbers random_numbers(seed ^ digest_of(parameter.name));
         next[parameter.name] =
             clamped(parameter, rolled(with_ends(parameter, setting), parameter.range.low,
-                                      value_of(parameter, values), dice));
+                                      value_of(parameter, values), random_numbers));
     }
     return next;
 }

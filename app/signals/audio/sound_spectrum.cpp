@@ -1,7 +1,7 @@
 #include "signals/audio/sound_spectrum.h"
 
 #include "signals/signal/points.h"
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "signals/audio/spectrum.h"
 
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <kissfft/kiss_fftr.h>
 

@@ -1,9 +1,9 @@
 // The signal of a drawing by the user: keyframes that morph into each other.
 #include "signals/drawing/drawing.h"
-#include "signals/drawing/drawn.h"
 #include "signals/drawing/drawn_settings.h"
 #include "signals/drawing/keyframe_order.h"
 #include "signals/drawing/line_morph.h"
+#include "signals/drawing/path_signals.h"
 #include "signals/drawing/scene.h"
 
 #include <fmt/format.h>

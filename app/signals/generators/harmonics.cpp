@@ -1,7 +1,7 @@
 #include "signals/generators/harmonics.h"
 
 #include "signals/generators/one_channel.h"
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 
 #include "signals/signal/points.h"
 #include "signals/signal/settings.h"
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <cmath>
 

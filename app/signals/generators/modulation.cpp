@@ -1,7 +1,7 @@
 #include "signals/generators/modulation.h"
 
 #include "signals/generators/one_channel.h"
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <numbers>
 

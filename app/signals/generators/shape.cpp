@@ -1,6 +1,6 @@
 #include "signals/generators/shape.h"
 
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 
 #include "base/text.h"
 #include "signals/patterns/glyph_rain.h"
-#include "signals/patterns/harbour.h"
 #include "signals/patterns/noise_patterns.h"
 #include "signals/patterns/pattern.h"
+#include "signals/patterns/pixel_art.h"
 #include "signals/patterns/terminal_page.h"
 #include "signals/patterns/test_cards.h"
 

@@ -27,7 +27,7 @@ public:
 
 struct BeamScene;
 struct Drawing;
-class SentBeam;
+class BeamInput;
 
 /// External data of a signal. The caller reads the files.
 struct SignalMedia {
@@ -36,5 +36,5 @@ struct SignalMedia {
     std::shared_ptr<const Drawing> drawing = nullptr;  // same
     std::shared_ptr<const LiveSound> live = nullptr;   // shared with the audio device thread
     std::int64_t live_first = 0;                       // frame number at time 0
-    std::shared_ptr<SentBeam> sent = nullptr;          // shared with the thread that reads it
+    std::shared_ptr<BeamInput> sent = nullptr;         // shared with the thread that reads it
 };

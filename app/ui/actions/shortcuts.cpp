@@ -1,7 +1,7 @@
 #include "ui/actions/shortcuts.h"
 
 #include "gpu/input_event.h"
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 #include "ui/frame/action.h"
 #include "ui/frame/look_keys.h"
 #include "ui/picture/overlays.h"
@@ -28,7 +28,7 @@ void escape(const Scene& scene, Edits& edits) {
         ImGui::ClosePopupToLevel(0, true);
     else if (scene.lab.drawing().board().open_line())
         edits.end_line();
-    else if (!scene.lab.work().drive.loading().empty())
+    else if (!scene.lab.work().media.loading().empty())
         edits.add([](Lab& lab) { lab.content().cancel_loading(); });
     else if (scene.lab.loader().opening())
         edits.add([](Lab& lab) { lab.looks().cancel_opening(); });

@@ -16,7 +16,7 @@ namespace {
 // nullopt: the choice no longer exists.
 std::optional<Choice> asking(const Scene& scene) {
     const std::string& label = scene.window.dialog.subject;
-    for (const ChoiceList& list : all_choices(scene.lab, scene.window, scene.shelf.looks()))
+    for (const ChoiceList& list : all_choices(scene.lab, scene.window, scene.library_view.looks()))
         for (const Choice& choice : list.choices)
             if (list.label_of(choice) == label)
                 return choice;

@@ -10,7 +10,7 @@
 
 #include <algorithm>
 
-void compare_preset(const ShelfPreset& preset, const Scene& scene, Edits& edits) {
+void compare_preset(const ListedLookPreset& preset, const Scene& scene, Edits& edits) {
     auto changes = difference_from(preset.entry.file, scene.lab);
     if (!changes) {
         edits.add([problem = changes.error().front()](Lab& lab) { lab.messages().say(problem); });

@@ -1,6 +1,6 @@
 #include "ui/dialogs/dialogs.h"
 
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 #include "ui/dialogs/asked_dialog.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/dialog_frame.h"
@@ -32,15 +32,15 @@ struct Question {
 };
 
 bool is_look(const Scene& scene, const std::string& name) {
-    const auto& looks = scene.shelf.looks();
+    const auto& looks = scene.library_view.looks();
     return std::any_of(looks.begin(), looks.end(),
-                       [&](const ShelfLook& look) { return look.entry.id == name; });
+                       [&](const ListedLook& look) { return look.entry.id == name; });
 }
 
 // Whether the user has a preset with this name for the open look. Shipped presets do not count.
 bool is_preset(const Scene& scene, const std::string& name) {
-    for (const ShelfLook& look : scene.shelf.looks())
-        for (const ShelfPreset& preset : look.presets)
+    for (const ListedLook& look : scene.library_view.looks())
+        for (const ListedLookPreset& preset : look.presets)
             if (scene.lab.document() && look.entry.id == scene.lab.document()->look().id &&
                 preset.entry.name == name && !preset.entry.is_shipped)
                 return true;
@@ -69,7 +69,7 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     edits.mark("dialog_name");
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
         wrapped_dim_text(
-            fmt::format("Saved in {}", told_folder(scene.lab.presets().destination())));
+            fmt::format("Saved in {}", display_folder(scene.lab.presets().destination())));
     const bool is_taken = question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken) {

@@ -120,8 +120,8 @@ void run_action(const std::string& label, const Scene& scene, Edits& edits) {
 }
 
 void compare(const std::string& file, const Scene& scene, Edits& edits) {
-    for (const ShelfLook& look : scene.shelf.looks())
-        for (const ShelfPreset& preset : look.presets)
+    for (const ListedLook& look : scene.library_view.looks())
+        for (const ListedLookPreset& preset : look.presets)
             if (preset.entry.file == file)
                 return compare_preset(preset, scene, edits);
 }
@@ -143,7 +143,7 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
                                chord_text(action.chord),
                                why_not(action, scene)});
     const Document* document = scene.lab.document();
-    const std::vector<ShelfLook>& looks = scene.shelf.looks();
+    const std::vector<ListedLook>& looks = scene.library_view.looks();
     add(choice_entries(all_choices(scene.lab, scene.window, looks)), entries);
     add(palette_entries(document ? &document->look() : nullptr, looks), entries);
     if (document)

@@ -1,6 +1,6 @@
 #include "ui/dialogs/recent_files.h"
 
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -30,7 +30,7 @@ std::optional<fs::path> draw_recent_files(const std::vector<fs::path>& files, Ed
     for (const fs::path& file : files) {
         ImGui::PushID(file.c_str());
         const float width = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Selectable(cut_to_fit(told_name(file), width).c_str(), false,
+        if (ImGui::Selectable(cut_to_fit(display_name(file), width).c_str(), false,
                               ImGuiSelectableFlags_DontClosePopups))
             clicked = file;
         edits.mark("recent:" + file.filename().string());

@@ -59,6 +59,6 @@ BuiltFonts build_fonts(float scale) {
     return {std::move(atlas), fonts, scale};
 }
 
-std::future<BuiltFonts> build_fonts_beside(float scale) {
+std::future<BuiltFonts> build_fonts_async(float scale) {
     return std::async(std::launch::async, build_fonts, scale);
 }

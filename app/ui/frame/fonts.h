@@ -23,4 +23,4 @@ struct BuiltFonts {
 float fitted_scale(float wanted);
 BuiltFonts build_fonts(float scale);
 /// On a background thread. Wait for the result before creating ImGui's context.
-std::future<BuiltFonts> build_fonts_beside(float scale);
+std::future<BuiltFonts> build_fonts_async(float scale);

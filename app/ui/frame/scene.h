@@ -2,7 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/lab.h"
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 #include "lab/rendering/pace.h"
 #include "lab/views/history_pictures.h"
 #include "lab/views/kept_pictures.h"
@@ -20,7 +20,7 @@ struct Scene {
     const HistoryPictures& history_pictures;
     const PresetPictures& preset_pictures;
     const KeptPictures& kept_pictures;
-    const Shelf& shelf;
+    const LibraryView& library_view;
     const Pace& pace;
     std::size_t output_monitor;     // of the output window, or where it would open
     bool is_behind_output = false;  // the output window covers this one

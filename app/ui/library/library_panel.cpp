@@ -29,7 +29,7 @@ bool draw_line(const Line& line) {
     return is_clicked;
 }
 
-void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
+void draw_presets(const ListedLook& look, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const float indent = ImGui::GetStyle().IndentSpacing;
     ImGui::Indent(indent);
@@ -42,7 +42,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     edits.mark("preset:");
     const bool has_both = !look.presets.empty() && !look.presets.front().entry.is_shipped &&
                           look.presets.back().entry.is_shipped;
-    for (const ShelfPreset& preset : look.presets) {
+    for (const ListedLookPreset& preset : look.presets) {
         const bool is_first = &preset == &look.presets.front() ||
                               (&preset - 1)->entry.is_shipped != preset.entry.is_shipped;
         if (is_first && (has_both || !preset.entry.is_shipped)) {
@@ -66,7 +66,7 @@ void draw_presets(const ShelfLook& look, const Scene& scene, Edits& edits) {
     ImGui::Unindent(indent);
 }
 
-void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
+void draw_look_menu(const ListedLook& look, const Scene& scene, Edits& edits) {
     if (!ImGui::BeginPopupContextItem("##look_menu"))
         return;
     if (ImGui::MenuItem("Open"))
@@ -80,7 +80,7 @@ void draw_look_menu(const ShelfLook& look, const Scene& scene, Edits& edits) {
 void draw_library_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document();
     heading("Looks");
-    for (const ShelfLook& look : scene.shelf.looks()) {
+    for (const ListedLook& look : scene.library_view.looks()) {
         const ScopedId id(look.argument());
         const bool is_open = document && is_listed_as(document->look(), look);
         bool is_clicked = false;
@@ -97,6 +97,6 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
         if (is_open)
             draw_presets(look, scene, edits);
     }
-    if (scene.shelf.looks().empty())
+    if (scene.library_view.looks().empty())
         dim_text("No looks found.");
 }

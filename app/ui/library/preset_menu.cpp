@@ -24,7 +24,7 @@ void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edi
     edits.mark("morph_to:" + preset.preset.entry.id);
 }
 
-void draw_file_items(const ShelfPreset& preset, Edits& edits) {
+void draw_file_items(const ListedLookPreset& preset, Edits& edits) {
     const std::filesystem::path& file = preset.entry.file;
     ImGui::Separator();
     if (!preset.entry.is_shipped) {

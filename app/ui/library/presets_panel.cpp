@@ -222,7 +222,7 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
         return;
     const PresetBrowsing& wanted = scene.window.presets;
     const std::vector<ListedPreset> listed =
-        listed_presets(*scene.lab.document(), scene.shelf.looks(),
+        listed_presets(*scene.lab.document(), scene.library_view.looks(),
                        scene.lab.presets().navigation().stars(), wanted);
     draw_search(wanted, edits);
     ImGui::SameLine();

@@ -52,7 +52,7 @@ void draw_part(const Stack& stack, std::size_t i, const std::string& name, Edits
 
 void draw_add(const Scene& scene, Edits& edits) {
     if (begin_combo("##add_look", "Add a look after this one…", ImGui::GetContentRegionAvail().x)) {
-        for (const ShelfLook& look : scene.shelf.looks()) {
+        for (const ListedLook& look : scene.library_view.looks()) {
             if (look.is_stack())
                 continue;
             const ScopedId id(look.entry.folder.string());
@@ -68,7 +68,7 @@ void draw_add(const Scene& scene, Edits& edits) {
 }
 }  // namespace
 
-void add_to_stack(const ShelfLook& look, Edits& edits) {
+void add_to_stack(const ListedLook& look, Edits& edits) {
     run({add_part(look)}, edits);
 }
 
@@ -78,7 +78,7 @@ void draw_stack_panel(const Scene& scene, Edits& edits) {
         return;
     heading("Stack");
     const Stack& stack = document->state().stack;
-    const std::vector<std::string> names = part_names(stack, scene.shelf.looks());
+    const std::vector<std::string> names = part_names(stack, scene.library_view.looks());
     for (std::size_t i = 0; is_worth_listing(stack) && i < stack.size(); ++i)
         draw_part(stack, i, names[i], edits);
     draw_add(scene, edits);

@@ -7,4 +7,4 @@
 void draw_stack_panel(const Scene& scene, Edits& edits);
 
 /// Appends a look to the stack.
-void add_to_stack(const ShelfLook& look, Edits& edits);
+void add_to_stack(const ListedLook& look, Edits& edits);

@@ -14,9 +14,9 @@
 namespace {
 // The name in the list of looks: "Phosphor + CRT".
 std::string look_name(const std::string& id, const Scene& scene) {
-    const auto& looks = scene.shelf.looks();
+    const auto& looks = scene.library_view.looks();
     const auto found =
-        std::ranges::find_if(looks, [&](const ShelfLook& look) { return look.entry.id == id; });
+        std::ranges::find_if(looks, [&](const ListedLook& look) { return look.entry.id == id; });
     return found == looks.end() ? id : found->name;
 }
 

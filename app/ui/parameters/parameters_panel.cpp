@@ -77,7 +77,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     draw_filter(scene.window, edits);
     ImGui::SameLine();
-    if (icon_button("##randomise", Icon::dice,
+    if (icon_button("##randomise", Icon::random_numbers,
                     fmt::format("{}\nSets each unlocked parameter to a random value in its range.",
                                 scene.actions.help(ActionId::randomise)),
                     theme::text))

@@ -1,7 +1,7 @@
 #include "ui/parameters/sheet_panel.h"
 
 #include "lab/choices/tuning_choices.h"
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 #include "ui/parameters/parameter_help.h"
 #include "ui/widgets/choice_items.h"
 #include "ui/widgets/icons.h"
@@ -15,7 +15,7 @@
 
 namespace {
 void show_sheet(const SheetRequest& request, Edits& edits) {
-    run(sheet_deeds(request), edits);
+    run(sheet_commands(request), edits);
 }
 
 // "Bloom · Intensity". Labels alone are not unique.

@@ -1,6 +1,6 @@
 #include "ui/parameters/step_view.h"
 
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 #include "ui/widgets/scoped.h"
 
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {

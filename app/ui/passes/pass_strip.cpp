@@ -3,7 +3,7 @@
 #include "lab/frame/heavy_pass.h"
 #include "ui/passes/strip_blocks.h"
 #include "ui/passes/strip_cell.h"
-#include "ui/passes/strip_words.h"
+#include "ui/passes/strip_text.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -55,7 +55,7 @@ void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, con
     float room = width;
     if (!is_narrow && !time.empty())
         room -= draw_time(words, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
-    const std::string name = cut_to_tell(words.name, room, [](const std::string& text) {
+    const std::string name = elided_to(words.name, room, [](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x;
     });
     list.AddText(at, theme::packed(words.is_chosen ? theme::accent : theme::text), name.c_str());

@@ -1,11 +1,11 @@
 #include "ui/passes/strip_blocks.h"
 
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 #include "model/look/own_name.h"
 #include "model/look/pass_levels.h"
 #include "model/plan/parameter_use.h"
-#include "ui/passes/strip_room.h"
-#include "ui/passes/strip_words.h"
+#include "ui/passes/strip_layout.h"
+#include "ui/passes/strip_text.h"
 #include "ui/picture/pass_switch_items.h"
 #include "ui/widgets/scoped.h"
 
@@ -32,10 +32,10 @@ std::vector<std::string> others_than(const std::string& name, std::span<const St
     return others;
 }
 
-ToldName pyramid_name(std::span<const StripPass> levels, std::span<const StripPass> all) {
+ElidedName pyramid_name(std::span<const StripPass> levels, std::span<const StripPass> all) {
     const std::string stem = name_without_number(levels.front().pass.name);
-    return told_apart(own_name(stem), number_of(levels.front()), number_of(levels.back()),
-                      others_than(stem, all));
+    return elided_name(own_name(stem), number_of(levels.front()), number_of(levels.back()),
+                       others_than(stem, all));
 }
 
 bool is_louder(const Gain& gain, const Gain& other) {
@@ -64,7 +64,7 @@ StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass
     if (passes.size() > 1 && chosen == passes.end())
         return words_of_pyramid(passes, all);
     const StripPass& told = passes.size() > 1 ? *chosen : passes.front();
-    return {.name = told_apart(own_name(told.pass.name), others_than(told.pass.name, all)),
+    return {.name = elided_name(own_name(told.pass.name), others_than(told.pass.name, all)),
             .facts = strip_words::facts(told.target),
             .milliseconds = told.milliseconds,
             .longest = told.milliseconds,

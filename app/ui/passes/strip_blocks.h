@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/frame/scene.h"
-#include "ui/widgets/told_apart.h"
+#include "ui/widgets/elided_name.h"
 
 #include <optional>
 #include <span>
@@ -22,7 +22,7 @@ struct StripPass {
 
 /// The text below a picture of the strip.
 struct StripWords {
-    ToldName name;
+    ElidedName name;
     std::string facts;
     double milliseconds = 0.0;
     double longest = 0.0;  // ms, of one pass

@@ -1,7 +1,7 @@
 #include "ui/passes/strip_cell.h"
 
 #include "lab/frame/heavy_pass.h"
-#include "ui/passes/strip_words.h"
+#include "ui/passes/strip_text.h"
 #include "ui/picture/pass_switch_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/inspect/cell_numbers.h"
+#include "lab/inspect/texel_values.h"
 #include "ui/frame/scene.h"
 
 #include <imgui/imgui.h>

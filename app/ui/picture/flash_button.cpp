@@ -44,18 +44,18 @@ void draw_counts(const Scene& scene) {
 }
 
 void draw_clamp(const Scene& scene, Edits& edits) {
-    ComfortClamp clamp = scene.window.comfort;
+    FlashLimit clamp = scene.window.comfort;
     bool is_changed = ImGui::Checkbox("Flash limiter", &clamp.is_on);
     edits.mark("comfort");
     tooltip(
         "Limits how fast large areas of the picture change brightness on screen. Presets, saved "
         "pictures and renders aren't affected.");
     if (clamp.is_on) {
-        const SliderFacts facts{.low = ComfortClamp::lowest,
-                                .high = ComfortClamp::highest,
-                                .initial = ComfortClamp::default_most,
+        const SliderFacts facts{.low = FlashLimit::lowest,
+                                .high = FlashLimit::highest,
+                                .initial = FlashLimit::default_most,
                                 .unit = "of full brightness per second",
-                                .limit = Limit{ComfortClamp::lowest, ComfortClamp::highest}};
+                                .limit = Limit{FlashLimit::lowest, FlashLimit::highest}};
         is_changed |=
             draw_slider("##comfort", clamp.most_a_second, facts, ImGui::GetFontSize() * 10.0f)
                 .is_changed;

@@ -42,7 +42,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
     }
     for (const Choice& choice : notice.choices) {
         if (ImGui::Button(choice.name.c_str()))
-            run(choice.deeds, edits);
+            run(choice.commands, edits);
         edits.mark("offer:" + choice.name);
         ImGui::SameLine();
     }

@@ -1,8 +1,8 @@
 #include "ui/picture/overlays.h"
 
 #include "lab/document/morphing.h"
-#include "lab/storage/told_name.h"
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
+#include "lab/storage/display_name.h"
 #include "ui/picture/compare_bar.h"
 #include "ui/picture/first_steps.h"
 #include "ui/picture/offer.h"
@@ -35,7 +35,7 @@ std::vector<const Problem*> errors_of(const Lab& lab) {
 // Height of a problem as draw_problem() draws it: location and message, then the source line.
 float height_of(const Problem& problem, float width) {
     const std::string words =
-        told_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
+        display_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
     const float message = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
@@ -143,7 +143,7 @@ void draw_replay(const Scene& scene) {
 }
 
 // The non-finite pixel that stopped the clock, with buttons for the possible actions.
-void draw_trip(const Scene& scene, Edits& edits) {
+void draw_non_finite(const Scene& scene, Edits& edits) {
     const auto& trip = scene.lab.frames().nan_guard().found();
     if (!trip || !scene.lab.renderer())
         return;
@@ -164,18 +164,18 @@ void draw_trip(const Scene& scene, Edits& edits) {
     ImGui::BeginChild("##trip", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::TextWrapped("%s", words.c_str());
     struct Choice {
-        TripAnswer answer;
+        NonFiniteAction answer;
         const char* label;
         const char* help;
         const char* name;
     };
     for (const Choice& choice :
-         {Choice{TripAnswer::clear, "Restart history", "Clears the history and continues.",
+         {Choice{NonFiniteAction::clear, "Restart history", "Clears the history and continues.",
                  "trip_clear"},
-          Choice{TripAnswer::clamp, "Clamp",
+          Choice{NonFiniteAction::clamp, "Clamp",
                  "Replaces NaN with 0 and Inf with the largest number, in every pass.",
                  "trip_clamp"},
-          Choice{TripAnswer::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
+          Choice{NonFiniteAction::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
                  "trip_go_on"}}) {
         if (ImGui::Button(choice.label))
             edits.add(
@@ -199,7 +199,7 @@ std::string opening_text(const LookLoader::Opening& opening) {
 }
 
 void draw_loading(const Scene& scene) {
-    const std::filesystem::path file = scene.lab.work().drive.loading();
+    const std::filesystem::path file = scene.lab.work().media.loading();
     const auto opening = scene.lab.loader().opening();
     if (file.empty() && opening && scene.lab.document())
         draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
@@ -207,7 +207,7 @@ void draw_loading(const Scene& scene) {
         return;
     draw_pill({"##loading",
                fmt::format("Loading {}: {:.0f} % · Esc to cancel", file.filename().string(),
-                           100.0 * scene.lab.work().drive.loaded_share()),
+                           100.0 * scene.lab.work().media.loaded_share()),
                theme::dim, 2.0f},
               scene);
 }
@@ -255,7 +255,7 @@ bool shows_errors(const Scene& scene) {
 void draw_overlays(const Scene& scene, Edits& edits) {
     draw_first_steps(scene, edits);
     draw_errors(scene, edits);
-    draw_trip(scene, edits);
+    draw_non_finite(scene, edits);
     draw_loading(scene);
     draw_replay(scene);
     draw_morph(scene);

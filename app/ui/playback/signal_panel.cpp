@@ -182,7 +182,7 @@ void draw_kinds(const std::string& present, Edits& edits) {
     }
     if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen,
                   ImGui::GetContentRegionAvail().x))
-        run({deed_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
+        run({command_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
     edits.mark("signal");
     if (const SignalKind* kind = find_kind(present))
         tooltip(kind->help);

@@ -181,7 +181,7 @@ void draw_source(const Scene& scene, Edits& edits) {
     const SourceSpec source =
         parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
     draw_choice(source, scene, edits);
-    const OpenSource open = open_source(scene.lab.work().drive);
+    const OpenSource open = open_source(scene.lab.work().media);
     draw_named({.mark = "source_size",
                 .label = "Size",
                 .help = "Pixel size of the pattern, as consoles and computers sent it to a CRT.",
@@ -201,7 +201,7 @@ void draw_source(const Scene& scene, Edits& edits) {
                  "4:3 CRT."},
         source_shapes(source, open.extent), source, edits);
     draw_own_aspect(source, scene, edits);
-    const auto& read = scene.lab.work().drive.source();
+    const auto& read = scene.lab.work().media.source();
     if (read && read->is_film())
         draw_film_settings(*read, source, scene, edits);
 }

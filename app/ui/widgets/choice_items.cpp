@@ -4,29 +4,31 @@
 
 #include <imgui/imgui.h>
 
-void run(const Deeds& deeds, Edits& edits) {
+void run(const MenuCommands& commands, Edits& edits) {
     struct Doing {
         Edits& edits;
-        void operator()(const std::function<void(Document&)>& deed) const { edits.document(deed); }
-        void operator()(const std::function<void(Lab&)>& deed) const { edits.add(deed); }
-        void operator()(const std::function<void(WindowState&)>& deed) const {
-            edits.arrange(deed);
+        void operator()(const std::function<void(Document&)>& command) const {
+            edits.document(command);
+        }
+        void operator()(const std::function<void(Lab&)>& command) const { edits.add(command); }
+        void operator()(const std::function<void(WindowState&)>& command) const {
+            edits.arrange(command);
         }
     };
-    for (const Deed& deed : deeds)
-        std::visit(Doing{edits}, deed);
+    for (const MenuCommand& command : commands)
+        std::visit(Doing{edits}, command);
 }
 
 void take(const Choice& choice, const std::string& id, Edits& edits) {
     if (choice.number || choice.text)
         edits.show({.kind = Dialog::Kind::asked, .subject = id});
     else
-        run(choice.deeds, edits);
+        run(choice.commands, edits);
 }
 
 void draw_choice_menus(ChoiceList::Place place, const Scene& scene, Edits& edits) {
     for (const ChoiceList& list :
-         menu_choices(scene.lab, scene.window, scene.shelf.looks(), place)) {
+         menu_choices(scene.lab, scene.window, scene.library_view.looks(), place)) {
         const bool is_open = ImGui::BeginMenu(list.word.c_str());
         edits.mark("menu:" + list.word);
         if (!is_open)

@@ -5,7 +5,7 @@
 #include "ui/frame/scene.h"
 
 /// Runs the effects of a choice.
-void run(const Deeds& deeds, Edits& edits);
+void run(const MenuCommands& commands, Edits& edits);
 
 /// Runs the choice, or first opens a dialog if it needs a number or text. `id`: its palette entry.
 void take(const Choice& choice, const std::string& id, Edits& edits);

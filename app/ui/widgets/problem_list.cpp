@@ -1,6 +1,6 @@
 #include "ui/widgets/problem_list.h"
 
-#include "lab/storage/told_name.h"
+#include "lab/storage/display_name.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -11,7 +11,7 @@ namespace {
 std::string place_text(const Diagnostic& diagnostic) {
     if (diagnostic.file.empty())
         return {};
-    const std::string name = told_name(diagnostic.file);
+    const std::string name = display_name(diagnostic.file);
     return diagnostic.line > 0 ? fmt::format("{}:{}", name, diagnostic.line) : name;
 }
 
@@ -58,7 +58,7 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
 }
 
 void draw_file_problems(const Scene& scene, Edits& edits) {
-    for (const Diagnostic& problem : scene.lab.work().drive.problems()) {
+    for (const Diagnostic& problem : scene.lab.work().media.problems()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s: %s", problem.file.filename().string().c_str(),
                            problem.message.c_str());

@@ -8,8 +8,8 @@
 #include "lab/session.h"
 #include "lab/session/first_file.h"
 #include "lab/session/session_keeper.h"
+#include "lab/storage/event_waker.h"
 #include "lab/storage/injected_fault.h"
-#include "lab/storage/waker.h"
 #include "lab/views/displayed_passes.h"
 #include "lab/views/pending_fits.h"
 #include "lab/window/window_session.h"
@@ -143,11 +143,11 @@ private:
     PresetPictures m_preset_pictures{[] { gpu::Window::wake(); }};
     KeptPictures m_kept_pictures;
     WindowState m_state;
-    Shelf m_shelf;
+    LibraryView m_library_view;
     Pace m_pace;
-    Waker m_waker;
-    Waker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::Window::wake(); }};
-    std::optional<Waker> m_remote_waker;  // while other programs can set parameters
+    EventWaker m_waker;
+    EventWaker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::Window::wake(); }};
+    std::optional<EventWaker> m_remote_waker;  // while other programs can set parameters
     int m_remote_port = 0;
     std::string m_title;
     std::string m_state_text;
@@ -169,7 +169,8 @@ bool Application::wait() {
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // measurements of the last frame follow later
-    const bool owes = is_owing(m_lab, m_views) || m_views.is_settling() || m_state.pending.is_any();
+    const bool owes =
+        is_owing(m_lab, m_views) || m_views.is_specializing() || m_state.pending.is_any();
     const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         m_window.wait_events(rest_seconds);
@@ -239,8 +240,8 @@ void Application::follow_output() {
 }
 
 void Application::list_looks(double wall_seconds) {
-    m_shelf.update(m_lab.work().library, m_lab.document() ? &m_lab.document()->look() : nullptr,
-                   wall_seconds);
+    m_library_view.update(m_lab.work().library,
+                          m_lab.document() ? &m_lab.document()->look() : nullptr, wall_seconds);
 }
 
 // Prepares the panels while the first picture is still being loaded.
@@ -309,7 +310,7 @@ void Application::draw() {
                       m_history_pictures,
                       m_preset_pictures,
                       m_kept_pictures,
-                      m_shelf,
+                      m_library_view,
                       m_pace,
                       m_output.monitor(),
                       m_output.covers_panels(),
@@ -348,7 +349,7 @@ void Application::apply(const Edits& edits) {
     if (edits.has_verbs() || m_toolkit.has_input())  // changes are displayed one frame later
         m_attended_until = m_awake_until = Clock::now() + awake;
     if (edits.has_verbs())
-        m_shelf.refresh();
+        m_library_view.refresh();
     if (edits.copied())
         m_window.set_clipboard(*edits.copied());
     m_is_quitting = edits.is_quitting();
@@ -397,7 +398,7 @@ Result<bool> run_once(const WindowOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
     Start start{restored_window(session.window)};
-    auto fonts = build_fonts_beside(fitted_scale(static_cast<float>(start.state.scale)));
+    auto fonts = build_fonts_async(fitted_scale(static_cast<float>(start.state.scale)));
     auto window = gpu::Window::open(geometry_of(start.state));
     if (!window)
         return fail(window.error());

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "lab/document/morphing.h"
-#include "lab/trials/tryouts.h"
+#include "lab/previews/previews.h"
 #include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
@@ -163,7 +163,7 @@ std::string comparison_text(const Scene& scene) {
 }
 
 // The non-finite pixel that stopped the clock.
-std::string trip_text(const Lab& lab) {
+std::string non_finite_text(const Lab& lab) {
     const auto& trip = lab.frames().nan_guard().found();
     return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
                 : R"(,"trip":null)";
@@ -217,8 +217,8 @@ std::string presets_text(const Scene& scene) {
     std::vector<std::string> problems;
     int pictures = 0;
     for (const ListedPreset& preset :
-         listed_presets(*lab.document(), scene.shelf.looks(), lab.presets().navigation().stars(),
-                        scene.window.presets)) {
+         listed_presets(*lab.document(), scene.library_view.looks(),
+                        lab.presets().navigation().stars(), scene.window.presets)) {
         const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
         names.push_back(json_string(preset.preset.entry.id));
         pictures += shown.image.handle != 0 ? 1 : 0;
@@ -260,7 +260,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         scene.is_behind, lab.loader().is_loading(),
         json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
                                            : std::string()),
-        json_string(lab.work().drive.loading()), lab.player().is_playing(),
+        json_string(lab.work().media.loading()), lab.player().is_playing(),
         lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
         lab.frames().samples().value_or(Samples{}).held, lab.remote().osc().port(),
         lab.remote().midi().is_listening(),
@@ -279,8 +279,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + closer_text(scene) + pins_text(scene) +
-            gains_text(scene) + comparison_text(scene) + trip_text(lab) + flashes_text(scene) +
-            switches_text(lab) + tryouts_text(scene) + presets_text(scene),
+            gains_text(scene) + comparison_text(scene) + non_finite_text(lab) +
+            flashes_text(scene) + switches_text(lab) + tryouts_text(scene) + presets_text(scene),
         problems_json(lab), places_text(edits));
 }
 

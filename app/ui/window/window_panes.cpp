@@ -32,7 +32,7 @@ void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
     Rect lower = place;
     // The list has its full height, up to 55 %.
     std::size_t lines = 2;
-    for (const ShelfLook& look : scene.shelf.looks())
+    for (const ListedLook& look : scene.library_view.looks())
         lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
                           ? look.presets.size() + 1
                           : 0);

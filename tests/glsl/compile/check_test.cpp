@@ -1,8 +1,8 @@
 #include "glsl/compile/check.h"
 
 #include "glsl/cache/check_cache.h"
-#include "in_a_moment.h"
 #include "glsl/shader_texts.h"
+#include "in_a_moment.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -256,7 +256,7 @@ TEST_CASE("a cache returns the same results as the check, from several threads")
 
 namespace {
 // The linear congruential generator of Numerical Recipes: the same mutations on every machine.
-class Dice {
+class RandomNumbers {
 public:
     std::size_t below(std::size_t end) {
         m_state = m_state * 1664525u + 1013904223u;
@@ -267,19 +267,20 @@ private:
     std::uint32_t m_state = 2024;
 };
 
-std::string mutated(std::string text, Dice& dice) {
+std::string mutated(std::string text, RandomNumbers& random_numbers) {
     constexpr std::string_view pieces[] = {
         "(",  ")", "{",  "}",     ";",      "\"",       "/*",      "*/",
         "//", "#", "\n", "@",     "@range", "uniform ", "#if 1\n", "\\\n",
         "=",  "[", "]",  "1e999", "vec3",   "\x80",     "\x01",    "#define A "};
-    for (std::size_t i = 0; i < 1 + dice.below(4); ++i) {
-        const std::size_t at = dice.below(text.size());
-        const std::size_t length = dice.below(12);
-        if (dice.below(2) == 0)
+    for (std::size_t i = 0; i < 1 + random_numbers.below(4); ++i) {
+        const std::size_t at = random_numbers.below(text.size());
+        const std::size_t length = random_numbers.below(12);
+        if (random_numbers.below(2) == 0)
             text.erase(at, length);
         else
-            text.insert(at, dice.below(2) == 0 ? std::string(pieces[dice.below(std::size(pieces))])
-                                               : text.substr(dice.below(text.size()), length));
+            text.insert(at, random_numbers.below(2) == 0
+                                ? std::string(pieces[random_numbers.below(std::size(pieces))])
+                                : text.substr(random_numbers.below(text.size()), length));
     }
     return text;
 }
@@ -300,9 +301,9 @@ TEST_CASE("random mutations give a valid result or errors with file and line, ne
         "    if (color.r > 1.0) discard; else color = vec4(tint * TWICE(decay), 1.0);\n"
         "}\n";
     REQUIRE(check(stage_of("a.frag", valid)).has_value());
-    Dice dice;
+    RandomNumbers random_numbers;
     for (int i = 0; i < 400; ++i) {
-        const std::string text = mutated(valid, dice);
+        const std::string text = mutated(valid, random_numbers);
         CAPTURE(text);
         const auto reflection = check(stage_of("a.frag", text));
         if (reflection)

@@ -45,7 +45,7 @@ std::vector<bool> last_of(const Look& look) {
 
 Executor drawing_once(const Look& look, Extent extent = {8, 8}) {
     Executor executor = executor_of(look, extent);
-    REQUIRE(executor.set_seen(last_of(look), Executor::Frames::drawn_once).has_value());
+    REQUIRE(executor.set_displayed(last_of(look), Executor::Frames::drawn_once).has_value());
     return executor;
 }
 
@@ -65,10 +65,10 @@ TEST_CASE_FIXTURE(Headless, "shared pictures do not change the displayed picture
     const std::vector<bool> carried = carried_passes(look);
     for (int n = 1; n <= 12; ++n) {
         CAPTURE(n);
-        const bool is_seen = n % 3 != 2;
-        apart.draw(frame(n), is_seen ? nullptr : &carried);
-        common.draw(frame(n), is_seen ? nullptr : &carried);
-        if (is_seen)
+        const bool is_displayed = n % 3 != 2;
+        apart.draw(frame(n), is_displayed ? nullptr : &carried);
+        common.draw(frame(n), is_displayed ? nullptr : &carried);
+        if (is_displayed)
             CHECK(picture_of(common) == picture_of(apart));
     }
     apart.draw(frame(1));  // from the first frame again
@@ -83,17 +83,17 @@ TEST_CASE_FIXTURE(Headless, "history continues when sharing of pictures starts a
     for (int n = 1; n <= 9; ++n) {
         CAPTURE(n);
         const bool is_once = n % 3 != 0;
-        REQUIRE(
-            turning
-                .set_seen(is_once ? last_of(look) : std::vector<bool>{},
-                          is_once ? Executor::Frames::drawn_once : Executor::Frames::drawn_again)
-                .has_value());
+        REQUIRE(turning
+                    .set_displayed(
+                        is_once ? last_of(look) : std::vector<bool>{},
+                        is_once ? Executor::Frames::drawn_once : Executor::Frames::drawn_again)
+                    .has_value());
         CHECK(turning.plan().common.empty() != is_once);
         apart.draw(frame(n));
         turning.draw(frame(n));
         CHECK(picture_of(turning) == picture_of(apart));
     }
-    REQUIRE(turning.set_seen(last_of(look), Executor::Frames::drawn_once).has_value());
+    REQUIRE(turning.set_displayed(last_of(look), Executor::Frames::drawn_once).has_value());
     REQUIRE(turning.replace(look, programs_of(look)).has_value());
     apart.draw(frame(10));
     turning.draw(frame(10));
@@ -120,11 +120,11 @@ TEST_CASE_FIXTURE(Headless,
         "uniform sampler2D image; uniform int u_frame;\n"
         "void main() { color = u_frame == 3 ? vec4(1.0 / 0.0) : texture(image, uv); }\n");
     Executor common = drawing_once(look);
-    REQUIRE(common.set_guard(Executor::Guard::clamp).has_value());
+    REQUIRE(common.set_nan_policy(Executor::NanPolicy::clamp).has_value());
     const std::vector<bool> carried = carried_passes(look);
     for (int n = 1; n <= 3; ++n)
         common.draw(frame(n), &carried);
-    const auto trip = common.take_trip(true);
+    const auto trip = common.take_non_finite(true);
     REQUIRE(trip.has_value());
     CHECK(trip->pass == 5);
     CHECK(trip->frame == 3);

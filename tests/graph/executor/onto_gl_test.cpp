@@ -1,7 +1,7 @@
 // A pass that is drawn directly onto the target of its reader gives the same result as with its own
 // target.
 #include "graph/looks.h"
-#include "graph/programs/settled_look.h"
+#include "graph/programs/specialized_look.h"
 
 #include <limits>
 
@@ -32,7 +32,7 @@ const std::vector<bool> last_only{false, false, true};
 
 Executor sharing(const Look& look) {
     Executor executor = executor_of(look, {4, 4});
-    REQUIRE(executor.set_seen(last_only).has_value());
+    REQUIRE(executor.set_displayed(last_only).has_value());
     return executor;
 }
 
@@ -58,7 +58,7 @@ TEST_CASE_FIXTURE(Headless, "a pass drawn onto another target is added to it, ex
     // At 16 bytes per texel: the previous glow is read, the glow written and read, the picture
     // written.
     CHECK(executor.bytes_per_pixel() == 4 * 16.0);
-    REQUIRE(executor.set_seen({}).has_value());
+    REQUIRE(executor.set_displayed({}).has_value());
     CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // also the light is written and read
 }
 
@@ -78,7 +78,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(red(executor, 0) == 3.0f);
     executor.redraw(frame(4), {true, false, true});
     CHECK(red(executor, 0) == 4.0f);
-    REQUIRE(executor.set_seen({}).has_value());  // it has its own target again
+    REQUIRE(executor.set_displayed({}).has_value());  // it has its own target again
     executor.draw(frame(5));
     CHECK(red(executor, 0) == 5.0f);
 }
@@ -87,7 +87,7 @@ TEST_CASE_FIXTURE(Headless, "history continues when a sharing pass becomes displ
     Executor executor = sharing(glowing_look());
     const std::vector<bool> seen[] = {{}, last_only, {true, false, true}, {false, true, true}};
     for (int n = 1; n <= 8; ++n) {
-        REQUIRE(executor.set_seen(seen[n % 4]).has_value());
+        REQUIRE(executor.set_displayed(seen[n % 4]).has_value());
         executor.draw(frame(n));
         CHECK(pixel(executor, 2)[0] == glow_after(n));
         if (n % 4 != 1)
@@ -114,7 +114,7 @@ TEST_CASE_FIXTURE(Headless, "slices and redraws give a shared target the same co
     while (!executor.continue_frame(1e-9)) {
     }
     CHECK(red(executor, 2) == glow_after(4));
-    executor.rehearse(frame(5), 0);  // it must return without an error
+    executor.warm_up_pass(frame(5), 0);  // it must return without an error
     executor.clear_history();
     executor.draw(frame(1));
     CHECK(red(executor, 2) == glow_after(1));
@@ -141,11 +141,11 @@ TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they
         "uniform int u_frame;\nvoid main() { color = vec4(u_frame == 2 ? 1.0 / 0.0 : 1.0); "
         "}\n");
     Executor executor = sharing(look);
-    REQUIRE(executor.set_guard(Executor::Guard::clamp).has_value());
+    REQUIRE(executor.set_nan_policy(Executor::NanPolicy::clamp).has_value());
     executor.draw(frame(1));
-    CHECK_FALSE(executor.take_trip(true).has_value());
+    CHECK_FALSE(executor.take_non_finite(true).has_value());
     executor.draw(frame(2));
-    const auto trip = executor.take_trip(true);
+    const auto trip = executor.take_non_finite(true);
     REQUIRE(trip.has_value());
     CHECK(trip->pass == 1);
     CHECK(red(executor, 2) < std::numeric_limits<float>::infinity());
@@ -173,13 +173,14 @@ TEST_CASE_FIXTURE(Headless,
     std::swap(look.passes[0], look.passes[1]);  // drawn in the same order, shared or not
     Executor executor = sharing(look);
     REQUIRE(executor.plan().targets[1].onto == 0);
-    SettledTexts texts;
+    SpecializedTexts texts;
     const auto nothing_moves = [](const Parameter&) { return false; };
-    executor.settle(programs_of(settled_look(look, {}, executor.plan(), nothing_moves, texts)), {});
+    executor.specialize(
+        programs_of(specialized_look(look, {}, executor.plan(), nothing_moves, texts)), {});
     executor.draw(frame(1));
-    CHECK(executor.is_settled());
+    CHECK(executor.is_specialized());
     CHECK(pixel(executor, 2)[2] == 1.0f);
-    REQUIRE(executor.set_seen({}).has_value());
+    REQUIRE(executor.set_displayed({}).has_value());
     executor.draw(frame(2));
     CHECK(pixel(executor, 2)[2] == 0.0f);
 }

@@ -84,7 +84,7 @@ TEST_CASE_FIXTURE(Headless, "a bypass converts between integer and float targets
 
 namespace {
 // The value in a bypassed target of format `to`, whose input has format `from` and this number.
-float handed_on(Format from, const std::string& number, Format to) {
+float passed_input(Format from, const std::string& number, Format to) {
     const auto writing = [](Format format, const std::string& value) {
         const std::string type(
             std::array{"vec4", "uvec4", "ivec4"}[static_cast<std::size_t>(sample_kind_of(format))]);
@@ -107,15 +107,15 @@ float handed_on(Format from, const std::string& number, Format to) {
 
 TEST_CASE_FIXTURE(Headless,
                   "a bypass keeps a number that both formats hold, else the nearest one") {
-    CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16i) == -3.0f);
-    CHECK(handed_on(Format::rgba32f, "-3.75", Format::r16ui) == 0.0f);
-    CHECK(handed_on(Format::r8i, "-128", Format::rgba32f) == -128.0f);
-    CHECK(handed_on(Format::r8i, "-128", Format::r32i) == -128.0f);
-    CHECK(handed_on(Format::r32i, "-5", Format::r32ui) == 0.0f);
-    CHECK(handed_on(Format::r32i, "70000", Format::r32ui) == 70000.0f);
-    CHECK(handed_on(Format::r32ui, "70000u", Format::r32i) == 70000.0f);
-    CHECK(handed_on(Format::r32ui, "4000000000u", Format::r32i) == 2147483648.0f);  // 2^31 - 1
-    CHECK(handed_on(Format::r32ui, "4000000000u", Format::r32ui) == 4000000000.0f);
+    CHECK(passed_input(Format::rgba32f, "-3.75", Format::r16i) == -3.0f);
+    CHECK(passed_input(Format::rgba32f, "-3.75", Format::r16ui) == 0.0f);
+    CHECK(passed_input(Format::r8i, "-128", Format::rgba32f) == -128.0f);
+    CHECK(passed_input(Format::r8i, "-128", Format::r32i) == -128.0f);
+    CHECK(passed_input(Format::r32i, "-5", Format::r32ui) == 0.0f);
+    CHECK(passed_input(Format::r32i, "70000", Format::r32ui) == 70000.0f);
+    CHECK(passed_input(Format::r32ui, "70000u", Format::r32i) == 70000.0f);
+    CHECK(passed_input(Format::r32ui, "4000000000u", Format::r32i) == 2147483648.0f);  // 2^31 - 1
+    CHECK(passed_input(Format::r32ui, "4000000000u", Format::r32ui) == 4000000000.0f);
 }
 
 TEST_CASE_FIXTURE(Headless, "a bypassed pass without a source is transparent black") {

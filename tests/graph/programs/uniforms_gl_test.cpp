@@ -216,7 +216,7 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(drawn(2) == 1.0f);
     CHECK(drawn(3) == 0.0f);
     executor.set_values({{"hit", 1.0}, {"other", 2.0}});  // still held
-    executor.claim_programs();
+    executor.invalidate_uniforms();
     CHECK(drawn(4) == 0.0f);
     executor.set_values({});
     CHECK(drawn(5) == 0.0f);

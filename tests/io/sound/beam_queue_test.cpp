@@ -25,7 +25,7 @@ std::vector<float> mixed(BeamQueue& queue, std::size_t frames) {
 }
 
 // Brings the queue to full level and to a position, so that the ramps to both are over.
-void settle(BeamQueue& queue, float x, float y) {
+void specialize(BeamQueue& queue, float x, float y) {
     queue.set_level(1.0);
     queue.write(at(x, y, 500));
     mixed(queue, 100);
@@ -44,7 +44,7 @@ float largest_step(const std::vector<float>& stereo, float before) {
 
 TEST_CASE("queued samples are played unchanged, and then the last position is held") {
     BeamQueue queue(queue_rate);
-    settle(queue, 0.0f, 0.0f);
+    specialize(queue, 0.0f, 0.0f);
     std::vector<float> ramp;
     for (int i = 0; i < 300; ++i)
         ramp.insert(ramp.end(),
@@ -61,7 +61,7 @@ TEST_CASE("queued samples are played unchanged, and then the last position is he
 
 TEST_CASE("the level is a factor clamped to 0 .. 1, ramped over one buffer") {
     BeamQueue queue(queue_rate);
-    settle(queue, 0.5f, -1.0f);
+    specialize(queue, 0.5f, -1.0f);
     queue.set_level(0.25);
     const std::vector<float> heard = mixed(queue, 480);
     CHECK(largest_step(heard, 0.5f) < 1e-3f);
@@ -73,7 +73,7 @@ TEST_CASE("the level is a factor clamped to 0 .. 1, ramped over one buffer") {
 
 TEST_CASE("after a jump the beam moves linearly to its new position within 5 ms") {
     BeamQueue queue(queue_rate);
-    settle(queue, 0.75f, 0.0f);
+    specialize(queue, 0.75f, 0.0f);
     queue.write(at(0.75f, 0.0f, 1000));
     mixed(queue, 10);
     queue.start_anew();
@@ -89,7 +89,7 @@ TEST_CASE("after a jump the beam moves linearly to its new position within 5 ms"
 
 TEST_CASE("samples after a gap are joined without a click") {
     BeamQueue queue(queue_rate);
-    settle(queue, -0.5f, 0.0f);
+    specialize(queue, -0.5f, 0.0f);
     mixed(queue, 1000);
     queue.write(at(0.5f, 0.0f, 480));
     CHECK(largest_step(mixed(queue, 480), -0.5f) <= 1.0f / 240.0f * 1.001f);
@@ -107,7 +107,7 @@ TEST_CASE("the queue holds one second, and samples are clamped to -1 .. 1") {
 TEST_CASE("with a writing and a playing thread, each sample is played once and in order") {
     BeamQueue queue(queue_rate);
     constexpr int count = 200000;
-    settle(queue, 0.0f, 0.0f);
+    specialize(queue, 0.0f, 0.0f);
     std::atomic<bool> is_done = false;
     std::thread writer([&] {
         for (int i = 1; i <= count;) {

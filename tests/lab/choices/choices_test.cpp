@@ -37,8 +37,8 @@ Look choosing_look(Driver driver) {
     return look;
 }
 
-ShelfLook choosable_look(const char* id, const char* name) {
-    ShelfLook look;
+ListedLook choosable_look(const char* id, const char* name) {
+    ListedLook look;
     look.entry = {id, std::string("/looks/") + id, false};
     look.name = name;
     return look;
@@ -59,9 +59,9 @@ const Choice& choice_of(const std::vector<ChoiceList>& lists, const std::string&
 }
 
 template <class Subject>
-void take(const Deeds& deeds, Subject& subject) {
-    for (const Deed& deed : deeds)
-        std::get<std::function<void(Subject&)>>(deed)(subject);
+void take(const MenuCommands& commands, Subject& subject) {
+    for (const MenuCommand& command : commands)
+        std::get<std::function<void(Subject&)>>(command)(subject);
 }
 
 std::string first_found(const std::vector<PaletteEntry>& entries, const char* query) {
@@ -79,13 +79,13 @@ TEST_CASE("every kind of signal can be chosen by name in one undo step") {
             kind.label + (kind.kind == "audio" || kind.kind == "scene" ? "…" : "");
         CHECK(choice_of(lists, "Signal: " + name).is_present == (kind.kind == "lissajous"));
     }
-    take(choice_of(lists, "Signal: " + find_kind("waveform")->label).deeds, document);
+    take(choice_of(lists, "Signal: " + find_kind("waveform")->label).commands, document);
     CHECK(document.state().signal.kind == "waveform");
     CHECK(document.history().undo_name() == "Signal");
     document.undo();
     CHECK(document.state().signal.kind == "lissajous");
     WindowState window;
-    take(choice_of(lists, "Signal: " + find_kind("audio")->label + "…").deeds, window);
+    take(choice_of(lists, "Signal: " + find_kind("audio")->label + "…").commands, window);
     CHECK(window.dialog.kind == Dialog::Kind::open_file);
     CHECK(signal_choices(Document(choosing_look(Driver::picture))).empty());
 }
@@ -126,15 +126,15 @@ TEST_CASE("every used setting of the current signal can be typed or chosen") {
 TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name") {
     Document document(choosing_look(Driver::picture));
     const PatternFacts& last = all_patterns().back();
-    take(choice_of(source_choices(document, {}), "Source: " + last.label).deeds, document);
+    take(choice_of(source_choices(document, {}), "Source: " + last.label).commands, document);
     CHECK(document.state().source == "pattern:" + last.name);
-    take(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").deeds, document);
+    take(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").commands, document);
     CHECK(document.state().source == "pattern:" + last.name + ",size=256x224");
     CHECK(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").is_present);
     CHECK(choice_of(source_choices(document, {}), "Source: " + last.label).is_present);
-    take(choice_of(source_choices(document, {}), "Source: Size: Native size").deeds, document);
+    take(choice_of(source_choices(document, {}), "Source: Size: Native size").commands, document);
     CHECK(document.state().source == "pattern:" + last.name);
-    take(choice_of(source_choices(document, {}), "Source: Scaling: Fit").deeds, document);
+    take(choice_of(source_choices(document, {}), "Source: Scaling: Fit").commands, document);
     CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pre-scaled: Auto"));
     const auto lists = source_choices(document, {});
     CHECK(choice_of(lists, "Source: Scaling: Fit").is_present);
@@ -143,7 +143,7 @@ TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name
     CHECK_FALSE(find_choice(lists, "Source: Frame rate…"));
     const auto film = source_choices(document, {.film_rate = 25.0});
     CHECK(choice_of(film, "Source: Frame rate…").number->present == 25.0);
-    take(choice_of(film, "Source: At end: Hold").deeds, document);
+    take(choice_of(film, "Source: At end: Hold").commands, document);
     CHECK_FALSE(parse_source(document.state().source)->loops);
 }
 
@@ -155,29 +155,29 @@ TEST_CASE("shape and prescale of a file can be chosen by name") {
     };
     CHECK(choice_of(lists(), "Source: Pre-scaled: Auto (3×)").is_present);
     CHECK(choice_of(lists(), "Source: Shape: Square pixels").is_present);
-    take(choice_of(lists(), "Source: Shape: 4:3").deeds, document);
+    take(choice_of(lists(), "Source: Shape: 4:3").commands, document);
     CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=auto");
     CHECK(choice_of(lists(), "Source: Shape: 4:3").is_present);
-    take(choice_of(lists(), "Source: Pre-scaled: 2×").deeds, document);
+    take(choice_of(lists(), "Source: Pre-scaled: 2×").commands, document);
     CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=2");
-    take(choice_of(lists(), "Source: Shape: Custom").deeds, document);
+    take(choice_of(lists(), "Source: Shape: Custom").commands, document);
     CHECK(parse_source(document.state().source)->aspect == doctest::Approx(7.0 / 6.0));
     CHECK(choice_of(lists(), "Source: Shape: Custom").is_present);
     document.set_source("game.png,shape=16:10");
     CHECK(choice_of(lists(), "Source: Shape: 16:10").is_present);
     document.set_source("game.png,shape=16:10,prescaled=auto");
     const PatternFacts& pattern = all_patterns().back();
-    take(choice_of(lists(), "Source: " + pattern.label).deeds, document);
+    take(choice_of(lists(), "Source: " + pattern.label).commands, document);
     CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
 }
 
 TEST_CASE("looks are added, moved, bypassed and removed by name") {
     Document document(choosing_look(Driver::signal));
-    const std::vector<ShelfLook> looks{choosable_look("phosphor", "Phosphor"),
-                                       choosable_look("crt", "CRT")};
+    const std::vector<ListedLook> looks{choosable_look("phosphor", "Phosphor"),
+                                        choosable_look("crt", "CRT")};
     const auto stack = [&]() -> const Stack& { return document.state().stack; };
     const auto choose = [&](const std::string& label) {
-        take(choice_of({stack_choices(stack(), looks)}, "Stack: " + label).deeds, document);
+        take(choice_of({stack_choices(stack(), looks)}, "Stack: " + label).commands, document);
     };
     CHECK_FALSE(find_choice({stack_choices(stack(), looks)}, "Stack: Remove Phosphor"));
     choose("Add CRT");
@@ -211,9 +211,9 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
     CHECK(choice_of(lists, "Inspect: beam, 1 frame ago").is_present);
     CHECK(find_choice(lists, "Inspect: beam, 2 frames ago"));
     CHECK_FALSE(find_choice(lists, "Inspect: beam, 3 frames ago"));
-    take(choice_of(lists, "Inspect: noise").deeds, window);
+    take(choice_of(lists, "Inspect: noise").commands, window);
     CHECK(window.inspected.label() == "noise");
-    take(choice_of(lists, "Channels: Red as grey").deeds, window);
+    take(choice_of(lists, "Channels: Red as grey").commands, window);
     CHECK(window.inspected.channels == Channels::red);
     take(choice_of(lists, "Inspect: White point…").number->answer(4.0), window);
     take(choice_of(lists, "Inspect: Black point…").number->answer(0.5), window);
@@ -227,15 +227,15 @@ TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
     take(choice_of(lists, "Tint: " + blue + "…").number->answer(0.25), document);
     CHECK(document.value(document.look().parameters.front()).numbers ==
           std::vector<double>{1.0, 1.0, 0.25});
-    take(choice_of(lists, "Tint: Locked").deeds, document);
+    take(choice_of(lists, "Tint: Locked").commands, document);
     CHECK(document.knobs().at("tint").is_locked);
     CHECK_FALSE(find_choice(listing_choices(Document(choosing_look(Driver::signal)), {}),
                             "Parameters: Reset Glass"));
-    take(choice_of(lists, "Tint: Locked").deeds, document);
-    take(
-        choice_of(knob_choices(document, document.look().parameters.front()), "Tint: Locked").deeds,
-        document);
-    take(choice_of(listing_choices(document, {}), "Parameters: Reset Glass").deeds, document);
+    take(choice_of(lists, "Tint: Locked").commands, document);
+    take(choice_of(knob_choices(document, document.look().parameters.front()), "Tint: Locked")
+             .commands,
+         document);
+    take(choice_of(listing_choices(document, {}), "Parameters: Reset Glass").commands, document);
     CHECK(document.values().empty());
 }
 
@@ -243,15 +243,15 @@ TEST_CASE("panes are resized by name, within their limits") {
     WindowState window;
     const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
     const double before = window.panes.left;
-    take(choice_of(lists, "Pane: Widen left pane").deeds, window);
+    take(choice_of(lists, "Pane: Widen left pane").commands, window);
     CHECK(window.panes.left == before + 40.0);
     for (int i = 0; i < 20; ++i)
-        take(choice_of(lists, "Pane: Widen left pane").deeds, window);
+        take(choice_of(lists, "Pane: Widen left pane").commands, window);
     CHECK(window.panes.left == 520.0);
     take(choice_of(lists, "Waveform: Row…").number->answer(20.0), window);
     CHECK(window.scan_line.row({320, 180}) == 20);
     CHECK(window.sees(BottomPart::waveform));
-    take(choice_of(lists, "Pins: Pin picture centre").deeds, window);
+    take(choice_of(lists, "Pins: Pin picture centre").commands, window);
     CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
 }
 

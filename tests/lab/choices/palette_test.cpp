@@ -27,16 +27,16 @@ Look palette_look() {
     return look;
 }
 
-ShelfLook shelf_look(const char* id, const char* name, const char* preset) {
-    ShelfLook look;
+ListedLook listed_look(const char* id, const char* name, const char* preset) {
+    ListedLook look;
     look.entry = {id, std::string("/looks/") + id, false};
     look.name = name;
     look.presets = {{{id, preset, std::string("/presets/") + id + '/' + preset, true}, preset, {}}};
     return look;
 }
 
-std::vector<ShelfLook> shelf() {
-    return {shelf_look("crt", "CRT", "Amber"), shelf_look("phosphor", "Phosphor", "Amber")};
+std::vector<ListedLook> library_view() {
+    return {listed_look("crt", "CRT", "Amber"), listed_look("phosphor", "Phosphor", "Amber")};
 }
 
 std::vector<PaletteEntry> all_entries() {
@@ -47,7 +47,7 @@ std::vector<PaletteEntry> all_entries() {
         {Kind::action, "Undo", "Undo: Exposure", "Edit", {}, "Ctrl+Z", {}},
         {Kind::action, "Darker", "One stop darker", "Pass", {}, "Shift+E", {}}};
     const Look look = palette_look();
-    for (PaletteEntry& entry : palette_entries(&look, shelf()))
+    for (PaletteEntry& entry : palette_entries(&look, library_view()))
         entries.push_back(std::move(entry));
     return entries;
 }
@@ -64,14 +64,14 @@ std::vector<std::string> found(const char* query, const std::vector<std::string>
 TEST_CASE("the palette lists entries of the open look before other looks") {
     const Look look = palette_look();
     std::vector<std::string> labels;
-    for (const PaletteEntry& entry : palette_entries(&look, shelf()))
+    for (const PaletteEntry& entry : palette_entries(&look, library_view()))
         labels.push_back(entry.label + (entry.detail.empty() ? "" : " | " + entry.detail));
     CHECK(labels ==
           std::vector<std::string>{"Preset: Amber | Phosphor", "Pass: beam | Inspect",
                                    "Pass: bloom_x | Inspect", "Parameter: Exposure bias | Camera",
                                    "Parameter: Exposure | Camera", "Parameter: Bloom | Glass",
                                    "Look: CRT", "Look: Phosphor", "Preset: Amber | CRT"});
-    CHECK(palette_entries(nullptr, shelf()).size() == 4);  // two looks with a preset each
+    CHECK(palette_entries(nullptr, library_view()).size() == 4);  // two looks with a preset each
 }
 
 TEST_CASE("typed text finds the closest name first") {

@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
-#include "lab/library/shelf.h"
+#include "lab/library/library_view.h"
 
 #include <doctest/doctest.h>
 
@@ -133,11 +133,11 @@ TEST_CASE("presets with equal names are listed with their file names") {
         REQUIRE(library.save_preset(preset, file).has_value());
     preset.name = "Day";
     REQUIRE(library.save_preset(preset, "three").has_value());
-    Shelf shelf;
-    shelf.update(library, nullptr, 1.0);
-    REQUIRE(shelf.looks().size() == 1);
+    LibraryView library_view;
+    library_view.update(library, nullptr, 1.0);
+    REQUIRE(library_view.looks().size() == 1);
     std::vector<std::string> names;
-    for (const ShelfPreset& shown : shelf.looks().front().presets)
+    for (const ListedLookPreset& shown : library_view.looks().front().presets)
         names.push_back(shown.name);
     CHECK(names == std::vector<std::string>{"Day", "Night (one)", "Night (two)"});
 }

@@ -267,7 +267,7 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
               "\". It was not loaded.");
     const Choice use = small.lab().messages().notice()->choices.front();
     CHECK(use.name == "Use it");
-    std::get<std::function<void(Lab&)>>(use.deeds.front())(small.lab());
+    std::get<std::function<void(Lab&)>>(use.commands.front())(small.lab());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
     small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));

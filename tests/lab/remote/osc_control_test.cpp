@@ -104,7 +104,7 @@ TEST_CASE("half a second without a change ends a step, and simultaneous changes 
 
 TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     OscControl osc;
-    RemoteHand hand;
+    RemoteEdits hand;
     Document document(sample_look());
     const auto update = [&](Document* turned, double now_seconds) {
         osc.update(turned, hand, now_seconds);
@@ -146,7 +146,7 @@ TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
 
 TEST_CASE("at most a thousand messages are processed per update, in order") {
     OscControl osc;
-    RemoteHand hand;
+    RemoteEdits hand;
     Document document(sample_look());
     const int port = free_port();
     REQUIRE(osc.listen(port).has_value());

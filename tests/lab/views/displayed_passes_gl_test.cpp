@@ -39,7 +39,7 @@ private:
     float m_before = 0.0f;
 };
 
-const SeenPasses picture_alone{.are_all = false};
+const PassSelection picture_alone{.are_all = false};
 }  // namespace
 
 TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
@@ -47,7 +47,7 @@ TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
     CHECK(small.has_all_light());
     for (int n = 0; n < 6; ++n) {
         CAPTURE(n);
-        small.lab().frames().set_displayed(n % 2 == 0 ? picture_alone : SeenPasses());
+        small.lab().frames().set_displayed(n % 2 == 0 ? picture_alone : PassSelection());
         small.turn(1);
         CHECK(small.is_shared() == (n % 2 == 0));
         CHECK(small.has_all_light());
@@ -69,7 +69,7 @@ TEST_CASE("a static picture draws its passes as soon as they are displayed") {
     const float frames = small.frames();
     CHECK(small.is_shared());
     for (const bool is_seen : {true, false, true}) {
-        small.lab().frames().set_displayed(is_seen ? SeenPasses() : picture_alone);
+        small.lab().frames().set_displayed(is_seen ? PassSelection() : picture_alone);
         small.turn(1);
         CHECK(small.lab().renderer()->has_whole_picture());
         CHECK_FALSE(small.lab().is_moving());
@@ -81,12 +81,12 @@ TEST_CASE("a static picture draws its passes as soon as they are displayed") {
 
 TEST_CASE("specialised programs follow changes of shared targets") {
     GlowingLab small;
-    REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
+    REQUIRE(small.turn_until([&] { return small.executor().is_specialized(); }));
     small.lab().frames().set_displayed(picture_alone);
     small.turn(1);
-    CHECK_FALSE(small.executor().is_settled());
+    CHECK_FALSE(small.executor().is_specialized());
     CHECK(small.has_all_light());
-    REQUIRE(small.turn_until([&] { return small.executor().is_settled(); }));
+    REQUIRE(small.turn_until([&] { return small.executor().is_specialized(); }));
     CHECK(small.is_shared());
     CHECK(small.has_all_light());
     small.lab().frames().passes().toggle(PassSwitch::freeze, "light");

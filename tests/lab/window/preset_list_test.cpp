@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-const std::vector<ShelfLook> two_looks{
+const std::vector<ListedLook> two_looks{
     {{"crt", "/s/crt", false},
      "CRT",
      "",

@@ -169,7 +169,7 @@ TEST_CASE("the flash limiter is restored, and a rate beyond the limits becomes t
     WindowState window;
     CHECK_FALSE(restored_window(remembered(window)).comfort.is_on);
     window.comfort = {true, 0.45};
-    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.45});
+    CHECK(restored_window(remembered(window)).comfort == FlashLimit{true, 0.45});
     window.comfort.most_a_second = 5.0;
-    CHECK(restored_window(remembered(window)).comfort == ComfortClamp{true, 0.3});
+    CHECK(restored_window(remembered(window)).comfort == FlashLimit{true, 0.3});
 }

@@ -196,7 +196,7 @@ public:
             at(pass, 0) = {static_cast<int>(pass), frame};
             for (std::size_t i = 0; i < m_own.size(); ++i)
                 if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
-                    hand_back(i);
+                    release(i);
         }
         CHECK(at(m_own.size() - 1, 0) == Tag{static_cast<int>(m_own.size()) - 1, frame});
     }
@@ -204,7 +204,7 @@ public:
 private:
     using Tag = std::pair<int, int>;
 
-    void hand_back(std::size_t pass) {
+    void release(std::size_t pass) {
         m_newest_is_common[pass] = false;
         if (m_own[pass].empty())
             return;

@@ -47,13 +47,12 @@ TEST_CASE("a pass switch toggles on and off") {
 
 TEST_CASE("a bypassed pass passes on its first input that is not its own output") {
     const Look look = four_passes();
-    REQUIRE(handed_on(look.passes[1]));
-    CHECK(handed_on(look.passes[1])->name == "beam");
-    CHECK(handed_on(look.passes[3])->name == "light");
-    CHECK(
-        handed_on(switched_pass("tinted", {from(From::image, "lut"), from(From::source)}))->from ==
-        From::source);
-    CHECK(handed_on(switched_pass("shown", {from(From::image, "lut")}))->name == "lut");
+    REQUIRE(passed_input(look.passes[1]));
+    CHECK(passed_input(look.passes[1])->name == "beam");
+    CHECK(passed_input(look.passes[3])->name == "light");
+    CHECK(passed_input(switched_pass("tinted", {from(From::image, "lut"), from(From::source)}))
+              ->from == From::source);
+    CHECK(passed_input(switched_pass("shown", {from(From::image, "lut")}))->name == "lut");
 }
 
 TEST_CASE("a pass without a usable input cannot be bypassed, and the reason is reported") {

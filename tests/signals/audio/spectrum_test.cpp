@@ -64,11 +64,12 @@ TEST_CASE("smoothing reaches 63 % after its time constant, at any frame rate") {
     const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
     const Spectrum spectrum(input, 256, 0.25);
     const std::size_t bin = 12;  // 12.5 bins: the tone lies between two
-    const double settled = Spectrum(input, 256, 0.0).amplitudes(120)[bin];
+    const double specialized = Spectrum(input, 256, 0.0).amplitudes(120)[bin];
     CHECK(spectrum.amplitudes(60)[bin] < 0.01);
     const double one = 1.0 - std::exp(-1.0);
-    CHECK(std::abs(spectrum.amplitudes(60 + 15)[bin] / settled - one) < 0.01);
-    CHECK(std::abs(spectrum.amplitudes(60 + 30)[bin] / settled - (1.0 - std::exp(-2.0))) < 0.01);
+    CHECK(std::abs(spectrum.amplitudes(60 + 15)[bin] / specialized - one) < 0.01);
+    CHECK(std::abs(spectrum.amplitudes(60 + 30)[bin] / specialized - (1.0 - std::exp(-2.0))) <
+          0.01);
 }
 
 TEST_CASE("two tones have the right position on the log scale, and the right height") {

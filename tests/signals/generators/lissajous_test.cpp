@@ -1,7 +1,7 @@
 #include "signals/generators/lissajous.h"
 
 #include "about.h"
-#include "signals/signal/turns.h"
+#include "signals/signal/sine.h"
 #include "signals/signal_making.h"
 
 namespace {

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "graph/inspect/level_copy.h"
+#include "lab/inspect/inspected_texture.h"
+#include "lab/inspect/texel_values.h"
+#include "lab/inspect/waveform.h"
+
+/// Inspection of single texels: the selected level of the inspected texture, texel values in the
+/// picture and the inspector, and values along a line.
+class CloserLook {
+public:
+    static Result<CloserLook> make();
+
+    /// The inspected level as a separate texture, valid until the next call. If memory is short,
+    /// the largest level.
+    const gpu::Texture& level_of(const InspectedTexture& inspected);
+
+    /// `subject` null: not visible.
+    void update_picture(const CellNumbers::Subject* subject, double seconds);
+    void update_inspected(const CellNumbers::Subject* subject, double seconds);
+    void update_waveform(const Waveform::Subject* subject, double seconds);
+    void stop();
+
+    const CellNumbers& picture() const { return m_picture; }
+    const CellNumbers& inspected() const { return m_inspected; }
+    const Waveform& waveform() const { return m_waveform; }
+    /// Whether numbers are still pending.
+    bool is_owing() const;
+
+private:
+    CloserLook(LevelCopy level, TexelReader reader)
+        : m_level(std::move(level)), m_reader(std::move(reader)) {}
+
+    LevelCopy m_level;
+    TexelReader m_reader;
+    CellNumbers m_picture;
+    CellNumbers m_inspected;
+    Waveform m_waveform;
+};

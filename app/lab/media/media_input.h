@@ -1,0 +1,105 @@
+#pragma once
+
+#include "lab/document/document.h"
+#include "lab/media/media_loader.h"
+#include "lab/playback/player.h"
+#include "lab/rendering/renderer.h"
+#include "lab/storage/media.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+/// The file of the document's signal or source; "": no file. For a pattern, its text
+/// "pattern:NAME".
+std::string driving_file(const Document& document);
+
+/// A signal or source that the user chose, and its file.
+struct ChosenContent {
+    Driver driver = Driver::signal;  // which of the two
+    Spec signal = {};
+    std::string source = {};
+    std::filesystem::path file = {};
+};
+
+/// Loads the signal or source of the open look: the signal for the player, the source picture for
+/// the renderer. A background thread reads the files. Until then the previous content stays.
+class MediaInput {
+public:
+    explicit MediaInput(RecentMedia recent) : m_recent(std::move(recent)) {}
+
+    const RecentMedia& recent() const { return m_recent; }
+
+    /// Resets everything for a newly opened look: no source, no pending file.
+    void forget();
+    /// Applies the document's signal or source. If it fails, the look's own signal is used if the
+    /// player had no signal.
+    Result<void> follow(const Document& document, Player& player, Renderer& renderer);
+    /// Reads the file of a user's choice. Nothing changes until it has been read.
+    void choose(ChosenContent chosen);
+    /// The user's choice when its file has been read. The player then has the sound, or source() is
+    /// the picture. An error names the file, and nothing has changed. nullopt: not ready.
+    std::optional<Result<ChosenContent>> take_chosen(const Look& look, Player& player);
+
+    /// Applies a file that has been read; nullopt: not ready.
+    std::optional<Result<void>> update(const Document& document, Player& player,
+                                       Renderer& renderer);
+
+    /// Reads a changed file again. Until then the previous content stays.
+    void read_again(const Document& document);
+
+    /// The file being read; "": not reading.
+    std::string loading() const;
+    double loaded_share() const;
+    void cancel();
+
+    /// The problems of the document's file: missing, unreadable or truncated. Warnings, because the
+    /// look itself runs.
+    const Diagnostics& problems() const { return m_problems; }
+
+    /// The render size into which the source is fitted.
+    void set_viewport(Extent viewport) { m_viewport = viewport; }
+    /// The size of the source as the look reads it; empty: no source.
+    Extent source_extent() const;
+    /// Sets the renderer's source for the end time of a frame; true if the picture changed. A
+    /// picture that is still being read is late.
+    Result<bool> show_source(double seconds, Renderer& renderer);
+    /// The same for a replayed frame. A film keeps its current picture.
+    Result<void> show_past_source(double seconds, Renderer& renderer);
+    /// Sets the source again, for a renderer that has lost it.
+    Result<void> show_anew(const Player& player, Renderer& renderer);
+    /// A second renderer, such as for previews: its picture size and its current source picture.
+    struct Beside {
+        Renderer& renderer;
+        Extent viewport;
+        SharedPicture& shown;
+    };
+    Extent source_extent(Extent viewport) const;
+    /// As show_source() and show_past_source().
+    Result<void> show_beside(double seconds, const Beside& beside);
+    Result<void> show_past_beside(double seconds, const Beside& beside);
+    bool is_source_late() const { return m_source && m_source->is_late(); }
+    const std::optional<Source>& source() const { return m_source; }
+    /// The new read errors of the source since the last call; problems() keeps them.
+    Diagnostics take_problems();
+
+private:
+    Result<void> follow_signal(const Document& document, Player& player);
+    Result<void> follow_source(const Document& document, const Player& player, Renderer& renderer);
+    Result<void> take(LoadedMedia loaded, const Document& document, Player& player,
+                      Renderer& renderer);
+    Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;
+
+    void note(const std::string& file, Diagnostics problems);
+
+    RecentMedia m_recent;
+    std::string m_problem_file;
+    Diagnostics m_problems;
+    MediaLoader m_loader;  // for the document's file
+    std::optional<ChosenContent> m_chosen;
+    MediaLoader m_chosen_loader;
+    std::optional<Source> m_source;
+    Extent m_viewport;
+    SharedPicture m_shown;  // the renderer's source picture
+    Extent m_shown_extent;
+};

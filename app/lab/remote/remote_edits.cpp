@@ -1,0 +1,42 @@
+#include "lab/remote/remote_edits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+constexpr double quiet_seconds = 0.5;
+}
+
+bool RemoteGesture::goes_on(const std::string& parameter, double now_seconds) {
+    const auto last = m_touched.find(parameter);
+    const bool goes_on = last != m_touched.end() && now_seconds - last->second < quiet_seconds;
+    if (!goes_on)
+        m_touched.erase(parameter);
+    m_touched[parameter] = now_seconds;
+    return goes_on;
+}
+
+bool RemoteGesture::has_ended(double now_seconds) {
+    const bool is_quiet = std::ranges::all_of(m_touched, [&](const auto& touched) {
+        return now_seconds - touched.second >= quiet_seconds;
+    });
+    if (m_touched.empty() || !is_quiet)
+        return false;
+    m_touched.clear();
+    return true;
+}
+
+Result<void> RemoteEdits::turn(Document& document, const RemoteChange& turn, double now_seconds) {
+    if (setting_of(turn.parameter, document.knobs()).is_locked)
+        return fail({{}, 0, fmt::format("'{}' is locked", turn.parameter)});
+    if (!m_gesture.goes_on(turn.parameter, now_seconds))
+        document.finish();
+    document.set_values({{turn.parameter, turn.value}}, "Remote control", true);
+    return {};
+}
+
+void RemoteEdits::update(Document* document, double now_seconds) {
+    if (m_gesture.has_ended(now_seconds) && document)
+        document->finish();
+}

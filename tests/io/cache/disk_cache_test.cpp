@@ -1,0 +1,109 @@
+#include "io/cache/disk_cache.h"
+
+#include "io/temporary_folder.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+std::vector<fs::path> files_in(const fs::path& folder) {
+    return {fs::directory_iterator(folder), fs::directory_iterator()};
+}
+
+void grow_older(const fs::path& file, std::chrono::hours age) {
+    fs::last_write_time(file, fs::file_time_type::clock::now() - age);
+}
+}  // namespace
+
+TEST_CASE("a cached entry is found again, also in a new process") {
+    const TemporaryFolder folder;
+    const std::string answer("light\0and shade", 15);
+    {
+        DiskCache kept(folder / "a/b", "program 1");
+        CHECK_FALSE(kept.find("what").has_value());
+        kept.keep("what", answer);
+        CHECK(kept.find("what") == answer);
+    }
+    DiskCache next(folder / "a/b", "program 1");
+    CHECK(next.find("what") == answer);
+    CHECK_FALSE(next.find("whatever").has_value());
+    next.keep("what", "other");
+    CHECK(next.find("what") == "other");
+}
+
+TEST_CASE("entries of another program version are not found") {
+    const TemporaryFolder folder;
+    DiskCache(folder.path(), "program 1").keep("what", "light");
+    CHECK_FALSE(DiskCache(folder.path(), "program 2").find("what").has_value());
+    CHECK(DiskCache(folder.path(), "program 1").find("what") == "light");
+}
+
+TEST_CASE("truncated, changed, foreign and empty cache files are ignored") {
+    const TemporaryFolder folder;
+    DiskCache kept(folder.path(), "program");
+    kept.keep("what", "light");
+    const fs::path file = files_in(folder.path()).front();
+    const std::string whole = content_of(file);
+    std::vector<std::string> broken{"", "something else", whole + "!"};
+    for (std::size_t size = 0; size < whole.size(); ++size)
+        broken.push_back(whole.substr(0, size));
+    for (std::size_t at = 0; at < whole.size(); ++at) {
+        broken.push_back(whole);
+        broken.back()[at] = static_cast<char>(~broken.back()[at]);
+    }
+    for (const std::string& text : broken) {
+        folder.write(file.filename(), text);
+        CHECK_FALSE(kept.find("what").has_value());
+    }
+    kept.keep("what", "light");
+    CHECK(kept.find("what") == "light");
+}
+
+TEST_CASE("an entry stored under another key is not returned") {
+    const TemporaryFolder folder;
+    DiskCache kept(folder.path(), "program");
+    kept.keep("one", "light");
+    const fs::path of_one = files_in(folder.path()).front();
+    kept.keep("two", "shade");
+    for (const fs::path& file : files_in(folder.path()))
+        if (file != of_one)
+            fs::copy_file(of_one, file, fs::copy_options::overwrite_existing);
+    CHECK(kept.find("one") == "light");
+    CHECK_FALSE(kept.find("two").has_value());
+}
+
+TEST_CASE("a full disk cache evicts the least recently used entry") {
+    const TemporaryFolder folder;
+    const std::string answer(1000, 'x');
+    const std::string mine = folder.write("notes.txt", std::string(50000, '.'));
+    DiskCache kept(folder.path(), "program", 5000);
+    for (const char* question : {"a", "b", "c"})
+        kept.keep(question, answer);
+    for (const fs::path& file : files_in(folder.path()))
+        grow_older(file, std::chrono::hours(48));
+    REQUIRE(kept.find("a").has_value());  // is the most recently used now
+    for (const char* question : {"d", "e"})
+        kept.keep(question, answer);
+    std::size_t left = 0;
+    for (const char* question : {"a", "b", "c", "d", "e"})
+        left += kept.find(question) ? 1U : 0U;
+    CHECK(left == 4);
+    CHECK(kept.find("a").has_value());
+    CHECK(kept.find("e").has_value());
+    CHECK(fs::exists(mine));
+    kept.keep("f", std::string(6000, 'x'));  // larger than the limit
+    CHECK_FALSE(kept.find("f").has_value());
+}
+
+TEST_CASE("an unwritable cache folder is not an error") {
+    const TemporaryFolder folder;
+    const fs::path file = folder.write("file", "in the way");
+    DiskCache kept(file / "shaders", "program");
+    kept.keep("what", "light");
+    CHECK_FALSE(kept.find("what").has_value());
+    CHECK(content_of(file) == "in the way");
+}
