@@ -85,7 +85,7 @@ Result<Library> open_library(const DataFolders& data) {
     return Library(std::move(*roots));
 }
 
-int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& drawing) {
+int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps) {
     const auto library = open_library(data);
     if (!library)
         return report(library.error());
@@ -98,18 +98,18 @@ int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& d
     warn(prepared->warnings);
     if (const auto fits = check_memory(*prepared, request.size, machine_memory()); !fits)
         return report(fits.error());
-    const auto good = drawing.check ? drawing.check(*prepared) : Result<void>();
+    const auto good = steps.check ? steps.check(*prepared) : Result<void>();
     if (!good)
         return report(good.error());
-    if (drawing.seen)
-        prepared->seen = drawing.seen(*prepared);
+    if (steps.seen)
+        prepared->seen = steps.seen(*prepared);
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
     line.clear();
     if (!offline)
         return report(offline.error());
     if (offline->document().state().signal.kind == "socket")
         std::cerr << fmt::format("{}. Press Ctrl+C to stop.\n", offline->sender_state());
-    const auto done = drawing.draw(*offline, *library);
+    const auto done = steps.draw(*offline, *library);
     const Diagnostics problems = offline->take_problems();
     warn(problems);
     if (!done)

@@ -45,7 +45,7 @@ private:
 Result<Library> open_library(const DataFolders& data);
 
 /// The steps of a command that draws a look without a display.
-struct Drawing {
+struct DrawingSteps {
     /// Reports errors before anything is drawn; may be empty.
     std::function<Result<void>(const Prepared& prepared)> check;
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
@@ -53,7 +53,7 @@ struct Drawing {
     std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> seen = {};
 };
 /// Prepares the look, checks, draws and reports errors. Returns the exit code of the command.
-int run_drawing(RenderRequest request, const DataFolders& data, const Drawing& drawing);
+int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps);
 
 /// Each function adds its verb to the program. The returned function runs it after parsing.
 using Command = std::function<int(const DataFolders& data)>;

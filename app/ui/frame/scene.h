@@ -32,8 +32,9 @@ struct Scene {
     float density = 1.0f;                              // device pixels per window coordinate
     std::vector<gpu::PointerEvent> pointer_path = {};  // since the last frame
     double panel_milliseconds = 0.0;                   // CPU time of the last frame's panels
-
-    Extent device_pixels(float width, float height) const {
-        return {static_cast<int>(width * density), static_cast<int>(height * density)};
-    }
 };
+
+/// The size of an area of the window in device pixels.
+inline Extent device_pixels(const Scene& scene, float width, float height) {
+    return {static_cast<int>(width * scene.density), static_cast<int>(height * scene.density)};
+}

@@ -144,7 +144,7 @@ Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, c
                 ImGui::SameLine(0.0f, 2.0f);
             const std::size_t place = column * rows + row;
             turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
-                                  facts_for(knob, place).number());
+                                  number_facts(facts_for(knob, place)));
         }
     }
     return turned;
@@ -178,7 +178,7 @@ Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, 
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
-            return draw_point(parameter, value, knob.now, facts_for(knob, 0).number(), columns,
+            return draw_point(parameter, value, knob.now, number_facts(facts_for(knob, 0)), columns,
                               fonts);
         case Control::event:
             return draw_trigger(value, columns);

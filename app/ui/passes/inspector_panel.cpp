@@ -162,7 +162,7 @@ void draw_exposure(const Scene& scene, Edits& edits) {
         "value.");
     edits.mark("inspector_exposure");
     ImGui::SameLine(0.0f, 4.0f);
-    turned |= draw_number("##stops", view.exposure, number, facts.number());
+    turned |= draw_number("##stops", view.exposure, number, number_facts(facts));
     if (turned.is_changed)
         arrange(view, edits);
 }
@@ -197,7 +197,7 @@ void draw_facts_line(const InspectedTexture& inspected, const Scene& scene, Edit
 void draw_view(const InspectedTexture& inspected, float height, const Scene& scene, Edits& edits) {
     const Extent extent = inspected.extent();
     const float width = ImGui::GetContentRegionAvail().x;
-    const Extent room = scene.device_pixels(width, height);
+    const Extent room = device_pixels(scene, width, height);
     if (room != scene.window.views.inspector)
         edits.arrange([room](WindowState& window) { window.views.inspector = room; });
     const ImVec2 low = ImGui::GetCursorScreenPos();

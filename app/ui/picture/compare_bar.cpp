@@ -125,7 +125,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |= draw_number("##gain_number", gain, gain_number_width(), facts.number());
+        turned |= draw_number("##gain_number", gain, gain_number_width(), number_facts(facts));
         edits.mark("number:difference_gain");
     }
     ImGui::SameLine(0.0f, 0.0f);

@@ -100,7 +100,7 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     input.is_pen_up = canvas.has_pen && ImGui::IsItemDeactivated();
     if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return input;
-    const Extent room = scene.device_pixels(high.x - low.x, high.y - low.y);
+    const Extent room = device_pixels(scene, high.x - low.x, high.y - low.y);
     const PicturePlace place = place_of(canvas.view, canvas.picture, room);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto pixel_at = [&](float x, float y) {

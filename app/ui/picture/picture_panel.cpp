@@ -140,7 +140,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     const bool has_pen = !is_large && scene.lab.drawing().board().has_pen();
     const bool has_press = !is_large && !has_pen && !is_turned && !shown.is_other &&
                            reads_press(scene.lab.document()->look());
-    const Extent room = scene.device_pixels(size.x, size.y);
+    const Extent room = device_pixels(scene, size.x, size.y);
     const auto wipe = drag_wipe(size, scene, edits);
     if (!shown.is_other)
         drag_scan_line(size, scene, edits);
@@ -191,7 +191,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
 
 void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     const float height = std::max(place.height - compare_bar_height(scene), 1.0f);
-    const Extent room = scene.device_pixels(place.width, height);
+    const Extent room = device_pixels(scene, place.width, height);
     const Extent cell = least_cell(scene);
     if (room != scene.window.views.picture || cell != scene.window.views.cell)
         edits.arrange([room, cell](WindowState& window) {

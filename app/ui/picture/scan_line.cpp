@@ -37,7 +37,7 @@ struct Ground {
 
 Ground ground_at(const ImVec2& low, const ImVec2& size, const Scene& scene) {
     const Extent picture = large_extent(scene);
-    const Extent room = scene.device_pixels(size.x, size.y);
+    const Extent room = device_pixels(scene, size.x, size.y);
     return {low, place_of(scene.window.large_view(), picture, room), picture, scene.density};
 }
 

@@ -23,7 +23,7 @@ void draw_name(const std::string& name, float x, float y, bool is_left, const Sc
 
 std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
-    const Extent room = scene.device_pixels(size.x, size.y);
+    const Extent room = device_pixels(scene, size.x, size.y);
     const bool is_wiping = scene.lab.frames().comparison().mode() == CompareMode::wipe;
     if (!is_wiping || scene.lab.frames().comparison().selection().is_flashing() ||
         picture.is_empty() || room.is_empty())

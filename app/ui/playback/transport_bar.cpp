@@ -47,7 +47,8 @@ void draw_speed(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |= draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, facts.number());
+        turned |=
+            draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, number_facts(facts));
         edits.mark("number:speed");
     }
     if (facts.is_changed) {

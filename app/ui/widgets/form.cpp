@@ -69,7 +69,7 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
     Turned turned = draw_slider("##slider", value, facts, columns.control);
     tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
     ImGui::SameLine(0.0f, column_gap());
-    turned |= draw_number("##number", value, columns.number, facts.number());
+    turned |= draw_number("##number", value, columns.number, number_facts(facts));
     return turned;
 }
 

@@ -258,12 +258,12 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
     bool is_hovered = false;
     bool is_held = false;
     if (ImGui::TempInputIsActive(id))
-        return type_number(box, id, id_text, value, facts.number());
+        return type_number(box, id, id_text, value, number_facts(facts));
     if (wants_typing(box, ImGui::ItemHoverable(box, id))) {
         ImGui::ClearActiveID();
-        return type_number(box, id, id_text, value, facts.number());
+        return type_number(box, id, id_text, value, number_facts(facts));
     }
-    Turned turned = read_if_left(id, value, facts.number());
+    Turned turned = read_if_left(id, value, number_facts(facts));
     ImGui::ButtonBehavior(box, id, &is_hovered, &is_held);
     const ImGuiIO& io = ImGui::GetIO();
     const bool has_moved = io.MouseClicked[0] || io.MouseDelta.x != 0.0f;

@@ -25,11 +25,13 @@ struct SliderFacts {
     std::vector<double> safe = {};          // marked if they fit
 
     bool is_to_be_typed = false;  // focuses its number field
-
-    NumberFacts number() const {
-        return {is_changed, unit, limit, is_whole, is_decay, is_to_be_typed};
-    }
 };
+
+/// Those of its number field.
+inline NumberFacts number_facts(const SliderFacts& facts) {
+    return {facts.is_changed, facts.unit,     facts.limit,
+            facts.is_whole,   facts.is_decay, facts.is_to_be_typed};
+}
 
 /// The user's change of a control in this frame.
 struct Turned {
