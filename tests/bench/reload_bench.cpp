@@ -231,7 +231,7 @@ void measure_links(const bench::Topic& topic, const fs::path& folder, const Fold
     std::vector<double> linked;
     for (int i = 0; i < edits; ++i)
         linked.push_back(links.saved_to_linked(folders.edited(first_text + i), i % 2 == 1));
-    tell(topic, "linked", "save to linked programs: wall time", linked, bench::at_most(5.0));
+    tell(topic, "linked", "save to linked programs: wall time", linked, bench::at_most(15.0));
     folders.save(folders.text, false);
     const std::vector<double> later(linked.begin() + 1, linked.end());
     bench::tell(topic, {.key = "first",
@@ -291,7 +291,7 @@ void measure_way(const bench::Topic& topic, const Way& way, ReloadBench& reloads
          added, bench::at_most(5.0));
     tell(topic, key + "seen",
          fmt::format("{}: return to an earlier text, CPU time above a steady frame", how), seen,
-         bench::at_most(3.0));
+         bench::at_most(15.0));
 }
 
 void measure_frames(const bench::Topic& topic, const fs::path& folder, const Folders& folders,

@@ -137,6 +137,8 @@ enum class ActionId {
     about,
 };
 
+constexpr ActionId last_action = ActionId::about;
+
 enum class Menu { file, edit, knob, view, output, frame_rate, compare, pass, playback, help };
 
 /// A key with its modifiers.

@@ -1,0 +1,41 @@
+#include "ui/actions/action_table.h"
+
+#include <doctest/doctest.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+TEST_CASE("each action has exactly one row with a label and an effect") {
+    const ActionTable table = make_action_table();
+    std::map<ActionId, int> rows;
+    for (const Action& action : table.rows()) {
+        CAPTURE(action.label);
+        CHECK(std::string(action.label) != "");
+        CHECK(action.act);
+        ++rows[action.id];
+    }
+    for (int id = 0; id <= static_cast<int>(last_action); ++id) {
+        CAPTURE(id);
+        CHECK(rows[static_cast<ActionId>(id)] == 1);
+    }
+}
+
+TEST_CASE("no two actions have the same shortcut or the same label") {
+    const ActionTable table = make_action_table();
+    std::set<std::string> shortcuts;
+    std::set<std::string> labels;
+    for (const Action& action : table.rows()) {
+        CAPTURE(action.label);
+        CHECK(labels.insert(action.label).second);
+        if (action.chord.key != 0)
+            CHECK(shortcuts.insert(chord_text(action.chord)).second);
+    }
+}
+
+TEST_CASE("a tooltip has the label and the shortcut") {
+    const ActionTable table = make_action_table();
+    CHECK(table.help(ActionId::undo) == "Undo (Ctrl+Z)");
+    CHECK(table.key(ActionId::undo) == "Ctrl+Z");
+    CHECK(table.help(ActionId::about) == "About Afterglow (Shift+F1)");
+}
