@@ -1,4 +1,3 @@
-#include "lab/compare/rate_check.h"
 #include "lab/offline/rate_comparison.h"
 #include "lab/small_lab.h"
 
@@ -52,7 +51,7 @@ TEST_CASE("looks are compared at a time when a frame of every rate ends") {
 
 TEST_CASE("a decay per second is equal at every rate") {
     Fading lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
-    const auto found = lab.frames().comparison().choose();
+    const auto found = lab.compare();
     REQUIRE(found.has_value());
     CHECK(found->size == Extent{8, 6});
     CHECK(found->pairs.size() == 6);
@@ -61,7 +60,7 @@ TEST_CASE("a decay per second is equal at every rate") {
 
 TEST_CASE("a decay per frame differs, and the most different rates are reported") {
     Fading lab("decay", "decay");
-    const auto found = lab.frames().comparison().choose();
+    const auto found = lab.compare();
     REQUIRE(found.has_value());
     CHECK(found->worst().first == 24.0);
     CHECK(found->worst().second == 144.0);
