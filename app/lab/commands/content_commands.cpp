@@ -121,14 +121,16 @@ void ContentCommands::take_content() {
 }
 
 void ContentCommands::offer_outside(const OutsideContent& content) {
-    const auto use = [this, content](Document& document) {
+    const auto use = [this, content](Lab&) {
         m_work.messages.dismiss();
+        if (!m_work.document)
+            return;
         if (content.source.empty() && content.signal)
-            document.set_signal(*content.signal);
+            m_work.document->set_signal(*content.signal);
         else if (!content.source.empty())
-            document.set_source(content.source);
+            m_work.document->set_source(content.source);
         if (!content.files.empty())
-            document.set_values(content.files, "Use the preset's files");
+            m_work.document->set_values(content.files, "Use the preset's files");
         for (const auto& [name, value] : content.files)
             m_work.media.recent().remember(value.path, {});
     };

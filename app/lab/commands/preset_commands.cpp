@@ -91,6 +91,7 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
         return;
     document.set_identity(preset, file);
     document.mark_saved();
+    m_loader.files().add_extra(file);  // it may change before the next update
     m_work.messages.say(saved_words(name));
 }
 

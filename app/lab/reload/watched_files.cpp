@@ -33,6 +33,13 @@ void WatchedFiles::watch_extra(std::vector<fs::path> files) {
     watch_all();
 }
 
+void WatchedFiles::add_extra(const fs::path& file) {
+    if (std::ranges::find(m_extra_files, file) != m_extra_files.end())
+        return;
+    m_extra_files.push_back(file);
+    watch_all();
+}
+
 void WatchedFiles::watch_all() {
     std::vector<fs::path> all = m_look_files;
     all.insert(all.end(), m_extra_files.begin(), m_extra_files.end());

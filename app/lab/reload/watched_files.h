@@ -14,6 +14,8 @@ public:
 
     void watch_look(const std::vector<std::filesystem::path>& files);
     void watch_extra(std::vector<std::filesystem::path> files);
+    /// Watches one more extra file, until the next watch_extra().
+    void add_extra(const std::filesystem::path& file);
     const std::vector<std::filesystem::path>& look_files() const { return m_look_files; }
 
     struct Changes {
