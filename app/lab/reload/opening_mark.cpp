@@ -95,7 +95,7 @@ void OpeningMark::end() {
 
 void OpeningMark::note_update(bool is_quiet) {
     constexpr int enough = 3;
-    m_quiet_updates = is_quiet ? m_quiet_updates + 1 : 0;
+    m_quiet_updates += is_quiet ? 1 : 0;
     if (m_quiet_updates > enough)
         end();
 }

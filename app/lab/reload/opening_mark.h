@@ -43,7 +43,8 @@ public:
     void leave(const OpenRequest& request);
     bool is_set() const { return m_file.is_open(); }
     /// Call once per update. `is_quiet`: nothing is loaded and the picture is complete. After a few
-    /// such updates in a row the look counts as opened, as with end().
+    /// such updates the look counts as opened, as with end(). On a slow machine other updates are
+    /// between them.
     void note_update(bool is_quiet);
 
 private:

@@ -101,3 +101,19 @@ TEST_CASE("a damaged mark or an unwritable state folder does not count as a cras
     nowhere.begin(request_for("/looks/a.fs"), {});
     CHECK_FALSE(nowhere.is_set());
 }
+
+TEST_CASE("a look counts as opened after a few quiet updates, also with others between them") {
+    const Run run;
+    OpeningMark mark(run.roots());
+    mark.begin(request_for("/looks/slow.fs"), {});
+    for (int i = 0; i < 3; ++i) {
+        mark.note_update(true);
+        mark.note_update(false);  // amid a slow frame
+    }
+    CHECK(mark.is_set());
+    mark.note_update(true);
+    CHECK_FALSE(mark.is_set());
+    mark.begin(request_for("/looks/slow.fs"), {});
+    mark.note_update(true);
+    CHECK(mark.is_set());
+}
