@@ -66,7 +66,7 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
     const gpu::Texture& target = closer->level_of(*inspected);
     const bool is_seen = to_lower(file.extension().string()) == ".png";
     const auto picture = is_seen ? seen_picture(target, options_for(view, inspected->encoding))
-                                      : gpu::read_picture(target);
+                                 : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
         lab.messages().say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),

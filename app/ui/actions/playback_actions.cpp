@@ -34,6 +34,9 @@ void set_normal_speed(const Scene&, Edits& edits) {
 void start_rates(const Scene&, Edits& edits) {
     compare_rates(edits);
 }
+void start_impulse(const Scene& scene, Edits& edits) {
+    fire_impulse(scene, edits);
+}
 
 bool is_recording(const Scene& scene) {
     return scene.lab.automation().recorder().is_running();
@@ -73,7 +76,7 @@ std::vector<Action> playback_actions::list() {
          "Measure impulse response…",
          {'I'},
          false,
-         fire_impulse,
+         start_impulse,
          file_actions::has_document},
         {ActionId::record_moves,
          Menu::playback,

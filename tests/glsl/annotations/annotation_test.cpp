@@ -2,8 +2,8 @@
 
 #include "glsl/annotations/guess.h"
 #include "glsl/parameters/parameters.h"
-#include "glsl/text/declarations.h"
 #include "glsl/shader_texts.h"
+#include "glsl/text/declarations.h"
 
 #include <doctest/doctest.h>
 

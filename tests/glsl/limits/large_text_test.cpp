@@ -2,11 +2,11 @@
 #include "glsl/compile/check.h"
 #include "glsl/compile/compiler_log.h"
 #include "glsl/limits/bounds.h"
+#include "glsl/shader_texts.h"
 #include "glsl/text/declarations.h"
 #include "glsl/text/include.h"
 #include "in_a_moment.h"
 #include "io/temporary_folder.h"
-#include "glsl/shader_texts.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

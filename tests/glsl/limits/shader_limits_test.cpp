@@ -3,8 +3,8 @@
 #include "glsl/cache/check_cache.h"
 #include "glsl/compile/check.h"
 #include "glsl/compile/translate.h"
-#include "in_a_moment.h"
 #include "glsl/shader_texts.h"
+#include "in_a_moment.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

@@ -68,7 +68,7 @@ TEST_CASE("programs draw over a socket one after another, and their state is rep
     const auto place = folder.path() / "beam";
     Player player = live_player();
     REQUIRE(player.set_signal(socket_at(place)).has_value());
-    CHECK(player.beam_input_state() == "Waiting for a program at " + place.string());
+    CHECK(player.sender_state() == "Waiting for a program at " + place.string());
     CHECK(player.silence().empty());
     {
         const Sender first(place);
@@ -81,7 +81,7 @@ TEST_CASE("programs draw over a socket one after another, and their state is rep
     second.send("-0.25 0 1 0.01\n");
     play_until(player, [](const Beam& beam) { return is_lit(beam) && beam.back().x == -0.25f; });
     CHECK(player.silence().empty());
-    CHECK(player.beam_input_state() == "Receiving from " + place.string());
+    CHECK(player.sender_state() == "Receiving from " + place.string());
 }
 
 TEST_CASE("after the last program disconnects the beam stops, and this is reported") {
