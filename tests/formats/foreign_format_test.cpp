@@ -29,9 +29,9 @@ TEST_CASE("the format of a file is recognised by its extension and content") {
     CHECK(label_of(folder, "a.png", "") == "none");
 }
 
-TEST_CASE("a file with the extension of ISF and without its header opens with an error") {
+TEST_CASE("a file with the extension of ISF that is no shader opens with an error") {
     const TemporaryFolder folder;
-    CHECK(label_of(folder, "a.fs", "void main() {}\n") != "none");
+    CHECK(label_of(folder, "a.fs", "no shader\n") != "none");
     const ForeignFormat* format = find_foreign_format(folder.path() / "a.fs");
     REQUIRE(format);
     CHECK_FALSE(format->load(folder.path() / "a.fs", {}, {}).look.has_value());
