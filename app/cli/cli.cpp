@@ -84,7 +84,7 @@ void set_limits(DataFolders& data) {
             throw UsageError(fmt::format("--limit: {}", set.error().front().message));
 }
 
-/// Runs the parsed command, or opens the window if there is no command.
+/// Runs the parsed command, or opens the window without a command.
 int run_parsed(const std::string& verb, const std::map<std::string, Command>& commands,
                const std::string& look, const DataFolders& data, const OpenWindow& open_window) {
     if (!verb.empty() && !look.empty())

@@ -79,9 +79,9 @@ private:
         pass.fragment = fragment_shader_stage(m_written, asked.define);
         GlslWords words;
         add_words(pass.fragment.text, words);
-        for (const BuiltInUniform& told : fragment_built_ins())
-            if (words.contains(told.name))
-                pass.built_ins.push_back(told);
+        for (const BuiltInUniform& built_in : fragment_built_ins())
+            if (words.contains(built_in.name))
+                pass.built_ins.push_back(built_in);
         m_look.passes.push_back(std::move(pass));
     }
 

@@ -40,7 +40,7 @@ const std::set<std::string_view>& language_words() {
     return all;
 }
 
-const std::map<std::string_view, std::string_view>& former_names() {
+const std::map<std::string_view, std::string_view>& old_names() {
     static const std::map<std::string_view, std::string_view> all{
         {"gl_FragColor", "isf_FragColor"},
         {"vv_FragNormCoord", "isf_FragNormCoord"},
@@ -134,8 +134,8 @@ private:
             return own_prefix + std::string(token.text);
         if (token.is("varying"))
             return m_stage == IsfStage::vertex ? "out" : "in";
-        if (const auto former = former_names().find(token.text); former != former_names().end())
-            return std::string(former->second);
+        if (const auto renamed = old_names().find(token.text); renamed != old_names().end())
+            return std::string(renamed->second);
         if (m_own.contains(token.text))
             return own_prefix + std::string(token.text);
         return is_reserved_later(token.text, ReservedWord::Kind::keyword)

@@ -14,6 +14,6 @@ std::string look_id_of(const std::filesystem::path& manifest);
 /// Loads look.json: everything except the shader texts (its stages name their files) and the
 /// parameters. Named files must be in the look's folder; they become full paths, also in
 /// default_source and default_signal. `files` receives the manifest and all files that it names.
-/// Errors have the manifest's lines; as many as possible at once. `disk` may be null.
+/// Reports all errors at once, with the manifest's lines. `disk` may be null.
 Result<Look> load_manifest(const std::filesystem::path& manifest,
                            std::vector<std::filesystem::path>& files, ShaderFiles* disk = nullptr);

@@ -256,7 +256,7 @@ void make_faces(Pass& pass) {
                  Side{Side::By::pixels, cube_side, {}}};
     pass.set["iResolution"] = Value(std::vector<double>{cube_side, cube_side, 1.0});
     std::erase_if(pass.built_ins,
-                  [](const BuiltInUniform& told) { return told.name == "iResolution"; });
+                  [](const BuiltInUniform& built_in) { return built_in.name == "iResolution"; });
 }
 
 void ShadertoyLook::make_pass(const ShadertoyPass& shadertoy_pass) {

@@ -194,7 +194,8 @@ std::vector<BuiltInUniform> shadertoy_built_ins(const std::vector<Input>& inputs
     std::set<std::string> declared;
     for (const Declaration& declaration : find_declarations(fragment.text))
         declared.insert(declaration.name);
-    std::erase_if(all, [&](const BuiltInUniform& told) { return !declared.contains(told.name); });
+    std::erase_if(
+        all, [&](const BuiltInUniform& built_in) { return !declared.contains(built_in.name); });
     return all;
 }
 

@@ -3,7 +3,7 @@
 #include "formats/slang/files.h"
 
 /// A path in a preset with RetroArch's `$TOKEN$`s replaced, for a desktop without a game: the
-/// driver is glcore, there is no rotation, the view is wide. $PRESET$ and $PRESET-DIR$ name
+/// driver is glcore, rotation is off, and the view is wide. $PRESET$ and $PRESET-DIR$ name
 /// `opened` and its folder. $CONTENT-DIR$, $CORE$, $GAME$ and unknown tokens are kept.
 std::string with_wildcards_replaced(std::string_view written, const std::filesystem::path& opened);
 

@@ -61,10 +61,10 @@ Executor::PassState Executor::make_state(std::size_t pass) const {
 
 void Executor::prepare() {
     assert(m_programs.passes.size() == m_look.passes.size());
-    std::vector<PassState> former = std::exchange(m_passes, {});
+    std::vector<PassState> old = std::exchange(m_passes, {});
     for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
-        const bool serves = i < former.size() && former[i].program == m_programs.passes[i].program;
-        m_passes.push_back(serves ? std::move(former[i]) : make_state(i));
+        const bool serves = i < old.size() && old[i].program == m_programs.passes[i].program;
+        m_passes.push_back(serves ? std::move(old[i]) : make_state(i));
         m_passes.back().samples = m_passes.back().whole_samples = 0;
     }
     m_parameters = ParameterUniforms(m_look, m_programs);

@@ -21,10 +21,10 @@ void Executor::specialize(Programs programs, std::set<std::string> moving) {
     m_unsettled.emplace(Unsettled{std::exchange(m_programs, std::move(programs)),
                                   std::exchange(m_passes, {}), std::move(m_parameters),
                                   std::move(moving)});
-    std::vector<PassState> former = std::exchange(m_specialized_passes, {});
+    std::vector<PassState> old = std::exchange(m_specialized_passes, {});
     for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
-        const bool serves = i < former.size() && former[i].program == m_programs.passes[i].program;
-        m_passes.push_back(serves ? std::move(former[i]) : make_state(i));
+        const bool serves = i < old.size() && old[i].program == m_programs.passes[i].program;
+        m_passes.push_back(serves ? std::move(old[i]) : make_state(i));
     }
     move_state(m_unsettled->passes);
     m_parameters = ParameterUniforms(m_look, m_programs);

@@ -129,8 +129,8 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
 void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
                             const PassFacts& facts) const {
     for (const Place& place : m_places) {
-        const Numbers told = numbers_of(place, frame, facts);
-        program.write(*place.uniform, std::span(told.numbers).first(told.count));
+        const Numbers value = numbers_of(place, frame, facts);
+        program.write(*place.uniform, std::span(value.numbers).first(value.count));
     }
 }
 
@@ -143,9 +143,9 @@ std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const Pas
                                                    int samples) const {
     std::vector<BuiltInReport> all;
     for (const Place& place : m_places) {
-        const Numbers told = numbers_of(place, frame, facts);
-        const auto end = told.numbers.begin() + static_cast<std::ptrdiff_t>(told.count);
-        all.push_back({place.uniform->name, {told.numbers.begin(), end}});
+        const Numbers value = numbers_of(place, frame, facts);
+        const auto end = value.numbers.begin() + static_cast<std::ptrdiff_t>(value.count);
+        all.push_back({place.uniform->name, {value.numbers.begin(), end}});
     }
     if (m_samples)
         all.push_back({m_samples->name, {static_cast<double>(samples)}});

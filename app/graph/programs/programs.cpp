@@ -29,9 +29,9 @@ Diagnostics check_inputs(const Pass& pass) {
 // their uniforms.
 class Reusable {
 public:
-    explicit Reusable(const Programs* former) {
-        if (former)
-            m_left = former->passes;
+    explicit Reusable(const Programs* old) {
+        if (old)
+            m_left = old->passes;
     }
 
     std::shared_ptr<const gpu::Program> take(const PassProgram& wanted) {

@@ -49,10 +49,10 @@ Look specialized_look(Look look, const Values& values, const Plan& plan,
                                                                                      value};
     }
     for (std::size_t i = 0; i < uniforms.size(); ++i) {
-        for (const BuiltInUniform& told : look.passes[i].built_ins)
-            if (told.says == BuiltIn::drawn_onto)
-                uniforms[i][told.name] = {{Scalar::boolean, 1, 1},
-                                          meets_drawn_onto(look, plan, i) ? 1.0 : 0.0};
+        for (const BuiltInUniform& built_in : look.passes[i].built_ins)
+            if (built_in.says == BuiltIn::drawn_onto)
+                uniforms[i][built_in.name] = {{Scalar::boolean, 1, 1},
+                                              meets_drawn_onto(look, plan, i) ? 1.0 : 0.0};
         Pass& pass = look.passes[i];
         pass.vertex.text = texts.of(pass.vertex.text, uniforms[i]);
         pass.fragment.text = texts.of(pass.fragment.text, uniforms[i]);

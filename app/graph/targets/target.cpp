@@ -103,20 +103,20 @@ void Target::clear() {
     }
 }
 
-void Target::adopt(Target&& former) {
-    former.drop();
-    m_is_drawn = former.m_is_drawn;
-    const int count = static_cast<int>(std::min(m_slots.size(), former.m_slots.size()));
+void Target::adopt(Target&& old) {
+    old.drop();
+    m_is_drawn = old.m_is_drawn;
+    const int count = static_cast<int>(std::min(m_slots.size(), old.m_slots.size()));
     for (int ago = 0; ago < count; ++ago)
-        canvas(ago) = std::move(former.canvas(ago));
+        canvas(ago) = std::move(old.canvas(ago));
 }
 
-void Target::adopt_stretched(Target& former) {
-    former.drop();
-    m_is_drawn = former.m_is_drawn;
-    const int count = static_cast<int>(std::min(m_slots.size(), former.m_slots.size()));
+void Target::adopt_stretched(Target& old) {
+    old.drop();
+    m_is_drawn = old.m_is_drawn;
+    const int count = static_cast<int>(std::min(m_slots.size(), old.m_slots.size()));
     for (int ago = 0; ago < count; ++ago) {
-        former.canvas(ago).stretch_to(canvas(ago));
+        old.canvas(ago).stretch_to(canvas(ago));
         canvas(ago).texture().generate_mipmaps();
     }
 }

@@ -45,10 +45,10 @@ public:
     void release(bool is_drawn);
 
     /// Moves the newest pictures of a target of the same size and format here.
-    void adopt(Target&& former);
+    void adopt(Target&& old);
 
     /// Copies the newest pictures of a target of the same format, stretched to this size.
-    void adopt_stretched(Target& former);
+    void adopt_stretched(Target& old);
 
     /// Starts an unfinished picture, which canvas() then counts from: the next one, or the current
     /// one again.

@@ -19,15 +19,15 @@ Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
 }
 
 // Only the size has changed. Integer formats cannot be filtered.
-bool is_stretched(const Pass& pass, const PlannedTarget& former, const PlannedTarget& now) {
-    return pass.keeps_when_resized && former.format == now.format && now.slots > 1 &&
+bool is_stretched(const Pass& pass, const PlannedTarget& old, const PlannedTarget& now) {
+    return pass.keeps_when_resized && old.format == now.format && now.slots > 1 &&
            !facts_of(now.format).is_integer;
 }
 // nullopt: the previous pictures are kept.
 Result<std::optional<std::vector<gpu::Canvas>>> make_common(
     const Look& look, const std::vector<CommonPicture>& planned,
-    const std::vector<CommonPicture>& former) {
-    if (planned == former)
+    const std::vector<CommonPicture>& old) {
+    if (planned == old)
         return std::nullopt;
     std::vector<gpu::Canvas> made;
     for (const CommonPicture& picture : planned) {
@@ -46,7 +46,7 @@ Target* TargetSet::find(const std::string& pass) {
     return found == m_targets.end() ? nullptr : &found->target;
 }
 
-Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet& former) {
+Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet& old) {
     if (memory_of(plan) > most_bytes)
         return fail(
             {look.manifest, 0,
@@ -55,7 +55,7 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
     // New targets first, as creating them may fail. Existing ones are moved last.
     std::vector<std::optional<Target>> made(plan.targets.size());
     for (std::size_t i = 0; i < made.size(); ++i) {
-        const Target* had = former.find(look.passes[i].name);
+        const Target* had = old.find(look.passes[i].name);
         if (had && had->planned() == plan.targets[i])
             continue;
         auto target = Target::make(plan.targets[i]);
@@ -63,15 +63,15 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
             return fail(at_pass(target.error(), look.passes[i]));
         made[i] = std::move(*target);
     }
-    auto common = make_common(look, plan.common, former.m_planned_common);
+    auto common = make_common(look, plan.common, old.m_planned_common);
     if (!common)
         return fail(common.error());
     TargetSet set;
     set.m_planned_common = plan.common;
-    set.m_common = *common ? std::move(**common) : std::move(former.m_common);
+    set.m_common = *common ? std::move(**common) : std::move(old.m_common);
     for (std::size_t i = 0; i < made.size(); ++i) {
         const std::string& name = look.passes[i].name;
-        Target* had = former.find(name);
+        Target* had = old.find(name);
         if (made[i] && had && is_compatible(had->planned(), plan.targets[i]))
             made[i]->adopt(std::move(*had));
         else if (made[i] && had && is_stretched(look.passes[i], had->planned(), plan.targets[i]))

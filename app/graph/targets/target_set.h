@@ -9,10 +9,10 @@
 /// The targets of a look's passes, in their order.
 class TargetSet {
 public:
-    /// The targets of `plan`. Targets of `former` with the same pass, size and format keep their
+    /// The targets of `plan`. Targets of `old` with the same pass, size and format keep their
     /// contents. With another size they do so if the pass keeps them when resized. On failure
-    /// `former` is unchanged.
-    static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& former);
+    /// `old` is unchanged.
+    static Result<TargetSet> make(const Look& look, const Plan& plan, TargetSet& old);
 
     std::size_t size() const { return m_targets.size(); }
     Target& operator[](std::size_t pass) { return m_targets[pass].target; }

@@ -77,14 +77,15 @@ Result<fs::path> reserve_name(const fs::path& trash, const fs::path& file,
     return fail({trash, 0, "the trash contains too many files with this name"});
 }
 
-// `told`: the path for the info file.
-Result<TrashedFile> move_into(const fs::path& trash, const fs::path& file, const fs::path& told) {
+// `recorded`: the path for the info file.
+Result<TrashedFile> move_into(const fs::path& trash, const fs::path& file,
+                              const fs::path& recorded) {
     std::error_code error;
     for (const char* part : {"files", "info"})
         if (fs::create_directories(trash / part, error); error)
             return fail({trash / part, 0, error.message()});
     ::chmod(trash.c_str(), 0700);
-    const auto info = reserve_name(trash, file, info_text(told));
+    const auto info = reserve_name(trash, file, info_text(recorded));
     if (!info)
         return fail(info.error());
     const fs::path moved = trash / "files" / info->stem();

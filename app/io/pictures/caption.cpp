@@ -60,18 +60,18 @@ public:
     template <class Place>
     float walk(const std::u32string& text, const Place& place) const {
         float x = 0.0f;
-        int former = 0;
+        int previous = 0;
         for (const char32_t point : text) {
             const int glyph = stbtt_FindGlyphIndex(&m_info, static_cast<int>(point));
-            if (former != 0)
-                x +=
-                    m_scale * static_cast<float>(stbtt_GetGlyphKernAdvance(&m_info, former, glyph));
+            if (previous != 0)
+                x += m_scale *
+                     static_cast<float>(stbtt_GetGlyphKernAdvance(&m_info, previous, glyph));
             place(glyph, x);
             int advance = 0;
             int bearing = 0;
             stbtt_GetGlyphHMetrics(&m_info, glyph, &advance, &bearing);
             x += m_scale * static_cast<float>(advance);
-            former = glyph;
+            previous = glyph;
         }
         return x;
     }

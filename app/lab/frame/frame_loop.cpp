@@ -128,18 +128,17 @@ void FrameLoop::replace_constants(BuiltLook built) {
     m_previews.stop();  // they draw with the previous programs
     m_work.document->replace_look(std::move(*built.look));
     const Look& look = m_work.document->look();
-    std::vector<std::string> turned;
+    std::vector<std::string> changed;
     for (const auto& [name, value] : look.constants)
-        if (const auto former = before.find(name);
-            former == before.end() || former->second != value)
-            turned.push_back(name);
+        if (const auto old = before.find(name); old == before.end() || old->second != value)
+            changed.push_back(name);
     m_work.messages.succeeded(m_work.renderer->replace(
         Renderer::Whose::picture, m_work.document->drawn_look(), m_loader.programs().generic()));
     m_passes.apply();
     m_work.pictures.show_look_images(built.images, *m_work.renderer);
     m_work.renderer->restart_samples();
     m_drawn_extent = {};  // other uniforms may be in use now
-    const Redraw redraw = redraw_after(look, turned);
+    const Redraw redraw = redraw_after(look, changed);
     m_guard.recheck(redraw);
     m_work.redraw.add(redraw);
 }

@@ -68,8 +68,9 @@ const LibraryView::Words& LibraryView::words_of(const fs::path& file, bool is_lo
 
 void LibraryView::add_presets(ListedLook& look, const Library& library) {
     for (const PresetEntry& preset : library.presets(look.entry.id)) {
-        const Words& told = words_of(preset.file, false);
-        look.presets.push_back({preset, told.name.empty() ? preset.name : told.name, told.about});
+        const Words& texts = words_of(preset.file, false);
+        look.presets.push_back(
+            {preset, texts.name.empty() ? preset.name : texts.name, texts.about});
     }
     std::ranges::sort(look.presets, [](const ListedLookPreset& one, const ListedLookPreset& other) {
         return is_listed_before(one.entry, one.name, other.entry, other.name);

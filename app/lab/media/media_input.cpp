@@ -8,7 +8,7 @@
 
 namespace {
 // Adds a hint for users who opened a preset and do not know its file.
-Diagnostics told(Diagnostics reasons) {
+Diagnostics with_hint(Diagnostics reasons) {
     std::error_code error;
     for (Diagnostic& reason : reasons)
         if (!reason.file.empty() && !std::filesystem::exists(reason.file, error))
@@ -245,7 +245,7 @@ std::optional<Result<void>> MediaInput::update(const Document& document, Player&
 Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Player& player,
                               Renderer& renderer) {
     if (!loaded.problems.empty())
-        return fall_back(document, player, told(std::move(loaded.problems)));
+        return fall_back(document, player, with_hint(std::move(loaded.problems)));
     const std::string file = loaded.source ? loaded.source->spec().picture : loaded.name;
     if (!loaded.source || !loaded.source->spec().is_pattern())
         m_recent.remember(file, loaded.digest);

@@ -77,6 +77,9 @@ void JobQueue::finish(const Job& job, BuiltLook built) {
 }
 
 void JobQueue::wake() {
+    {  // or a worker that has just asked for idle work would miss this
+        const std::lock_guard lock(m_mutex);
+    }
     m_wake.notify_all();
 }
 

@@ -31,11 +31,12 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double n
         m_learnt_seconds = now_seconds;
         return m_learnt;
     }
-    auto former = std::exchange(m_learnt, {});
-    if (!former || !is_lower_half(turn, *former) || now_seconds - m_learnt_seconds > right_behind)
+    auto previous = std::exchange(m_learnt, {});
+    if (!previous || !is_lower_half(turn, *previous) ||
+        now_seconds - m_learnt_seconds > right_behind)
         return std::nullopt;
-    former->is_fine = true;
-    return former;
+    previous->is_fine = true;
+    return previous;
 }
 
 std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,

@@ -216,15 +216,15 @@ std::vector<ScenePath> text_paths(std::string_view text, double height, TextAlig
 }
 
 std::string missing_letters(std::string_view text) {
-    std::vector<char32_t> told;
+    std::vector<char32_t> reported;
     std::string missing;
     for (const char32_t character : characters_of(text)) {
         const char32_t capital = is_small(character) ? character - 'a' + 'A' : character;
         const bool is_known = character == ' ' || character == '\n' || find_glyph(capital) ||
                               find_marked_letter(character);
-        if (is_known || std::find(told.begin(), told.end(), character) != told.end())
+        if (is_known || std::find(reported.begin(), reported.end(), character) != reported.end())
             continue;
-        told.push_back(character);
+        reported.push_back(character);
         missing += (missing.empty() ? "" : " ") + utf8_of(character);
     }
     return missing;

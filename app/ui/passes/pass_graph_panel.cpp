@@ -283,17 +283,19 @@ void draw_pass_graph(const Scene& scene, Edits& edits) {
     const auto found = std::ranges::find(graph.nodes, name, &Node::name);
     const auto chosen = static_cast<std::size_t>(found - graph.nodes.begin());
     scroll_at_first(paper.at(graph.nodes[chosen].column, graph.nodes[chosen].row));
-    std::size_t told = chosen;
+    std::size_t highlighted = chosen;
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)
         if (is_over(graph.nodes[i], paper))
-            told = i;
-    const auto is_told = [told](const Edge& edge) { return edge.from == told || edge.to == told; };
+            highlighted = i;
+    const auto is_highlighted = [highlighted](const Edge& edge) {
+        return edge.from == highlighted || edge.to == highlighted;
+    };
     for (const bool is_front : {false, true})
         for (const Edge& edge : graph.edges)
-            if (is_told(edge) == is_front) {
-                const theme::Color color = !is_front         ? theme::faint
-                                           : edge.to == told ? theme::accent
-                                                             : theme::label;
+            if (is_highlighted(edge) == is_front) {
+                const theme::Color color = !is_front                ? theme::faint
+                                           : edge.to == highlighted ? theme::accent
+                                                                    : theme::label;
                 draw_edge(edge, graph, paper, theme::packed(color), 1.5f * scene.scale);
             }
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)

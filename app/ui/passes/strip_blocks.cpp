@@ -63,14 +63,14 @@ StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass
     const auto chosen = std::ranges::find(passes, true, &StripPass::is_chosen);
     if (passes.size() > 1 && chosen == passes.end())
         return words_of_pyramid(passes, all);
-    const StripPass& told = passes.size() > 1 ? *chosen : passes.front();
-    return {.name = elided_name(own_name(told.pass.name), others_than(told.pass.name, all)),
-            .facts = strip_words::facts(told.target),
-            .milliseconds = told.milliseconds,
-            .longest = told.milliseconds,
-            .gain = told.gain,
-            .change = told.change,
-            .is_chosen = told.is_chosen};
+    const StripPass& shown = passes.size() > 1 ? *chosen : passes.front();
+    return {.name = elided_name(own_name(shown.pass.name), others_than(shown.pass.name, all)),
+            .facts = strip_words::facts(shown.target),
+            .milliseconds = shown.milliseconds,
+            .longest = shown.milliseconds,
+            .gain = shown.gain,
+            .change = shown.change,
+            .is_chosen = shown.is_chosen};
 }
 
 // The common state of all passes, or that of the first switched one.
@@ -79,8 +79,8 @@ std::string state_of(std::span<const StripPass> passes) {
     if (std::ranges::all_of(passes, [&](const StripPass& pass) { return pass.state == first; }))
         return first;
     const auto switched = std::ranges::find_if(passes, is_switched);
-    const StripPass& told = switched != passes.end() ? *switched : passes.back();
-    return number_of(told) + " " + told.state;
+    const StripPass& shown = switched != passes.end() ? *switched : passes.back();
+    return number_of(shown) + " " + shown.state;
 }
 
 std::vector<StripBlock> blocks_of(std::span<const StripPass> passes) {

@@ -24,19 +24,19 @@ std::vector<float> grown(const std::vector<float>& from, const std::vector<float
 StripRoom share_strip(std::span<const AskedWidth> asked, float room) {
     std::vector<float> least;
     std::vector<float> wanted;
-    std::vector<float> told;  // passes wanted, pyramids least
-    std::vector<float> rich;  // passes best, pyramids least
+    std::vector<float> readable;  // passes wanted, pyramids least
+    std::vector<float> rich;      // passes best, pyramids least
     std::vector<float> best;
     for (const AskedWidth& one : asked) {
         least.push_back(one.least);
         wanted.push_back(one.wanted);
-        told.push_back(one.is_pass ? one.wanted : one.least);
+        readable.push_back(one.is_pass ? one.wanted : one.least);
         best.push_back(std::max(one.wanted, one.best));
         rich.push_back(one.is_pass ? best.back() : one.least);
     }
-    if (sum_of(told) > room)
+    if (sum_of(readable) > room)
         return {grown(least, wanted, room), true};
     if (sum_of(rich) > room)
-        return {grown(told, rich, room), false};
+        return {grown(readable, rich, room), false};
     return {grown(rich, best, room), false};
 }
