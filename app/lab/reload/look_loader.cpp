@@ -41,6 +41,7 @@ void LookLoader::dismiss_failed() {
     if (std::exchange(m_failed, {}).empty() || !m_opened)
         return;
     m_is_asked_unopened = false;
+    m_then = {};  // it belongs to the look that failed
     submit(*m_opened, true);
 }
 

@@ -60,6 +60,32 @@ TEST_CASE("after cancelling, an edit of the open look is still drawn") {
     CHECK(seen == std::set<std::string>{"small"});
 }
 
+TEST_CASE("what follows an opening is called once for its look, and never for another one") {
+    SmallLab small;
+    add_other_look(small);
+    const std::filesystem::path other = small.look_folder().parent_path() / "other";
+    int calls = 0;
+    const auto count = [&calls] { ++calls; };
+    small.write("../other/sum.frag", "nonsense\n");
+    small.lab().loader().open({other, {}, {}}, count);
+    REQUIRE(small.turn_until([&] { return small.lab().loader().failed() == "other"; }));
+    small.lab().looks().dismiss_problems();
+    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+    small.turn(5);
+    CHECK(open_look(small) == "small");
+    CHECK(calls == 0);
+
+    small.write("../other/sum.frag", small_look::sum);
+    small.lab().loader().open({other, {}, {}}, count);
+    REQUIRE(small.turn_until([&] { return open_look(small) == "other"; }));
+    small.write("../other/gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
+    REQUIRE(small.turn_until([&] {
+        const Parameter* gain = find_parameter(small.document().look(), "gain");
+        return gain && gain->initial == Value(3.0);
+    }));
+    CHECK(calls == 1);
+}
+
 TEST_CASE("of two looks opened in succession only the second one opens") {
     SmallLab small;
     add_other_look(small);
