@@ -7,9 +7,11 @@
 #include "gpu/uniform.h"
 #include "model/look/look.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gpu {
@@ -39,6 +41,9 @@ public:
     void set_unit(const Uniform& sampler, int unit) const;
     void use() const;
 
+    /// Records who writes the uniforms, by a number from 1. True if it was another one before.
+    bool claim(std::uint64_t writer) const { return std::exchange(m_writer, writer) != writer; }
+
 private:
     explicit Program(GLuint id);
 
@@ -50,6 +55,7 @@ private:
     std::vector<Uniform> m_uniforms;
     std::vector<std::size_t> m_by_name;  // indices into m_uniforms
     bool m_is_restored = false;
+    mutable std::uint64_t m_writer = 0;
 };
 
 /// The last owner, on any thread, leaves the destruction to `home`: some drivers unbind a context's

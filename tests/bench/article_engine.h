@@ -21,7 +21,7 @@ struct Engine {
         tell_driver(offline.context().facts());
         if (auto set = player.set_signal(offline.document().state().signal); !set)
             give_up(set.error());
-        if (auto off = offline.set_nan_policy(Executor::NanPolicy::off); !off)
+        if (auto off = offline.set_nan_policy(NanPolicy::off); !off)
             give_up(off.error());
         if (auto specialized = offline.specialize(seen); !specialized)
             give_up(specialized.error());

@@ -24,7 +24,8 @@ class Bloom {
 public:
     explicit Bloom(const std::string& radius)
         : m_engine("article", {{"bloom_radius", radius}, {"ceiling", "1000"}}, picture_extent),
-          m_executor(m_engine.offline.executor().look(), m_engine.offline.executor().programs()) {
+          m_executor(m_engine.offline.executor().look(),
+                     m_engine.offline.executor().programs().generic()) {
         m_executor.set_values(m_engine.offline.document().values());
         const Look& look = m_executor.look();
         std::vector<bool> seen(look.passes.size(), false);

@@ -31,7 +31,7 @@ Offline specialized(const Setting& setting) {
     const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
     Offline offline =
         wanted(Offline::create(wanted(prepare(request, library)), picture_extent, 60.0));
-    wanted(offline.set_nan_policy(Executor::NanPolicy::off));
+    wanted(offline.set_nan_policy(NanPolicy::off));
     wanted(offline.specialize());
     return offline;
 }
@@ -47,7 +47,7 @@ void tell_memory(const Setting& setting) {
                         .bound = setting.megabytes});
     bench::tell(topic, {.key = setting.key + "-bytes",
                         .what = fmt::format("{}: written and read per pixel", setting.name),
-                        .value = executor.bytes_per_pixel(),
+                        .value = bytes_per_pixel(executor),
                         .unit = "bytes",
                         .bound = setting.bytes});
 }

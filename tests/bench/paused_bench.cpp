@@ -87,7 +87,7 @@ public:
         m_executor.set_values(m_values);
         m_executor.redraw(m_frame, m_draws);
     }
-    int draw_calls() const { return m_executor.draw_calls(); }
+    int draw_calls() const { return m_executor.drawer().draw_calls(); }
 
 private:
     Executor m_executor;

@@ -47,8 +47,8 @@ GLuint new_texture(GLint format, Extent extent) {
 PlainReload::PlainReload(const Executor& of, const ReloadLook& look)
     : m_look(look),
       m_context(gpu::Context::headless().value()),
-      m_vertex(of.programs().passes.back().vertex),
-      m_fragment(of.programs().passes.back().fragment),
+      m_vertex(of.programs().generic().passes.back().vertex),
+      m_fragment(of.programs().generic().passes.back().fragment),
       m_picture(of.plan().targets.back().extent) {
     gpu::Context* const before = gpu::Context::current();
     m_context->make_current();

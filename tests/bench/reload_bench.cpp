@@ -109,7 +109,7 @@ public:
                 document.finish();
             });
         frame();
-        while (rests && !m_lab->renderer()->executor().is_specialized())
+        while (rests && !m_lab->renderer()->executor().programs().is_specialized())
             frame(0.1);
     }
 

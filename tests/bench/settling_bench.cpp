@@ -39,7 +39,7 @@ public:
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_frames = 300;
         int frames = 0;
-        while (!m_lab->renderer()->executor().is_specialized() && ++frames < most_frames)
+        while (!m_lab->renderer()->executor().programs().is_specialized() && ++frames < most_frames)
             frame(longest);
         frame();
         frame();

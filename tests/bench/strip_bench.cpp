@@ -51,7 +51,8 @@ private:
     void specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
         constexpr int most_turns = 300;
-        for (int i = 0; i < most_turns && !m_lab->renderer()->executor().is_specialized(); ++i)
+        for (int i = 0;
+             i < most_turns && !m_lab->renderer()->executor().programs().is_specialized(); ++i)
             turn(longest);
         for (int i = 0; i < 20; ++i)
             turn();

@@ -79,7 +79,7 @@ TEST_CASE("a replay uses the modulated values of each frame's time") {
     small.lab().edit([&](Document& document) { document.set_modulation("step_size", moving); });
     small.turn_until([&] {
         return !small.lab().renderer()->replay().is_running() &&
-               small.lab().renderer()->replay().total > 0;
+               small.lab().renderer()->replay().total() > 0;
     });
     const auto& past = small.lab().player().past();
     double sum = 0.0;

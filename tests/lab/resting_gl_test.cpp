@@ -39,7 +39,7 @@ TEST_CASE("a paused picture makes draw calls only after a change") {
         turn_gain(small, gain);
         small.turn(1);
         CHECK(CountedDraws::take() == 1);  // the last pass
-        CHECK(small.lab().renderer()->executor().draw_calls() == 1);
+        CHECK(small.lab().renderer()->executor().drawer().draw_calls() == 1);
         small.turn(100);
         CHECK(CountedDraws::take() == 0);
     }

@@ -31,7 +31,7 @@ Drawn drawn(const RenderRequest& request, bool is_specialized) {
         REQUIRE(offline.specialize().has_value());
     for (int i = 0; i < 4; ++i)
         offline.advance();
-    return {offline.picture(), offline.executor().draw_calls()};
+    return {offline.picture(), offline.executor().drawer().draw_calls()};
 }
 }  // namespace
 
@@ -68,7 +68,7 @@ TEST_CASE("a displayed pass is drawn even if the picture does not need it") {
     Offline offline = opened(request);
     REQUIRE(offline.specialize({"bloom_x"}).has_value());
     offline.advance();
-    CHECK(offline.executor().draw_calls() == 17);
+    CHECK(offline.executor().drawer().draw_calls() == 17);
 }
 
 TEST_CASE("automated parameters stay uniforms, and the next start is generic again") {

@@ -29,25 +29,25 @@ Beam figure(int frame) {
 /// A look of which only the last pass is displayed.
 class Seen {
 public:
-    Seen(const Look& look, const Programs& programs, const Values& values, Executor::Frames frames)
-        : m_renderer(look, programs) {
-        m_renderer.set_values(values);
-        REQUIRE(m_renderer.resize(size, size).has_value());
-        REQUIRE(m_renderer.set_source(colors(), 1.0).has_value());
+    Seen(const Look& look, const Programs& programs, const Values& values, Redraws frames)
+        : m_executors(look, programs) {
+        m_executors.picture().set_values(values);
+        REQUIRE(m_executors.picture().resize(size, size).has_value());
+        REQUIRE(m_executors.set_source(colors(), 1.0).has_value());
         std::vector<bool> seen(look.passes.size(), false);
         seen.back() = true;
-        REQUIRE(m_renderer.set_displayed(seen, frames).has_value());
+        REQUIRE(m_executors.picture().set_displayed(seen, frames).has_value());
     }
 
     std::vector<float> picture_of(int frame) {
-        m_renderer.draw({frame, frame_span(frame, 60.0)}, figure(frame));
-        const int last = static_cast<int>(m_renderer.executor().look().passes.size()) - 1;
-        return gpu::read_picture(m_renderer.executor().target(last)).pixels;
+        m_executors.draw({frame, frame_span(frame, 60.0)}, figure(frame));
+        const int last = static_cast<int>(m_executors.picture().look().passes.size()) - 1;
+        return gpu::read_picture(m_executors.picture().target(last)).pixels;
     }
-    std::size_t memory() const { return memory_of(m_renderer.executor().plan()); }
+    std::size_t memory() const { return memory_of(m_executors.picture().plan()); }
 
 private:
-    Renderer m_renderer;
+    Executors m_executors;
 };
 
 // Returns the ratio of target memory with and without shared pictures.
@@ -60,8 +60,8 @@ double check_bits(const std::string& name, const Values& values) {
     REQUIRE(context.has_value());
     const auto programs = build_programs(*loaded.look);
     REQUIRE(programs.has_value());
-    Seen apart(*loaded.look, *programs, values, Executor::Frames::drawn_again);
-    Seen once(*loaded.look, *programs, values, Executor::Frames::drawn_once);
+    Seen apart(*loaded.look, *programs, values, Redraws::possible);
+    Seen once(*loaded.look, *programs, values, Redraws::never);
     for (int frame = 1; frame <= 5; ++frame)
         CHECK(once.picture_of(frame) == apart.picture_of(frame));
     return static_cast<double>(once.memory()) / static_cast<double>(apart.memory());

@@ -24,9 +24,10 @@ public:
             pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
         REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
-        m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
-        REQUIRE(m_renderer->resize(extent, extent).has_value());
-        m_renderer->set_values(values);
+        m_executors =
+            std::make_unique<Executors>(Executor(std::move(*loaded.look), std::move(*programs)));
+        REQUIRE(m_executors->picture().resize(extent, extent).has_value());
+        m_executors->picture().set_values(values);
     }
     ~DrawnLook() { m_context->make_current(); }
     DrawnLook(const DrawnLook&) = delete;
@@ -34,30 +35,30 @@ public:
 
     void set_values(const Values& values) {
         m_context->make_current();
-        m_renderer->set_values(values);
+        m_executors->picture().set_values(values);
     }
     /// The next frame is the first one: no light is left, and the beam has no previous point.
     void restart() {
         m_number = 0;
-        m_renderer->clear_history();
+        m_executors->picture().clear_history();
     }
 
     /// Draws a frame of 1/fps with these beam points.
     void draw(const Beam& beam = {}, double fps = 60.0) {
         m_context->make_current();  // another look's context may be current
         ++m_number;
-        m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
+        m_executors->draw({m_number, frame_span(m_number, fps)}, beam);
     }
 
     Picture target(const char* pass) const {
         m_context->make_current();
-        const Executor& executor = m_renderer->executor();
+        const Executor& executor = m_executors->picture();
         return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
     }
 
 private:
     std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Executors> m_executors;
     std::int64_t m_number = 0;
 };
 

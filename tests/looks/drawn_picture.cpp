@@ -3,7 +3,7 @@
 #include "formats/look_format.h"
 #include "gpu/context.h"
 #include "gpu/objects/readback.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ namespace {
 struct ReadyLook {
     std::string id;
     std::unique_ptr<gpu::Context> context;
-    std::unique_ptr<Renderer> renderer;
+    std::unique_ptr<Executors> executors;
 };
 
 ReadyLook make_ready(const std::string& id) {
@@ -28,19 +28,19 @@ ReadyLook make_ready(const std::string& id) {
     auto programs = build_programs(*loaded.look);
     REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
     return {id, std::move(*context),
-            std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs))};
+            std::make_unique<Executors>(Executor(std::move(*loaded.look), std::move(*programs)))};
 }
 
-Renderer& ready(const std::string& id) {
+Executors& ready(const std::string& id) {
     static ReadyLook kept;
     if (kept.id != id) {
         if (kept.context)
             kept.context->make_current();
-        kept.renderer.reset();
+        kept.executors.reset();
         kept = make_ready(id);
     }
     kept.context->make_current();
-    return *kept.renderer;
+    return *kept.executors;
 }
 }  // namespace
 
@@ -51,13 +51,13 @@ Picture drawn_look(const std::string& look, const Picture& source, const Values&
 
 Picture drawn_look_at(const std::string& look, Extent size, const Picture& source,
                       const Values& values, int number, const std::string& pass) {
-    Renderer& renderer = ready(look);
-    REQUIRE(renderer.resize(size, source.extent).has_value());
-    renderer.set_values(values);
-    REQUIRE(renderer.set_source(source).has_value());
+    Executors& executors = ready(look);
+    REQUIRE(executors.picture().resize(size, source.extent).has_value());
+    executors.picture().set_values(values);
+    REQUIRE(executors.set_source(source).has_value());
     const double end = number / 60.0;
-    renderer.draw({number, {number == 1 ? 0.0 : end - 1.0 / 60.0, number == 1 ? 0.0 : end}}, {});
-    const Executor& executor = renderer.executor();
+    executors.draw({number, {number == 1 ? 0.0 : end - 1.0 / 60.0, number == 1 ? 0.0 : end}}, {});
+    const Executor& executor = executors.picture();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     return gpu::read_picture(
         executor.target(pass.empty() ? last : *find_pass(executor.look(), pass)));

@@ -4,7 +4,7 @@
 #include "gpu/context.h"
 #include "gpu/objects/readback.h"
 #include "io/temporary_folder.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 #include "problems_of.h"
 
 #include <doctest/doctest.h>
@@ -48,13 +48,13 @@ std::vector<Vec4> run_glsl(const std::string& body, const std::vector<Vec4>& inp
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
     REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
-    Renderer renderer(*loaded.look, std::move(*programs));
+    Executors executors(Executor(*loaded.look, std::move(*programs)));
     const Picture source = as_picture(inputs);
-    REQUIRE(renderer.resize(source.extent, source.extent).has_value());
-    REQUIRE(renderer.set_source(source).has_value());
-    renderer.draw({1, {}}, {});
+    REQUIRE(executors.picture().resize(source.extent, source.extent).has_value());
+    REQUIRE(executors.set_source(source).has_value());
+    executors.draw({1, {}}, {});
 
-    const Picture drawn = gpu::read_picture(renderer.executor().target(0));
+    const Picture drawn = gpu::read_picture(executors.picture().target(0));
     std::vector<Vec4> results(inputs.size());
     for (std::size_t i = 0; i < inputs.size(); ++i)
         for (std::size_t c = 0; c < 4; ++c)

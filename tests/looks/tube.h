@@ -25,7 +25,8 @@ public:
                 pass.format = Format::rgba32f;
         auto programs = build_programs(*loaded.look);
         REQUIRE(programs.has_value());
-        m_renderer = std::make_unique<Renderer>(std::move(*loaded.look), std::move(*programs));
+        m_executors =
+            std::make_unique<Executors>(Executor(std::move(*loaded.look), std::move(*programs)));
         m_extent = extent;
         restart(values);
     }
@@ -33,21 +34,21 @@ public:
     /// Restarts with the first frame and other values.
     void restart(const Values& values) {
         m_context->make_current();  // another tube's context may be current
-        m_renderer->set_values(values);
-        REQUIRE(m_renderer->resize(m_extent, m_extent).has_value());
-        m_renderer->clear_history();
+        m_executors->picture().set_values(values);
+        REQUIRE(m_executors->picture().resize(m_extent, m_extent).has_value());
+        m_executors->picture().clear_history();
         m_number = 0;
     }
 
     /// From now on only the last pass is displayed.
     void look_at_the_last() {
         m_context->make_current();
-        std::vector<bool> seen(m_renderer->executor().look().passes.size(), false);
+        std::vector<bool> seen(m_executors->picture().look().passes.size(), false);
         seen.back() = true;
-        REQUIRE(m_renderer->set_displayed(seen, Executor::Frames::drawn_again).has_value());
+        REQUIRE(m_executors->picture().set_displayed(seen, Redraws::possible).has_value());
     }
     bool is_drawn_onto(const char* pass) const {
-        const Executor& executor = m_renderer->executor();
+        const Executor& executor = m_executors->picture();
         const auto index = static_cast<std::size_t>(*find_pass(executor.look(), pass));
         return executor.plan().targets[index].onto.has_value();
     }
@@ -56,7 +57,7 @@ public:
     void draw(const Beam& beam, double fps = 60.0) {
         m_context->make_current();
         ++m_number;
-        m_renderer->draw({m_number, frame_span(m_number, fps)}, beam);
+        m_executors->draw({m_number, frame_span(m_number, fps)}, beam);
     }
     void rest(int count, double fps = 60.0) {
         for (int i = 0; i < count; ++i)
@@ -65,7 +66,7 @@ public:
 
     Picture target(const char* pass) const {
         m_context->make_current();
-        const Executor& executor = m_renderer->executor();
+        const Executor& executor = m_executors->picture();
         return gpu::read_picture(executor.target(*find_pass(executor.look(), pass)));
     }
     /// The sum of a channel over all pixels.
@@ -96,7 +97,7 @@ public:
 
 private:
     std::unique_ptr<gpu::Context> m_context;
-    std::unique_ptr<Renderer> m_renderer;
+    std::unique_ptr<Executors> m_executors;
     Extent m_extent;
     std::int64_t m_number = 0;
 };

@@ -38,7 +38,7 @@ Result<Pair> Pair::open(const std::filesystem::path& preset, Extent original, Ex
     Pair pair;
     pair.m_original = original;
     pair.m_ours = std::make_unique<Offline>(std::move(*ours));
-    if (auto off = pair.m_ours->set_nan_policy(Executor::NanPolicy::off); !off)
+    if (auto off = pair.m_ours->set_nan_policy(NanPolicy::off); !off)
         return fail(off.error());
     const auto parsed = parse_chain(preset);
     if (!parsed)

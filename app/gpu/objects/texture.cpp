@@ -175,7 +175,7 @@ void Texture::upload(std::span<const float> texels) {
     glBindTexture(target(), 0);
 }
 
-void Texture::generate_mipmaps() {
+void Texture::generate_mipmaps() const {
     if (!m_is_mipmapped || draw_mip_levels(*this))
         return;
     glBindTexture(target(), id());

@@ -37,7 +37,7 @@ public:
     /// that the format lacks are dropped. Not for integer formats.
     void upload(std::span<const float> texels);
     /// Draws the smaller levels from the largest; does nothing without mip levels.
-    void generate_mipmaps();
+    void generate_mipmaps() const;
 
 private:
     Texture(PictureShape shape, Extent extent, Format format, bool is_mipmapped);

@@ -2,23 +2,13 @@
 
 #include "gpu/context.h"
 #include "graph/targets/image_texture.h"
-#include "graph/view/view_programs.h"
-#include "model/look/value_changes.h"
 
 #include <algorithm>
-#include <cassert>
 #include <tuple>
 #include <utility>
 
 namespace {
-// The built-in triangle and quad cover all texels. A user's vertex shader, points or `discard` may
-// not.
-bool covers(const Pass& pass) {
-    return !is_of_beam(pass.draw) && pass.blend == Blend::replace && pass.vertex.file.empty() &&
-           pass.fragment.text->find("discard") == std::string::npos;
-}
-
-// Whether make_state() has the same result for passes that keep their programs.
+// Whether passes that keep their programs are bound in the same way.
 bool are_bound_alike(const Look& one, const Look& other) {
     const auto of_pass = [](const Pass& pass) {
         return std::tie(pass.name, pass.draw, pass.blend, pass.vertex.file, pass.inputs,
@@ -30,188 +20,161 @@ bool are_bound_alike(const Look& one, const Look& other) {
     return std::ranges::equal(one.passes, other.passes, {}, of_pass, of_pass) &&
            std::ranges::equal(one.parameters, other.parameters, {}, of_parameter, of_parameter);
 }
+
 }  // namespace
 
-Executor::Executor(Look look, Programs programs)
-    : m_home(programs.home),
-      m_scope(std::make_unique<gpu::ContextScope>(m_home.get())),
-      m_look(std::move(look)),
-      m_programs(std::move(programs)),
-      m_largest_side(gpu::read_facts().largest_texture) {
-    prepare();
-    m_scope.reset();
+Executor::Parts::Parts(Look look, Programs linked)
+    : graph(std::move(look), gpu::read_facts().largest_texture),
+      programs(graph, shapes, std::move(linked)),
+      textures(graph, programs.context()),
+      drawer(graph, shapes, programs, textures) {
+    textures.set_views(programs.generic().views);
 }
 
-Executor::PassState Executor::make_state(std::size_t pass) const {
-    const auto& program = m_programs.passes[pass].program;
-    const Pass& declared = m_look.passes[pass];
-    PassState state{program,
-                    BuiltInUniforms(m_look, static_cast<int>(pass), *program),
-                    bind_inputs(m_look, static_cast<int>(pass), *program),
-                    declared.draw == Draw::quad ? m_quad.vertices()
-                                                : m_beam.vertices_for(*program, declared.draw),
-                    is_of_beam(declared.draw) ? program->attribute_location("tint") : -1,
-                    std::make_unique<gpu::Timer>()};
-    state.reads_itself = std::ranges::any_of(state.inputs, [&](const BoundInput& input) {
-        return input.from == Input::From::pass && input.pass == static_cast<int>(pass);
-    });
-    state.covers_target = covers(declared);
-    return state;
+Executor::Executor(Look look, Programs programs) {
+    const gpu::ContextScope scope(programs.home.get());
+    m_parts = std::make_unique<Parts>(std::move(look), std::move(programs));
+    note_programs();
 }
 
-void Executor::prepare() {
-    assert(m_programs.passes.size() == m_look.passes.size());
-    std::vector<PassState> old = std::exchange(m_passes, {});
-    for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
-        const bool serves = i < old.size() && old[i].program == m_programs.passes[i].program;
-        m_passes.push_back(serves ? std::move(old[i]) : make_state(i));
-        m_passes.back().samples = m_passes.back().whole_samples = 0;
-    }
-    m_parameters = ParameterUniforms(m_look, m_programs);
-    m_parameters.write(m_look, m_values);
-    m_flipped_rows.forget();
-    if (m_programs.views)
-        m_flipped_rows.draw_with(part_of(m_programs.views, &ViewPrograms::pass_through));
+Executor::~Executor() {
+    if (!m_parts)
+        return;
+    const std::shared_ptr<gpu::Context> context = m_parts->programs.context();
+    const gpu::ContextScope scope(context.get());
+    m_parts.reset();
+}
+
+Executor& Executor::operator=(Executor&& other) noexcept {
+    std::swap(m_parts, other.m_parts);
+    return *this;
+}
+
+void Executor::note_programs() {
+    m_parts->graph.set_read_inputs(m_parts->programs.read_inputs());
 }
 
 Result<void> Executor::replace(Look look, Programs programs) {
-    const gpu::ContextScope scope(m_home.get());
-    drop_frame();
-    PlanTerms terms = plan_terms();
-    terms.read.clear();  // of the previous programs
-    const bool has_other_passes = pass_names(look) != pass_names(m_look);
-    if (has_other_passes)
-        terms.seen.clear();
-    if (auto made = m_keyboard.prepare(look); !made)
-        return made;
-    if (m_targets.size() > 0) {
-        auto plan = plan_targets(look, m_viewport, m_source_extent, m_values, terms);
+    auto& [graph, shapes, bound, textures, drawer] = *m_parts;
+    const gpu::ContextScope scope(bound.context().get());
+    drawer.drop_frame();
+    if (!graph.plan().targets.empty()) {
+        auto plan = graph.plan_for(look);
         if (!plan)
             return fail(plan.error());
-        auto sound = SoundTextures::make(look);
-        if (!sound)
-            return fail(sound.error());
-        auto targets = TargetSet::make(look, *plan, m_targets);
-        if (!targets)
-            return fail(targets.error());
-        if (*plan != m_plan)
-            forget_paces();
-        m_plan = std::move(*plan);
-        m_order = draw_order(m_plan);
-        m_apart.clear();
-        m_targets = std::move(*targets);
-        m_source.set_slots(m_plan.source_slots);
-        m_sound = std::move(*sound);
+        if (auto allocated = textures.allocate(look, *plan); !allocated)
+            return allocated;
+        if (*plan != graph.plan())
+            drawer.targets_replaced();
+        graph.set_plan(std::move(*plan));
     }
-    if (has_other_passes)
-        m_displayed.clear();
-    m_cubes = {};
-    if (m_unsettled)
-        take_own_back();
-    m_spots.clear();
-    if (!are_bound_alike(look, m_look)) {
-        m_passes.clear();
-        m_specialized_passes.clear();
-    }
-    m_look = std::move(look);
-    m_programs = std::move(programs);
-    ++m_picture_number;
-    prepare();
-    if (m_nan_detector)
-        m_nan_detector->clear();
-    return {};
-}
-
-Result<void> Executor::make_empty() {
-    for (const auto& [kind, format] : {std::pair{SampleKind::floating, Format::rgba8},
-                                       std::pair{SampleKind::natural, Format::r32ui},
-                                       std::pair{SampleKind::integer, Format::r32i}}) {
-        if (m_empty.contains(kind))
-            continue;
-        auto empty = gpu::Canvas::make({1, 1}, format);
-        if (!empty)
-            return fail(empty.error());
-        m_empty.emplace(kind, std::move(*empty));
-    }
+    const bool is_bound_alike = are_bound_alike(look, graph.look());
+    graph.set_look(std::move(look));
+    textures.set_views(programs.views);
+    textures.note_changed();
+    drawer.reset_passes(bound.replace(std::move(programs), is_bound_alike));
+    note_programs();
     return {};
 }
 
 Result<void> Executor::resize(Extent viewport, Extent source) {
-    const gpu::ContextScope scope(m_home.get());
-    auto plan = plan_targets(m_look, viewport, source, m_values, plan_terms());
-    if (!plan)
-        return fail(plan.error());
-    if (auto empty = make_empty(); !empty)
-        return empty;
-    if (auto made = m_keyboard.prepare(m_look); !made)
-        return made;
-    if (m_targets.size() == 0 || *plan != m_plan) {
-        drop_frame();
-        auto sound = SoundTextures::make(m_look);
-        if (!sound)
-            return fail(sound.error());
-        auto targets = TargetSet::make(m_look, *plan, m_targets);
-        if (!targets)
-            return fail(targets.error());
-        m_targets = std::move(*targets);
-        m_sound = std::move(*sound);
-        m_cubes = {};
-        m_apart.clear();
-        const bool share_alike = std::ranges::equal(plan->targets, m_plan.targets, {},
-                                                    &PlannedTarget::onto, &PlannedTarget::onto);
-        m_plan = std::move(*plan);
-        m_order = draw_order(m_plan);
-        if (!share_alike)
-            end_specialized();  // those programs contain which pass was drawn onto which
-        m_source.set_slots(m_plan.source_slots);
-        ++m_picture_number;
-        forget_paces();
-        restart_samples();
-    }
-    m_viewport = viewport;
-    m_source_extent = source;
-    m_spots.clear();
+    FrameSettings settings = m_parts->graph.settings();
+    settings.viewport = viewport;
+    settings.source = source;
+    return set_planned(std::move(settings));
+}
+
+// Before the first resize() nothing is planned.
+Result<void> Executor::set(FrameSettings settings) {
+    if (!m_parts->graph.plan().targets.empty())
+        return set_planned(std::move(settings));
+    m_parts->graph.set_settings(std::move(settings));
     return {};
 }
 
-// The targets have other sizes.
-void Executor::forget_paces() {
-    for (PassState& state : m_passes)
-        state.pace = {};
+Result<void> Executor::set_planned(FrameSettings settings) {
+    auto& [graph, shapes, programs, textures, drawer] = *m_parts;
+    const gpu::ContextScope scope(programs.context().get());
+    auto plan = graph.plan_for(settings);
+    if (!plan)
+        return fail(plan.error());
+    if (graph.plan().targets.empty() || *plan != graph.plan()) {
+        drawer.drop_frame();
+        if (auto allocated = textures.allocate(graph.look(), *plan); !allocated)
+            return allocated;
+        // Specialised programs contain which pass was drawn onto which.
+        const bool share_alike = std::ranges::equal(plan->targets, graph.plan().targets, {},
+                                                    &PlannedTarget::onto, &PlannedTarget::onto);
+        graph.set_plan(std::move(*plan));
+        if (!share_alike) {
+            programs.end_specialized();
+            note_programs();
+        }
+        drawer.targets_replaced();
+    }
+    graph.set_settings(std::move(settings));
+    return {};
+}
+
+Result<void> Executor::set_displayed(std::vector<bool> displayed, Redraws redraws) {
+    FrameSettings settings = m_parts->graph.settings();
+    settings.displayed = std::move(displayed);
+    settings.redraws = redraws;
+    return set(std::move(settings));
+}
+
+Result<void> Executor::set_runs(std::vector<PassRun> runs) {
+    auto& [graph, shapes, programs, textures, drawer] = *m_parts;
+    const gpu::ContextScope scope(programs.context().get());
+    if (std::ranges::find(runs, PassRun::bypassed) != runs.end())
+        if (auto prepared = drawer.prepare_bypass(); !prepared)
+            return prepared;
+    drawer.drop_frame();
+    std::vector<bool> changed(programs.size(), false);
+    for (std::size_t i = 0; i < changed.size(); ++i)
+        changed[i] = graph.run_of(i) != (i < runs.size() ? runs[i] : PassRun::drawn);
+    FrameSettings settings = graph.settings();
+    settings.runs = std::move(runs);
+    if (auto planned = set(std::move(settings)); !planned)
+        return planned;
+    drawer.restart_samples(changed);
+    return {};
 }
 
 void Executor::set_values(const Values& values) {
-    const gpu::ContextScope scope(m_home.get());
-    const std::vector<std::string> changed = changed_parameters(m_look, m_values, values);
-    if (!changed.empty()) {
-        restart_samples(redraw_after(m_look, changed).passes);
-        end_specialized_if_moved(changed);
-        m_spots.clear();
-    }
-    follow_values(m_values, values);
-    m_parameters.write(m_look, m_values, changed);
+    auto& [graph, shapes, programs, textures, drawer] = *m_parts;
+    const gpu::ContextScope scope(programs.context().get());
+    const std::vector<std::string> changed = graph.set_values(values);
+    if (!changed.empty())
+        drawer.restart_samples(redraw_after(graph.look(), changed).passes);
+    const bool was_specialized = programs.is_specialized();
+    programs.write(changed);
+    if (!was_specialized || programs.is_specialized())
+        return;
+    drawer.drop_frame();
+    note_programs();
 }
 
-void Executor::invalidate_uniforms() {
-    const gpu::ContextScope scope(m_home.get());
-    m_parameters.forget_written();
-    m_parameters.write(m_look, m_values);
+void Executor::specialize(Programs programs, std::set<std::string> moving) {
+    const gpu::ContextScope scope(m_parts->programs.context().get());
+    m_parts->drawer.drop_frame();
+    m_parts->programs.specialize(std::move(programs), std::move(moving));
+    note_programs();
 }
 
 Result<void> Executor::set_source(const Picture& picture) {
-    const gpu::ContextScope scope(m_home.get());
+    const gpu::ContextScope scope(m_parts->programs.context().get());
     std::vector<bool> readers;
-    for (const Pass& pass : m_look.passes)
+    for (const Pass& pass : look().passes)
         readers.push_back(std::ranges::any_of(
             pass.inputs, [](const Input& input) { return input.from == Input::From::source; }));
-    restart_samples(readers);
-    return m_source.set(picture, {m_look.source_encoding, m_look.source_rows, m_look.source_format,
-                                  reads_mipmaps(m_look, Input::From::source, {})});
+    m_parts->drawer.restart_samples(readers);
+    return m_parts->textures.set_source(picture);
 }
 
 Result<void> Executor::set_image(const std::string& name, const Picture& picture) {
-    const gpu::ContextScope scope(m_home.get());
-    auto texture = image_texture(m_look, name, picture);
+    const gpu::ContextScope scope(m_parts->programs.context().get());
+    auto texture = image_texture(look(), name, picture);
     if (!texture)
         return fail(texture.error());
     set_image(name, std::move(*texture));
@@ -219,33 +182,113 @@ Result<void> Executor::set_image(const std::string& name, const Picture& picture
 }
 
 void Executor::set_image(const std::string& name, std::shared_ptr<const gpu::Texture> texture) {
-    m_images.insert_or_assign(name, std::move(texture));
-    restart_samples();
+    m_parts->textures.set_image(name, std::move(texture));
+    m_parts->drawer.restart_samples();
+}
+
+void Executor::draw(const Frame& frame, const std::vector<bool>* passes, Slices slices) {
+    if (frame.is_first)
+        clear_history();
+    m_parts->drawer.draw(frame, passes, slices);
+}
+
+void Executor::redraw(const Frame& frame, const std::vector<bool>& passes, Slices slices) {
+    m_parts->drawer.redraw(frame, passes, slices);
 }
 
 void Executor::clear_history() {
-    const gpu::ContextScope scope(m_home.get());
-    drop_frame();
-    ++m_picture_number;
-    for (std::size_t i = 0; i < m_targets.size(); ++i)
-        if (run_of(i) != PassRun::frozen)
-            m_targets[i].clear();
-    m_source.clear();
-    m_beam.clear();
-    restart_samples();
+    auto& [graph, shapes, programs, textures, drawer] = *m_parts;
+    const gpu::ContextScope scope(programs.context().get());
+    drawer.drop_frame();
+    textures.note_changed();
+    for (std::size_t i = 0; i < textures.targets().size(); ++i)
+        if (graph.run_of(i) != PassRun::frozen)
+            textures.targets()[i].clear();
+    textures.clear_source();
+    shapes.beam.clear();
+    drawer.restart_samples();
 }
 
-std::vector<double> Executor::pass_milliseconds() {
-    const gpu::ContextScope scope(m_home.get());
-    std::vector<double> times;
-    for (std::size_t i = 0; i < m_passes.size(); ++i) {
-        const double time = m_passes[i].timer->milliseconds().value_or(0.0);
-        times.push_back(i < m_targets.size() && is_kept(i) ? 0.0 : time);
+void Executor::clear_history(int pass) {
+    auto& [graph, shapes, programs, textures, drawer] = *m_parts;
+    const auto index = static_cast<std::size_t>(pass);
+    if (index >= textures.targets().size())
+        return;  // nothing has been drawn yet
+    const gpu::ContextScope scope(programs.context().get());
+    drawer.drop_frame();
+    textures.note_changed();
+    textures.targets()[index].clear();
+    std::vector<bool> changed(programs.size(), false);
+    changed[index] = true;
+    drawer.restart_samples(changed);
+}
+
+const gpu::Texture& Executor::target(int pass) const {
+    const auto index = static_cast<std::size_t>(pass);
+    return m_parts->textures.upright(m_parts->drawer.picture(index), look().passes[index].rows);
+}
+
+const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
+    const FrameTextures& textures = m_parts->textures;
+    const BoundInput read =
+        bound_input(look(), static_cast<int>(look().passes.size()),
+                    {{}, choice.from, choice.name, choice.frames_ago, {}, choice.sound});
+    if (choice.from != Input::From::pass) {
+        const gpu::Texture* stored = textures.stored(choice);
+        return stored ? &textures.upright(*stored, textures.rows_of(read)) : nullptr;
     }
-    return times;
+    const auto pass = static_cast<std::size_t>(find_pass(look(), choice.name).value_or(-1));
+    if (pass >= textures.targets().size())
+        return nullptr;
+    const Target& target = textures.targets()[pass];
+    if (choice.frames_ago >= target.planned().slots - (target.planned().common ? 1 : 0))
+        return nullptr;
+    return &textures.upright(choice.frames_ago == 0 ? m_parts->drawer.picture(pass)
+                                                    : target.finished(choice.frames_ago).texture(),
+                             textures.rows_of(read));
 }
 
-int Executor::repeats_of(const Pass& pass) const {
-    constexpr double most = 4096;
-    return static_cast<int>(std::clamp(count_of(pass.repeat, m_look, m_values), 1.0, most));
+std::vector<bool> read_for(const Executor& executor, const std::vector<bool>& displayed) {
+    std::vector<bool> read(executor.programs().size(), false);
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < std::min(displayed.size(), read.size()); ++i)
+        if (displayed[i])
+            open.push_back(i);
+    const std::vector<PlannedTarget>& planned = executor.plan().targets;
+    while (!open.empty()) {
+        const std::size_t pass = open.back();
+        open.pop_back();
+        if (read[pass])
+            continue;
+        read[pass] = true;
+        for (std::size_t guest = 0; guest < planned.size(); ++guest)
+            if (planned[guest].onto == pass)
+                open.push_back(guest);
+        for (const BoundInput& input : executor.programs()[pass].inputs)
+            if (input.from == Input::From::pass && input.pass >= 0)
+                open.push_back(static_cast<std::size_t>(input.pass));
+    }
+    return read;
+}
+
+double bytes_per_pixel(const Executor& executor) {
+    const std::vector<PlannedTarget>& planned = executor.plan().targets;
+    const auto bytes_of = [&](std::size_t pass) {
+        const PlannedTarget& target = planned[pass];
+        if (target.onto)
+            return 0.0;
+        return static_cast<double>(target.extent.width) * target.extent.height *
+               facts_of(target.format).bytes;
+    };
+    double bytes = 0.0;
+    for (std::size_t i = 0; i < planned.size(); ++i) {
+        if (executor.textures().is_kept(i))
+            continue;
+        bytes += bytes_of(i);
+        for (const BoundInput& input : executor.programs()[i].inputs)
+            if (input.from == Input::From::pass && input.pass >= 0)
+                bytes += bytes_of(static_cast<std::size_t>(input.pass));
+    }
+    const Extent picture = planned.back().extent;
+    return bytes / (static_cast<double>(picture.width) * picture.height);
 }

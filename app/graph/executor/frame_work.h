@@ -6,6 +6,7 @@
 /// The progress of a frame: by pass, by draw of a pass, by band of a draw.
 struct FrameWork {
     std::vector<bool> passes;  // of the look: whether they are drawn
+    bool is_whole = false;     // all passes
     bool is_again = false;     // redraws a frame: the history does not advance
     std::size_t pass = 0;      // index in the drawing order
     int first_draw = 0;        // of the pass

@@ -2,6 +2,7 @@
 
 #include "glsl/text/include.h"
 #include "gpu/objects/draw.h"
+#include "graph/executor/nan_watch.h"
 #include "graph/warm_up/warm_up_sizes.h"
 
 #include <algorithm>
@@ -85,8 +86,7 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
 
 bool FirstDraws::make_ready(const FirstDrawsOf& of) {
     const PictureSizes sizes = sizes_for(of);
-    const auto guard =
-        of.programs.nan_detector ? Executor::NanPolicy::search : Executor::NanPolicy::off;
+    const auto policy = of.programs.nan_detector ? NanPolicy::search : NanPolicy::off;
     m_executor->set_values(of.values);
     for (const auto& [name, texture] : of.images)
         m_executor->set_image(name, texture);
@@ -95,7 +95,7 @@ bool FirstDraws::make_ready(const FirstDrawsOf& of) {
     return m_executor->set_displayed(of.seen).has_value() &&
            m_executor->resize(sizes.viewport, sizes.source).has_value() &&
            (!has_source || m_executor->set_source(black(sizes.source)).has_value()) &&
-           m_executor->set_nan_policy(guard).has_value();
+           NanWatch::set_policy(std::make_shared<NanWatch>(), policy, *m_executor).has_value();
 }
 
 const std::string& FirstDraws::next_pass() const {
@@ -107,7 +107,7 @@ void FirstDraws::draw_next() {
     assert(!is_done());
     const Beam beam{{-0.25f, 0.0f, 1.0f, 0.0f}, {0.25f, 0.0f, 1.0f, 0.0f}};
     // One band is enough, and does not block the GPU for long if the pass is slow.
-    m_executor->warm_up_pass(first_frame(beam), m_new[m_done++]);
+    m_executor->drawer().warm_up_pass(first_frame(beam), m_new[m_done++]);
     gpu::finish();
 }
 
@@ -120,7 +120,7 @@ void FirstDraws::draw_all(PassProgress& progress) {
 std::unique_ptr<Executor> FirstDraws::take_executor() {
     if (m_executor) {
         m_executor->clear_history();
-        static_cast<void>(m_executor->set_nan_policy(Executor::NanPolicy::off));  // cannot fail
+        m_executor->drawer().set_observer(nullptr);
     }
     return std::move(m_executor);
 }

@@ -94,8 +94,8 @@ MenuCommand override_pass(const std::string& pass, const PassOverride& changed) 
 InspectedParts inspected_parts(const Executor& executor, const PassView& view) {
     const auto inspected = inspected_texture(executor, view);
     if (!inspected)
-        return {executor.textures(), {}};
-    return {executor.textures(), inspected->choice, frame_count(executor, inspected->choice),
+        return {executor.textures().list(), {}};
+    return {executor.textures().list(), inspected->choice, frame_count(executor, inspected->choice),
             inspected->levels()};
 }
 

@@ -88,8 +88,8 @@ void ContentCommands::take_pictures() {
         m_work.media.recent().remember((*chosen)->file, {});
     }
     Diagnostics problems;
-    const auto names =
-        m_work.pictures.chosen().take_read(m_work.document->look(), *m_work.renderer, problems);
+    const auto names = m_work.pictures.chosen().take_read(
+        m_work.document->look(), m_work.renderer->executors().picture(), problems);
     if (names.empty())
         return;
     if (!problems.empty())

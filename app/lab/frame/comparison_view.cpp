@@ -55,7 +55,8 @@ std::optional<Sides> ComparisonView::sides() const {
     if (!m_work.document || !m_selection.is_wanted())
         return std::nullopt;
     if (chosen.other.kind != Other::Kind::file)
-        return m_variant && m_work.renderer->variant() && !m_work.renderer->is_replaying_variant()
+        return m_variant && m_work.renderer->executors().variant() &&
+                       !m_work.renderer->replay().is_of_variant()
                    ? std::optional(m_variant->sides)
                    : std::nullopt;
     const auto& picture = m_selection.reference().picture();
@@ -158,6 +159,12 @@ bool ComparisonView::file_changed(const fs::path& file) {
     return true;
 }
 
+void ComparisonView::open(bool is_same) {
+    m_variant.reset();
+    if (!is_same)
+        m_selection.end();
+}
+
 bool ComparisonView::update(double wall_seconds) {
     m_selection.pass_time(wall_seconds);
     if (m_work.document->is_restacking())
@@ -168,7 +175,7 @@ bool ComparisonView::update(double wall_seconds) {
                     ? m_selection.variant(other, look, m_work.document->values())
                     : std::nullopt;
     const bool is_lost =
-        m_variant && !m_work.renderer->variant();  // out of memory, which was reported
+        m_variant && !m_work.renderer->executors().variant();  // out of memory, which was reported
     if (is_lost || (!next && other.kind != Other::Kind::file)) {
         m_selection.end();
         next.reset();
@@ -181,16 +188,16 @@ bool ComparisonView::update(double wall_seconds) {
     }
     const auto previous = std::exchange(m_variant, std::move(next));
     if (!m_variant) {
-        m_work.renderer->end_variant();
+        m_work.renderer->executors().end_variant();
         m_work.pictures.clear_variant();
         return false;
     }
-    if (!previous || !m_work.renderer->variant()) {
+    if (!previous || !m_work.renderer->executors().variant()) {
         start_variant();
         return false;
     }
     update_constants();
-    m_work.renderer->set_variant_values(m_variant->values);
+    m_work.renderer->executors().variant()->set_values(m_variant->values);
     show_pictures();
     m_work.redraw.add(
         redraw_after(look, changed_parameters(look, previous->values, m_variant->values)));
@@ -200,35 +207,36 @@ bool ComparisonView::update(double wall_seconds) {
 void ComparisonView::show_pictures() {
     if (m_variant)
         m_work.messages.succeeded(m_work.pictures.show_variant(
-            m_work.document->look(), m_variant->values, *m_work.renderer));
+            m_work.document->look(), m_variant->values, m_work.renderer->executors()));
 }
 
 // The variant needs all inputs of the picture, and its past. The clock waits for it.
 void ComparisonView::start_variant() {
     if (m_work.renderer->replay().is_running())
         m_work.redraw.add_replay();  // the running replay was for the picture
-    if (!m_work.messages.succeeded(m_work.renderer->start_variant(m_variant->values)))
+    if (!m_work.messages.succeeded(m_work.renderer->executors().start_variant(m_variant->values)))
         return;
     const Look& look = m_work.document->look();
     update_constants();
     m_work.messages.succeeded(
-        m_work.pictures.show_new_variant(look, m_variant->values, *m_work.renderer));
-    m_work.messages.succeeded(m_work.media.show_anew(m_work.player, *m_work.renderer));
+        m_work.pictures.show_new_variant(look, m_variant->values, m_work.renderer->executors()));
+    m_work.messages.succeeded(m_work.media.show_anew(m_work.player, m_work.renderer->executors()));
     constexpr double patience_seconds = 1.0;
     constexpr double fewest = 4;
     const double all = std::max(look.settle_frames, 1);
-    const double bearable = std::max(patience_seconds / m_work.renderer->frame_seconds(), fewest);
+    const double bearable =
+        std::max(patience_seconds / m_work.renderer->times().frame_seconds(), fewest);
     const double frames = m_work.player.is_playing() ? std::min(all, bearable) : all;
-    m_work.renderer->replay_variant(m_work.player, static_cast<std::size_t>(frames));
+    m_work.renderer->replay().start_variant(m_work.player, static_cast<std::size_t>(frames));
 }
 
 // The picture may have new programs, or those for the variant may be ready.
 void ComparisonView::update_constants() {
-    if (!m_variant || !m_work.renderer->variant())
+    if (!m_variant || !m_work.renderer->executors().variant())
         return;
     const Look& look = m_work.document->look();
     const Values wanted = constants_of(look, m_variant->values);
-    const Look& drawn = m_work.renderer->variant()->look();
+    const Look& drawn = m_work.renderer->executors().variant()->look();
     if (drawn.constants == wanted ||
         !m_constants.has_programs_for(*m_work.document, m_variant->values))
         return;
@@ -237,7 +245,9 @@ void ComparisonView::update_constants() {
                                      m_work.document->state().overrides);
     const Programs& programs =
         is_as_picture ? m_loader.programs().generic() : m_constants.variant()->programs;
-    if (m_work.messages.succeeded(
-            m_work.renderer->replace(Renderer::Whose::variant, next, programs)))
+    m_work.renderer->drop_frame();
+    if (m_work.messages.succeeded(m_work.renderer->executors().variant()->replace(next, programs)))
         m_work.redraw.add_replay();
+    else
+        m_work.renderer->executors().end_variant();
 }

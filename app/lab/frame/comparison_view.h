@@ -47,9 +47,10 @@ public:
     bool update(double wall_seconds);
     /// Uploads the chosen pictures of the variant.
     void show_pictures();
-    /// Call when another look is opened, or its programs were replaced.
-    void reset_variant() { m_variant.reset(); }
-    void end() { m_selection.end(); }
+    /// The values of the variant, without modulation; null: no variant.
+    const Values* variant_values() const { return m_variant ? &m_variant->values : nullptr; }
+    /// Call when a look is opened. `is_same`: the same look with another preset.
+    void open(bool is_same);
 
 private:
     bool find_other(Comparison& comparison);

@@ -66,7 +66,6 @@ FrameLoop::FrameLoop(Workspace& work, LookLoader& loader, const DrawingBoard& bo
 void FrameLoop::begin_look(BuiltLook& built) {
     m_constants.clear();
     m_heavy_pass.reset();
-    m_guard.reset();
     m_loader.programs().set(std::move(*built.programs));
     m_specialization.stop();
     m_previews.stop();  // they draw with the previous programs
@@ -74,25 +73,24 @@ void FrameLoop::begin_look(BuiltLook& built) {
 
 void FrameLoop::end_look(const BuiltLook& built) {
     m_passes.apply();
-    m_work.pictures.show_look_images(built.images, *m_work.renderer);
+    m_work.pictures.show_look_images(built.images, m_work.renderer->executors());
     m_applied.reset();
 }
 
 void FrameLoop::open(BuiltLook& built, bool is_same) {
     begin_look(built);
+    m_guard.open();
     const Look look = m_work.document->drawn_look();
     // The executor of the first draws is reused if no pass setting is overridden.
     if (built.executor && built.executor->look() == look)
         m_work.renderer = std::make_unique<Renderer>(std::move(*built.executor));
     else
-        m_work.renderer = std::make_unique<Renderer>(look, m_loader.programs().generic());
+        m_work.renderer = std::make_unique<Renderer>(Executor(look, m_loader.programs().generic()));
     constexpr double patience_seconds = 0.05;
-    m_work.renderer->set_patience(patience_seconds);
-    m_comparison.reset_variant();
-    if (!is_same) {
-        m_comparison.end();
+    m_work.renderer->executors().inputs().patience_seconds = patience_seconds;
+    m_comparison.open(is_same);
+    if (!is_same)
         m_passes.reset();
-    }
     m_drawn_extent = {};
     m_work.pictures.clear();
     m_work.media.forget();
@@ -105,13 +103,13 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
 void FrameLoop::replace(BuiltLook& built) {
     if (!reads_images_alike(m_work.document->look(), *built.look))
         m_work.pictures.clear();
-    const bool is_specialized = m_work.renderer->executor().is_specialized() &&
-                                !m_work.renderer->variant() && m_applied &&
+    const bool is_specialized = m_work.renderer->executor().programs().is_specialized() &&
+                                !m_work.renderer->executors().variant() && m_applied &&
                                 m_applied->values == m_work.document->values();
     begin_look(built);
+    m_guard.reset();
     m_work.document->replace_look(std::move(*built.look));
-    m_work.messages.succeeded(
-        m_work.renderer->replace(m_work.document->drawn_look(), m_loader.programs().generic()));
+    replace_drawn_look();
     if (built.specialized && is_specialized)
         m_specialization.draw(std::move(*built.specialized), drawn(), *m_work.renderer);
     end_look(built);
@@ -132,11 +130,13 @@ void FrameLoop::replace_constants(BuiltLook built) {
     for (const auto& [name, value] : look.constants)
         if (const auto old = before.find(name); old == before.end() || old->second != value)
             changed.push_back(name);
-    m_work.messages.succeeded(m_work.renderer->replace(
-        Renderer::Whose::picture, m_work.document->drawn_look(), m_loader.programs().generic()));
+    m_work.renderer->drop_frame();
+    m_work.messages.succeeded(m_work.renderer->executors().picture().replace(
+        m_work.document->drawn_look(), m_loader.programs().generic()));
+    m_work.renderer->reset();
     m_passes.apply();
-    m_work.pictures.show_look_images(built.images, *m_work.renderer);
-    m_work.renderer->restart_samples();
+    m_work.pictures.show_look_images(built.images, m_work.renderer->executors());
+    restart_samples();
     m_drawn_extent = {};  // other uniforms may be in use now
     const Redraw redraw = redraw_after(look, changed);
     m_guard.recheck(redraw);
@@ -181,16 +181,18 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
 // NaN detection and a variant need the own picture of each pass.
 void FrameLoop::update_displayed() {
     const Executor& executor = m_work.renderer->executor();
-    const std::vector<bool> displayed = m_guard.found() || m_work.renderer->variant()
+    const std::vector<bool> displayed = m_guard.found() || m_work.renderer->executors().variant()
                                             ? std::vector<bool>()
                                             : m_displayed.of(executor.look());
-    if (displayed == executor.seen())
+    if (displayed == executor.graph().settings().displayed)
         return;
     const Plan before = executor.plan();
-    if (!m_work.messages.succeeded(m_work.renderer->set_displayed(displayed)))
+    if (!m_work.messages.succeeded(m_work.renderer->executors().for_both(
+            [&](Executor& one) { return one.set_displayed(displayed); })))
         m_displayed = {};
     if (executor.plan() == before)
         return;
+    m_work.renderer->reset();
     m_specialization.stop();
     m_work.redraw.add({std::vector<bool>(executor.look().passes.size(), true), false});
 }
@@ -222,7 +224,7 @@ void FrameLoop::apply_missed_events() {
     for (const auto& [name, value] : m_applied->values)
         missed.emplace(name, value);
     m_applied->values = std::move(missed);  // until the next frame
-    m_work.renderer->set_values(m_applied->values);
+    m_work.renderer->executors().picture().set_values(m_applied->values);
 }
 
 void FrameLoop::begin_frame(double wall_seconds) {
@@ -230,7 +232,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
     if (!m_work.document->is_restacking())
         apply_document();
     apply_missed_events();
-    if (m_work.renderer->owes_frame() && !m_work.player.is_playing())
+    if (m_work.renderer->take_dropped_frame() && !m_work.player.is_playing())
         m_work.redraw.add_replay();
     if (m_comparison.update(wall_seconds))
         m_drawn_extent = {};  // sizes may depend on values
@@ -253,8 +255,8 @@ bool FrameLoop::is_moving() const {
     return (m_work.player.is_playing() && !has_converged()) || !m_work.redraw.is_empty() ||
            m_previews.is_busy() || m_work.pictures.chosen().is_reading() ||
            !m_work.media.loading().empty() || m_work.media.is_source_late() ||
-           (renderer && (renderer->is_amid_frame() || renderer->replay().is_running() ||
-                         renderer->awaits_nan_check()));
+           (renderer &&
+            (renderer->is_amid_frame() || renderer->replay().is_running() || m_guard.is_waiting()));
 }
 
 void FrameLoop::apply_document() {
@@ -277,31 +279,34 @@ Redraw FrameLoop::apply_changes(const DocumentState& state, Spec signal) {
     Redraw redraw =
         redraw_after(look, is_first ? parameter_names(look)
                                     : changed_uniforms(look, m_applied->values, state.values));
-    renderer.set_values(state.values);
-    renderer.set_modulations(state.modulations);
-    m_work.messages.succeeded(m_work.pictures.show_chosen(look, state.values, renderer));
+    renderer.executors().picture().set_values(state.values);
+    m_work.messages.succeeded(
+        m_work.pictures.show_chosen(look, state.values, renderer.executors()));
     m_comparison.show_pictures();
     m_drawn_extent = {};  // sizes may depend on values
     if (is_first || m_applied_signal != signal || m_applied->source != state.source) {
         m_applied_signal = std::move(signal);
         m_work.messages.succeeded(apply_signal());
-        renderer.restart_samples();
+        restart_samples();
         redraw.needs_replay = true;
     }
-    if (!is_first && m_applied->modulations != state.modulations)
+    if (!is_first && m_applied->modulations != state.modulations) {
         redraw.needs_replay = true;
+        if (Executor* variant = renderer.executors().variant())
+            variant->set_values(*m_comparison.variant_values());
+    }
     if (!is_first && m_applied->overrides != state.overrides) {
         m_specialization.stop();
-        m_work.messages.succeeded(
-            renderer.replace(m_work.document->drawn_look(), m_loader.programs().generic()));
+        replace_drawn_look();
         redraw.needs_replay = true;
     }
     return redraw;
 }
 
 Result<void> FrameLoop::apply_signal() {
-    m_work.renderer->set_beam_fit(beam_fit_of(m_work.document->state().signal));
-    auto followed = m_work.media.follow(*m_work.document, m_work.player, *m_work.renderer);
+    m_work.renderer->executors().inputs().beam_fit = beam_fit_of(m_work.document->state().signal);
+    auto followed =
+        m_work.media.follow(*m_work.document, m_work.player, m_work.renderer->executors());
     if (!followed || !m_board.has_pen())
         return followed;
     return m_work.player.set_signal(m_applied_signal);
@@ -315,19 +320,20 @@ void FrameLoop::update_source() {
         report_content_problems(m_work);
     if (m_work.media.is_source_late())
         show_source(m_work.player.time());
-    const auto taken = m_work.media.update(*m_work.document, m_work.player, *m_work.renderer);
+    const auto taken =
+        m_work.media.update(*m_work.document, m_work.player, m_work.renderer->executors());
     if (!taken)
         return;
     m_work.messages.succeeded(*taken);
     report_content_problems(m_work);
-    m_work.renderer->restart_samples();
+    restart_samples();
     m_drawn_extent = {};  // sizes may depend on the source
     m_work.redraw.add_replay();
 }
 
 // Redraws a paused picture with the new source.
 void FrameLoop::show_source(double seconds) {
-    const auto is_new = m_work.media.show_source(seconds, *m_work.renderer);
+    const auto is_new = m_work.media.show_source(seconds, m_work.renderer->executors());
     if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.is_playing())
         m_work.redraw.add_replay();
 }
@@ -342,9 +348,14 @@ void FrameLoop::resize_picture() {
     show_source(m_work.player.time());
     const Plan before = m_work.renderer->executor().plan();
     const Extent source = m_work.media.source_extent();
-    if (m_work.messages.succeeded(
-            m_work.renderer->resize(extent, source.is_empty() ? extent : source)) &&
-        m_work.renderer->executor().plan() != before)
+    const bool is_resized =
+        m_work.messages.succeeded(m_work.renderer->executors().for_both([&](Executor& executor) {
+            return executor.resize(extent, source.is_empty() ? extent : source);
+        }));
+    if (m_work.renderer->executor().plan() == before)
+        return;
+    m_work.renderer->reset();
+    if (is_resized)
         m_work.redraw.add_replay();
 }
 
@@ -355,7 +366,7 @@ void FrameLoop::limit_frame(double wall_seconds) {
     const double span = m_work.player.past().back().span.seconds();
     m_work.player.set_longest_frame(
         longest_frame({.wall_seconds = wall_seconds,
-                       .beam_seconds = m_work.renderer->beam_seconds_a_second() * span,
+                       .beam_seconds = m_work.renderer->times().beam_seconds_a_second() * span,
                        .span_seconds = span}));
 }
 
@@ -374,33 +385,70 @@ void FrameLoop::draw_picture(double wall_seconds) {
         return;  // allocation has used the time of this update
     m_guard.prepare();
     limit_frame(wall_seconds);
-    m_work.renderer->set_loudness(m_work.player.loudness());
-    m_work.renderer->set_sound(m_work.player.sound_texels());
-    m_work.renderer->set_date(local_date());
+    m_work.renderer->executors().inputs().sound = m_work.player.sound_texels();
+    m_work.renderer->executors().inputs().date = local_date();
     const bool rests = m_work.player.is_playing() && has_converged();
     const bool comes_next =
         m_work.player.is_playing() && !rests;  // a frame, which includes all redraws
-    const bool waits = rests || m_work.renderer->is_replaying_variant();
+    const bool waits = rests || m_work.renderer->replay().is_of_variant();
     const auto frame = waits ? std::nullopt : m_work.player.advance(wall_seconds);
     if (frame) {
         m_work.redraw.clear();
-        m_work.renderer->cancel_replay();
-        m_work.messages.succeeded(m_work.media.show_source(frame->span.end, *m_work.renderer));
+        m_work.renderer->replay().cancel();
+        m_work.messages.succeeded(
+            m_work.media.show_source(frame->span.end, m_work.renderer->executors()));
+        modulate_values(frame->span.end);
         m_work.renderer->draw(*frame, m_work.player.trace(frame->span));
         return;
     }
     // Fast enough for a drag, and the window still responds.
     constexpr double replay_seconds = 0.012;
     if (m_work.renderer->replay().is_running())
-        m_work.renderer->continue_replay(
+        m_work.renderer->replay().update(
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
                 m_work.messages.succeeded(
-                    m_work.media.show_past_source(past.span.end, *m_work.renderer));
+                    m_work.media.show_past_source(past.span.end, m_work.renderer->executors()));
+                modulate_values(past.span.end);
             });
     else if (m_work.redraw.needs_replay() && !comes_next)
         start_replay();
     else if (!m_work.redraw.is_empty() && !comes_next)
-        m_work.renderer->redraw(m_work.player, m_work.redraw.take().passes);
+        redraw();
+}
+
+void FrameLoop::redraw() {
+    const Redraw redraw = m_work.redraw.take();
+    if (!m_work.player.past().empty())
+        modulate_values(m_work.player.past().back().span.end);
+    m_work.renderer->redraw(m_work.player, redraw.passes);
+}
+
+void FrameLoop::modulate_values(double seconds) {
+    if (!m_applied)
+        return;
+    static const Values none;
+    const Values* variant = m_comparison.variant_values();
+    modulate(m_work.renderer->executors(),
+             {m_applied->values, variant ? *variant : none, m_applied->modulations}, seconds,
+             m_work.player.loudness().get());
+}
+
+void FrameLoop::replace_drawn_look() {
+    Renderer& renderer = *m_work.renderer;
+    if (renderer.replay().is_of_variant())
+        renderer.replay().cancel();
+    const Look look = m_work.document->drawn_look();
+    m_work.messages.succeeded(renderer.executors().for_both(
+        [&](Executor& executor) { return executor.replace(look, m_loader.programs().generic()); }));
+    renderer.reset();
+}
+
+// The signal or source changed.
+void FrameLoop::restart_samples() {
+    static_cast<void>(m_work.renderer->executors().for_both([](Executor& executor) {
+        executor.drawer().restart_samples();
+        return Result<void>();
+    }));
 }
 
 // During a drag only as many frames are replayed as take 0.2 s.
@@ -411,10 +459,10 @@ void FrameLoop::start_replay() {
     std::size_t frames = all;
     if (m_work.document->history().is_in_gesture())
         frames = std::clamp(
-            static_cast<std::size_t>(patience_seconds / m_work.renderer->frame_seconds()),
+            static_cast<std::size_t>(patience_seconds / m_work.renderer->times().frame_seconds()),
             std::min(fewest, all), all);
-    m_work.renderer->start_replay(m_work.player, frames);
-    if (frames == all || m_work.renderer->replay().total < frames)
+    m_work.renderer->replay().start(m_work.player, frames);
+    if (frames == all || m_work.renderer->replay().total() < frames)
         m_work.redraw.clear();  // otherwise the rest is replayed when the drag ends
 }
 
@@ -430,7 +478,7 @@ void FrameLoop::restart() {
 void FrameLoop::cancel_replay() {
     if (!m_work.renderer)
         return;
-    m_work.renderer->cancel_replay();
+    m_work.renderer->replay().cancel();
     if (!m_work.renderer->has_drawn())  // shows the current history instead of nothing
         m_work.redraw.add(
             {std::vector<bool>(m_work.renderer->executor().look().passes.size(), true), false});

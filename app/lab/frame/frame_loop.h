@@ -54,7 +54,7 @@ public:
     bool has_converged() const;
     /// The accumulated samples; nullopt: the look does not accumulate.
     std::optional<Samples> samples() const {
-        return m_work.renderer ? m_work.renderer->executor().samples() : std::nullopt;
+        return m_work.renderer ? m_work.renderer->executor().drawer().samples() : std::nullopt;
     }
     /// Whether the look waits for its source, and draws nothing.
     bool awaits_source() const;
@@ -79,6 +79,10 @@ private:
     void resize_picture();
     void limit_frame(double wall_seconds);
     void start_replay();
+    void redraw();
+    void modulate_values(double seconds);
+    void replace_drawn_look();
+    void restart_samples();
     void update_previews();
 
     Workspace& m_work;

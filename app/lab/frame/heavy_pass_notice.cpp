@@ -13,7 +13,7 @@ constexpr const char* subject = "heavy pass";
 void HeavyPassNotice::update() {
     const Renderer& renderer = *m_work.renderer;
     const std::vector<Pass>& passes = renderer.executor().look().passes;
-    const std::vector<double>& latest = renderer.latest_pass_milliseconds();
+    const std::vector<double>& latest = renderer.times().pass_milliseconds();
     const auto is_over = [&](std::size_t pass, double milliseconds) {
         return pass < passes.size() && pass < latest.size() && latest[pass] > milliseconds &&
                !m_passes.switches().bypassed.contains(passes[pass].name);
@@ -21,7 +21,7 @@ void HeavyPassNotice::update() {
     if (const auto known = find_pass(renderer.executor().look(), m_pass);
         !known || !is_over(static_cast<std::size_t>(*known), 0.5 * heavy_pass_milliseconds))
         withdraw();
-    const auto heavy = heavy_pass(renderer.pass_times());
+    const auto heavy = heavy_pass(renderer.times().passes());
     if (!heavy || !is_over(*heavy, heavy_pass_milliseconds))
         return;
     m_pass = passes[*heavy].name;

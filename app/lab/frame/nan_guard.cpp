@@ -6,7 +6,6 @@
 #include <algorithm>
 
 void NanGuard::prepare() {
-    using NanPolicy = Executor::NanPolicy;
     if (m_work.player.is_playing()) {
         m_plays_after = false;
         if (m_found)
@@ -15,16 +14,17 @@ void NanGuard::prepare() {
     const bool clamps = m_is_unattended || m_answer == NonFiniteAction::clamp;
     const bool is_first =
         !m_work.renderer->has_drawn();  // its history is checked with the next frame
-    NanPolicy guard = m_work.player.is_playing() ? NanPolicy::watch : NanPolicy::search;
-    if (m_answer == NonFiniteAction::go_on || (is_first && guard == NanPolicy::watch))
-        guard = NanPolicy::off;
+    NanPolicy policy = m_work.player.is_playing() ? NanPolicy::watch : NanPolicy::search;
+    if (m_answer == NonFiniteAction::go_on || (is_first && policy == NanPolicy::watch))
+        policy = NanPolicy::off;
     else if (clamps)
-        guard = NanPolicy::clamp;
+        policy = NanPolicy::clamp;
     if (clamps && m_found) {
         m_found.reset();
-        m_work.renderer->sanitize();
+        m_watch->sanitize(m_work.renderer->executor());
     }
-    m_work.messages.succeeded(m_work.renderer->set_nan_policy(guard));
+    m_work.messages.succeeded(
+        NanWatch::set_policy(m_watch, policy, m_work.renderer->executors().picture()));
 }
 
 // While the clock is paused, the replay shows which pass wrote the first one.
@@ -33,24 +33,23 @@ void NanGuard::update() {
     if (m_found) {
         if (is_replaying)
             return;
-        if (const auto first = m_work.renderer->take_non_finite(true);
+        if (const auto first = m_watch->take(m_work.renderer->executor(), true);
             first && first->frame <= m_found->frame)
             m_found = first;
         return;
     }
-    if (const auto trip = m_work.renderer->take_non_finite()) {
-        stop_at(*trip);
+    if (const auto found = m_watch->take(m_work.renderer->executor())) {
+        stop_at(*found);
         return;
     }
-    if (m_plays_after && m_work.redraw.is_empty() && !is_replaying &&
-        !m_work.renderer->awaits_nan_check())
+    if (m_plays_after && m_work.redraw.is_empty() && !is_replaying && !m_watch->is_waiting())
         m_work.player.play();
 }
 
 // Some frames have been drawn since the finding. A replay up to its frame restores the history and
 // shows the pixel.
 void NanGuard::stop_at(const NonFinitePixel& found) {
-    if (m_work.renderer->executor().guard() == Executor::NanPolicy::clamp) {
+    if (m_watch->policy() == NanPolicy::clamp) {
         if (!m_was_reported && m_answer != NonFiniteAction::clamp) {
             Diagnostic problem = diagnostic_of(found, m_work.renderer->executor().look());
             problem.message = with_sentence(problem.message, "NaN and Inf are clamped.");
@@ -67,13 +66,18 @@ void NanGuard::stop_at(const NonFinitePixel& found) {
     m_work.player.go_back_to(found.frame);
     prepare();
     const auto all = static_cast<std::size_t>(std::max(m_work.document->look().settle_frames, 1));
-    m_work.renderer->start_replay(m_work.player, all);
+    m_work.renderer->replay().start(m_work.player, all);
     m_work.redraw.clear();
 }
 
 void NanGuard::recheck(const Redraw& redraw) {
     if (m_found && (redraw.needs_replay || redraw.passes[m_found->pass]))
         m_found.reset();
+}
+
+void NanGuard::open() {
+    reset();
+    m_watch = std::make_shared<NanWatch>();
 }
 
 void NanGuard::reset() {
@@ -86,13 +90,13 @@ void NanGuard::answer(NonFiniteAction wanted) {
     if (!m_found)
         return;
     m_found.reset();
-    m_work.renderer->cancel_replay();
+    m_work.renderer->replay().cancel();
     if (wanted == NonFiniteAction::clear) {
         m_work.renderer->clear_history();
     } else {
         m_answer = wanted;
         if (wanted == NonFiniteAction::clamp)
-            m_work.renderer->sanitize();
+            m_watch->sanitize(m_work.renderer->executor());
     }
     m_work.player.play();
 }

@@ -1,8 +1,9 @@
 #pragma once
 
-#include "graph/inspect/nan_detector.h"
+#include "graph/executor/nan_watch.h"
 #include "lab/frame/workspace.h"
 
+#include <memory>
 #include <optional>
 
 /// The user's action for NaN and infinity.
@@ -31,13 +32,18 @@ public:
     void recheck(const Redraw& redraw);
     /// Call when the clock restarts.
     void restart() { m_found.reset(); }
-    /// Call when another look is opened, or the look was edited.
+    /// Whether the GPU has not finished its checks.
+    bool is_waiting() const { return m_watch->is_waiting(); }
+    /// Call when another look is opened.
+    void open();
+    /// Call when the look was edited.
     void reset();
 
 private:
     void stop_at(const NonFinitePixel& found);
 
     Workspace& m_work;
+    std::shared_ptr<NanWatch> m_watch = std::make_shared<NanWatch>();  // of the picture
     std::optional<NonFinitePixel> m_found;
     std::optional<NonFiniteAction> m_answer;  // until the look changes
     bool m_is_unattended = false;

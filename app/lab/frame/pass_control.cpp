@@ -13,6 +13,14 @@ void PassControl::toggle(PassSwitch which, const std::string& pass) {
         set(*next);
 }
 
+// Setting the same runs again would drop an unfinished frame.
+Result<void> PassControl::set_runs(const std::vector<PassRun>& runs) {
+    Executors& executors = m_work.renderer->executors();
+    if (executors.picture().graph().settings().runs == runs)
+        return {};
+    return executors.for_both([&](Executor& executor) { return executor.set_runs(runs); });
+}
+
 // Frozen and left-out passes keep their last picture and are not redrawn.
 void PassControl::set(const PassSwitches& switches) {
     if (!m_work.document || !m_work.renderer)
@@ -22,7 +30,7 @@ void PassControl::set(const PassSwitches& switches) {
     m_switches = known_switches(look, switches);
     const std::vector<PassRun> now = runs_of(look, m_switches);
     m_specialization.stop();
-    if (!m_work.messages.succeeded(m_work.renderer->set_runs(now))) {
+    if (!m_work.messages.succeeded(set_runs(now))) {
         m_switches = {};
         return;
     }
@@ -55,10 +63,13 @@ void PassControl::clear_history() {
 // A paused picture is redrawn from the remaining history. Accumulating passes need earlier frames.
 void PassControl::clear(const std::vector<bool>& passes) {
     const Look& look = m_work.document->look();
-    m_work.renderer->cancel_replay();
+    m_work.renderer->replay().cancel();
     for (std::size_t i = 0; i < passes.size(); ++i)
         if (passes[i])
-            m_work.renderer->clear_history(static_cast<int>(i));
+            static_cast<void>(m_work.renderer->executors().for_both([i](Executor& executor) {
+                executor.clear_history(static_cast<int>(i));
+                return Result<void>();
+            }));
     Redraw redraw{reached_from(look, passes)};
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         redraw.needs_replay =

@@ -30,6 +30,7 @@ public:
     int picture_pass() const;
 
 private:
+    Result<void> set_runs(const std::vector<PassRun>& runs);
     void clear(const std::vector<bool>& passes);
 
     Workspace& m_work;

@@ -25,7 +25,7 @@ void GainMeters::update(const Executor& executor, const Values& values, double s
         m_round_robin.restart(m_passes.size());
     }
     take_answer();
-    const auto due = m_round_robin.due(executor.picture_number(), seconds);
+    const auto due = m_round_robin.due(executor.textures().number(), seconds);
     if (m_meter.is_busy() || !due)
         return;
     m_asked = *due;

@@ -24,7 +24,7 @@ void Thumbnails::update(Viewer& viewer, const Executor& executor, int height, do
         m_height = height;
         m_round_robin.restart(passes.size());
     }
-    const auto pass = m_round_robin.due(executor.picture_number(), seconds);
+    const auto pass = m_round_robin.due(executor.textures().number(), seconds);
     if (!pass)
         return;
     draw(viewer, executor, *pass);

@@ -77,8 +77,8 @@ Diagnostics amiss_with(const Result<Picture>& picture, const Result<void>& shown
 }
 }  // namespace
 
-Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer& renderer,
-                                Renderer::Whose whose, Reading reading) {
+Result<void> ChosenImages::show(const Look& look, const Values& values, Executor& executor,
+                                Reading reading) {
     const bool reads_beside = reading == Reading::beside && std::exchange(m_has_shown, true);
     Diagnostics problems;
     std::map<std::string, Shown> shown;
@@ -102,7 +102,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Renderer
             continue;
         }
         const auto set_image = [&](const Picture& picture) {
-            return renderer.set_image(whose, parameter.name, picture);
+            return executor.set_image(parameter.name, picture);
         };
         if (file.empty()) {
             if (auto done = show_black(set_image); !done)
@@ -135,7 +135,7 @@ void ChosenImages::drop_reading(const std::string& parameter) {
             read.parameter.clear();
 }
 
-std::vector<std::string> ChosenImages::take_read(const Look& look, Renderer& renderer,
+std::vector<std::string> ChosenImages::take_read(const Look& look, Executor& executor,
                                                  Diagnostics& problems) {
     std::vector<std::string> names;
     std::erase_if(m_reading, [&](Read& read) {
@@ -147,7 +147,7 @@ std::vector<std::string> ChosenImages::take_read(const Look& look, Renderer& ren
             return true;
         const Result<Picture> picture = read.picture.get();
         const auto done = show_read(picture, read.file, [&](const Picture& whole) {
-            return renderer.set_image(Renderer::Whose::picture, parameter->name, whole);
+            return executor.set_image(parameter->name, whole);
         });
         names.push_back(parameter->name);
         if (!done)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/rendering/renderer.h"
+#include "graph/executor/executor.h"
 
 #include <filesystem>
 #include <future>
@@ -9,23 +9,22 @@
 #include <string>
 #include <vector>
 
-/// The user's pictures for samplers of the look, as uploaded to the renderer. A file is only read
+/// The user's pictures for samplers of the look, as uploaded to an executor. A file is only read
 /// when it is chosen or changes, not with every edit of the look.
 class ChosenImages {
 public:
     /// How show() reads files: before it returns, or on background threads for take_read(). The
-    /// first call for a renderer always reads immediately.
+    /// first call for an executor always reads immediately.
     enum class Reading { at_once, beside };
 
-    /// Updates the renderer to the chosen files. A sampler that was never given a file keeps its
+    /// Updates the executor to the chosen files. A sampler that was never given a file keeps its
     /// default image. If its file is removed or not readable, it is black. Errors are those of the
     /// files read now.
-    Result<void> show(const Look& look, const Values& values, Renderer& renderer,
-                      Renderer::Whose whose = Renderer::Whose::picture,
+    Result<void> show(const Look& look, const Values& values, Executor& executor,
                       Reading reading = Reading::at_once);
     /// Uploads pictures read in the background that are still chosen; black if reading failed.
     /// Returns the parameters of their samplers.
-    std::vector<std::string> take_read(const Look& look, Renderer& renderer, Diagnostics& problems);
+    std::vector<std::string> take_read(const Look& look, Executor& executor, Diagnostics& problems);
     /// A picture that the user picked for a sampler's parameter.
     struct Choice {
         std::string parameter;
@@ -37,7 +36,7 @@ public:
     std::optional<Result<Choice>> take_chosen();
     /// Whether a chosen file is being read.
     bool is_reading() const;
-    /// Discards all state, for another renderer or another way of reading.
+    /// Discards all state, for another executor or another way of reading.
     void forget();
     /// Marks a file as changed, regardless of its time; true if a sampler uses it.
     bool forget(const std::filesystem::path& file);
@@ -65,5 +64,5 @@ private:
     std::map<std::string, Shown> m_shown;  // by the sampler's parameter
     std::vector<Read> m_reading;
     std::optional<Read> m_chosen;  // picked, not in the document yet
-    bool m_has_shown = false;      // for the current renderer
+    bool m_has_shown = false;      // for the current executor
 };

@@ -2,32 +2,32 @@
 
 namespace fs = std::filesystem;
 
-void LookPictures::show_look_images(const ImageTextures& images, Renderer& renderer) {
+void LookPictures::show_look_images(const ImageTextures& images, Executors& executors) {
     for (const auto& [name, texture] : images)
         if (const auto shown = m_look_images.find(name);
             shown == m_look_images.end() || shown->second != texture)
-            renderer.set_image(name, texture);
+            executors.set_image(name, texture);
     m_look_images = images;
 }
 
-Result<void> LookPictures::show_chosen(const Look& look, const Values& values, Renderer& renderer) {
-    return m_chosen.show(look, values, renderer, Renderer::Whose::picture,
-                         ChosenImages::Reading::beside);
+Result<void> LookPictures::show_chosen(const Look& look, const Values& values,
+                                       Executors& executors) {
+    return m_chosen.show(look, values, executors.picture(), ChosenImages::Reading::beside);
 }
 
 Result<void> LookPictures::show_variant(const Look& look, const Values& values,
-                                        Renderer& renderer) {
-    if (!renderer.variant())
+                                        Executors& executors) {
+    if (!executors.variant())
         return {};
-    return m_variant.show(look, values, renderer, Renderer::Whose::variant);
+    return m_variant.show(look, values, *executors.variant());
 }
 
 Result<void> LookPictures::show_new_variant(const Look& look, const Values& values,
-                                            Renderer& renderer) {
+                                            Executors& executors) {
     for (const auto& [name, texture] : m_look_images)
-        renderer.set_image(name, texture);
+        executors.set_image(name, texture);
     m_variant.forget();
-    return show_variant(look, values, renderer);
+    return show_variant(look, values, executors);
 }
 
 void LookPictures::clear() {

@@ -2,7 +2,7 @@
 
 #include "graph/warm_up/first_draws.h"
 #include "lab/media/chosen_images.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 
 #include <filesystem>
 #include <vector>
@@ -12,14 +12,14 @@
 class LookPictures {
 public:
     /// Uploads the images of the look that changed.
-    void show_look_images(const ImageTextures& images, Renderer& renderer);
+    void show_look_images(const ImageTextures& images, Executors& executors);
     const ImageTextures& look_images() const { return m_look_images; }
     /// Uploads the chosen files that changed.
-    Result<void> show_chosen(const Look& look, const Values& values, Renderer& renderer);
+    Result<void> show_chosen(const Look& look, const Values& values, Executors& executors);
     /// The same for the variant; without effect while there is none.
-    Result<void> show_variant(const Look& look, const Values& values, Renderer& renderer);
+    Result<void> show_variant(const Look& look, const Values& values, Executors& executors);
     /// All pictures, for a variant that has none yet.
-    Result<void> show_new_variant(const Look& look, const Values& values, Renderer& renderer);
+    Result<void> show_new_variant(const Look& look, const Values& values, Executors& executors);
 
     /// The files that the user chose, being read and read.
     ChosenImages& chosen() { return m_chosen; }

@@ -43,7 +43,7 @@ void MediaInput::note(const std::string& file, Diagnostics problems) {
         problem.severity = Severity::warning;
 }
 
-Result<void> MediaInput::follow(const Document& document, Player& player, Renderer& renderer) {
+Result<void> MediaInput::follow(const Document& document, Player& player, Executors& executors) {
     if (m_problem_file != driving_file(document))
         note(driving_file(document), {});
     switch (document.look().driven_by) {
@@ -53,7 +53,7 @@ Result<void> MediaInput::follow(const Document& document, Player& player, Render
             if (player.signal())
                 if (auto silent = player.set_signal({}); !silent)
                     return silent;
-            return follow_source(document, player, renderer);
+            return follow_source(document, player, executors);
         case Driver::nothing:
             break;
     }
@@ -148,7 +148,7 @@ Result<void> MediaInput::fall_back(const Document& document, Player& player,
 }
 
 Result<void> MediaInput::follow_source(const Document& document, const Player& player,
-                                       Renderer& renderer) {
+                                       Executors& executors) {
     const std::string& name = document.state().source;
     const auto spec = parse_source(name);
     if (!spec)
@@ -156,16 +156,16 @@ Result<void> MediaInput::follow_source(const Document& document, const Player& p
     if (m_source && m_source->spec().picture == spec->picture) {
         m_loader.cancel();
         m_source->set_spec(*spec);
-        return show_anew(player, renderer);
+        return show_anew(player, executors);
     }
     if (name != m_loader.name())
         m_loader.load(MediaLoader::Kind::source, name);
     return {};
 }
 
-Result<void> MediaInput::show_anew(const Player& player, Renderer& renderer) {
+Result<void> MediaInput::show_anew(const Player& player, Executors& executors) {
     m_shown.reset();
-    const auto shown = show_source(player.time(), renderer);
+    const auto shown = show_source(player.time(), executors);
     return shown ? Result<void>() : fail(shown.error());
 }
 
@@ -177,24 +177,24 @@ Extent MediaInput::source_extent(Extent viewport) const {
     return m_source ? placed_extent(m_source->extent(), m_source->spec(), viewport) : Extent{};
 }
 
-Result<bool> MediaInput::show_source(double seconds, Renderer& renderer) {
+Result<bool> MediaInput::show_source(double seconds, Executors& executors) {
     if (!m_source)
         return false;
-    m_source->expect(renderer.executor().look().source_encoding);
+    m_source->expect(executors.picture().look().source_encoding);
     SharedPicture picture = m_source->picture_at(seconds);
     const Extent extent = source_extent();
     if (picture == m_shown && extent == m_shown_extent)
         return false;
-    const auto set = show_placed(*picture, m_source->spec(), m_viewport, renderer);
+    const auto set = show_placed(*picture, m_source->spec(), m_viewport, executors);
     m_shown = std::move(picture);
     m_shown_extent = extent;
     return set ? Result<bool>(true) : fail(set.error());
 }
 
-Result<void> MediaInput::show_past_source(double seconds, Renderer& renderer) {
+Result<void> MediaInput::show_past_source(double seconds, Executors& executors) {
     if (!m_source || m_source->is_film())
         return {};
-    const auto shown = show_source(seconds, renderer);
+    const auto shown = show_source(seconds, executors);
     return shown ? Result<void>() : fail(shown.error());
 }
 
@@ -205,7 +205,7 @@ Result<void> MediaInput::show_beside(double seconds, const Beside& beside) {
     if (picture == beside.shown)
         return {};
     beside.shown = std::move(picture);
-    return show_placed(*beside.shown, m_source->spec(), beside.viewport, beside.renderer);
+    return show_placed(*beside.shown, m_source->spec(), beside.viewport, beside.executors);
 }
 
 Result<void> MediaInput::show_past_beside(double seconds, const Beside& beside) {
@@ -226,14 +226,14 @@ Diagnostics MediaInput::take_problems() {
 }
 
 std::optional<Result<void>> MediaInput::update(const Document& document, Player& player,
-                                               Renderer& renderer) {
+                                               Executors& executors) {
     auto loaded = m_loader.take_finished();
     if (!loaded)
         return std::nullopt;
     const bool is_picture = document.look().driven_by == Driver::picture;
     const std::string file = is_picture ? file_of_source(loaded->name) : loaded->name;
     Diagnostics notes = std::move(loaded->notes);
-    auto taken = take(std::move(*loaded), document, player, renderer);
+    auto taken = take(std::move(*loaded), document, player, executors);
     if (!taken)
         notes.insert(notes.end(), taken.error().begin(), taken.error().end());
     note(file, std::move(notes));
@@ -243,7 +243,7 @@ std::optional<Result<void>> MediaInput::update(const Document& document, Player&
 }
 
 Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Player& player,
-                              Renderer& renderer) {
+                              Executors& executors) {
     if (!loaded.problems.empty())
         return fall_back(document, player, with_hint(std::move(loaded.problems)));
     const std::string file = loaded.source ? loaded.source->spec().picture : loaded.name;
@@ -252,7 +252,7 @@ Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Play
     if (loaded.source) {
         m_source = std::move(loaded.source);
         if (player.frame_number() > 0)
-            return show_anew(player, renderer);
+            return show_anew(player, executors);
         m_shown.reset();  // the first frame shows its own picture
         return {};
     }

@@ -3,7 +3,7 @@
 #include "lab/document/document.h"
 #include "lab/media/media_loader.h"
 #include "lab/playback/player.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 #include "lab/storage/media.h"
 
 #include <memory>
@@ -34,7 +34,7 @@ public:
     void forget();
     /// Applies the document's signal or source. If it fails, the look's own signal is used if the
     /// player had no signal.
-    Result<void> follow(const Document& document, Player& player, Renderer& renderer);
+    Result<void> follow(const Document& document, Player& player, Executors& executors);
     /// Reads the file of a user's choice. Nothing changes until it has been read.
     void choose(ChosenContent chosen);
     /// The user's choice when its file has been read. The player then has the sound, or source() is
@@ -43,7 +43,7 @@ public:
 
     /// Applies a file that has been read; nullopt: not ready.
     std::optional<Result<void>> update(const Document& document, Player& player,
-                                       Renderer& renderer);
+                                       Executors& executors);
 
     /// Reads a changed file again. Until then the previous content stays.
     void read_again(const Document& document);
@@ -61,16 +61,16 @@ public:
     void set_viewport(Extent viewport) { m_viewport = viewport; }
     /// The size of the source as the look reads it; empty: no source.
     Extent source_extent() const;
-    /// Sets the renderer's source for the end time of a frame; true if the picture changed. A
+    /// Sets the source for the end time of a frame; true if the picture changed. A
     /// picture that is still being read is late.
-    Result<bool> show_source(double seconds, Renderer& renderer);
+    Result<bool> show_source(double seconds, Executors& executors);
     /// The same for a replayed frame. A film keeps its current picture.
-    Result<void> show_past_source(double seconds, Renderer& renderer);
-    /// Sets the source again, for a renderer that has lost it.
-    Result<void> show_anew(const Player& player, Renderer& renderer);
-    /// A second renderer, such as for previews: its picture size and its current source picture.
+    Result<void> show_past_source(double seconds, Executors& executors);
+    /// Sets the source again, for executors that have lost it.
+    Result<void> show_anew(const Player& player, Executors& executors);
+    /// Other executors, such as those of previews: its picture size and its current source picture.
     struct Beside {
-        Renderer& renderer;
+        Executors& executors;
         Extent viewport;
         SharedPicture& shown;
     };
@@ -85,9 +85,10 @@ public:
 
 private:
     Result<void> follow_signal(const Document& document, Player& player);
-    Result<void> follow_source(const Document& document, const Player& player, Renderer& renderer);
+    Result<void> follow_source(const Document& document, const Player& player,
+                               Executors& executors);
     Result<void> take(LoadedMedia loaded, const Document& document, Player& player,
-                      Renderer& renderer);
+                      Executors& executors);
     Result<void> fall_back(const Document& document, Player& player, Diagnostics reasons) const;
 
     void note(const std::string& file, Diagnostics problems);
@@ -100,6 +101,6 @@ private:
     MediaLoader m_chosen_loader;
     std::optional<Source> m_source;
     Extent m_viewport;
-    SharedPicture m_shown;  // the renderer's source picture
+    SharedPicture m_shown;  // the source picture of the executors
     Extent m_shown_extent;
 };

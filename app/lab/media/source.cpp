@@ -3,7 +3,7 @@
 #include "io/pictures/picture_file.h"
 #include "io/pictures/picture_sequence.h"
 #include "io/video/video_file.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 #include "lab/rendering/sanitize.h"
 #include "lab/storage/media.h"
 #include "model/picture/placing.h"
@@ -164,9 +164,9 @@ bool is_source_file(const std::filesystem::path& file) {
 }
 
 Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent viewport,
-                         Renderer& renderer) {
+                         Executors& executors) {
     const bool is_whole = spec.fit == Fit::stretch;
-    return renderer.set_source(is_whole ? picture : placed(picture, spec, viewport),
-                               placed_aspect(spec, picture.extent),
-                               placed_raster(picture.extent, spec, viewport));
+    return executors.set_source(is_whole ? picture : placed(picture, spec, viewport),
+                                placed_aspect(spec, picture.extent),
+                                placed_raster(picture.extent, spec, viewport));
 }

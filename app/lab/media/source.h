@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-class Renderer;
+class Executors;
 
 /// The source picture of a look: a pattern, a file, a numbered sequence or a video.
 class Source {
@@ -63,9 +63,9 @@ private:
     Diagnostics m_problems;
 };
 
-/// Sets a picture as the renderer's source, fitted into `viewport` as the spec requests.
+/// Sets a picture as the source, fitted into `viewport` as the spec requests.
 Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent viewport,
-                         Renderer& renderer);
+                         Executors& executors);
 
 /// Whether a file can be a source: a picture, a video or a numbered sequence.
 bool is_source_file(const std::filesystem::path& file);

@@ -30,7 +30,7 @@ double median(std::vector<double> values) {
 
 Result<Measurement> measure(Offline& offline, int frames) {
     constexpr int warm_up_frames = 8;
-    if (auto off = offline.set_nan_policy(Executor::NanPolicy::off); !off)
+    if (auto off = offline.set_nan_policy(NanPolicy::off); !off)
         return fail(off.error());
     if (auto specialized = offline.specialize(); !specialized)
         return fail(specialized.error());
@@ -59,8 +59,8 @@ Result<Measurement> measure(Offline& offline, int frames) {
     measured.wall_milliseconds = median(std::move(wall));
     for (std::size_t i = 0; i < passes.size(); ++i)
         measured.passes.push_back({look.passes[i].name, median(std::move(passes[i]))});
-    measured.draw_calls = offline.executor().draw_calls();
-    measured.bytes_per_pixel = offline.executor().bytes_per_pixel();
+    measured.draw_calls = offline.executor().drawer().draw_calls();
+    measured.bytes_per_pixel = bytes_per_pixel(offline.executor());
     measured.target_bytes = memory_of(offline.executor().plan());
     measured.renderer = offline.context().facts().renderer;
     return measured;

@@ -210,7 +210,7 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
                  Extent size, double fps)
     : m_context(std::move(context)),
       m_document(std::move(prepared.document)),
-      m_renderer(std::make_unique<Renderer>(m_document.drawn_look(), std::move(programs))),
+      m_executors(Executor(m_document.drawn_look(), std::move(programs))),
       m_player(std::make_unique<Player>()),
       m_size(size),
       m_fps(fps),
@@ -234,9 +234,9 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     if (seen)
         if (auto done = offline.show_to(offline.seen_with_picture(*seen)); !done)
             return fail(done.error());
-    if (auto done = offline.m_renderer->resize(size, size); !done)
+    if (auto done = offline.m_executors.picture().resize(size, size); !done)
         return fail(done.error());
-    if (auto done = offline.set_nan_policy(Executor::NanPolicy::clamp); !done)
+    if (auto done = offline.set_nan_policy(NanPolicy::clamp); !done)
         return fail(done.error());
     if (auto done = offline.load_signal(); !done)
         return fail(done.error());
@@ -246,8 +246,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
 }
 
 void Offline::take_values() {
-    m_renderer->set_values(m_document.values());
-    m_renderer->set_modulations(m_document.state().modulations);
+    m_executors.picture().set_values(m_document.values());
 }
 
 Result<void> Offline::load_signal() {
@@ -265,9 +264,8 @@ Result<void> Offline::load_signal() {
     }
     add_new(m_problems, notes_about(signal));
     auto set = m_player->set_signal(signal, std::move(sound));
-    m_renderer->set_beam_fit(beam_fit_of(signal));
-    m_renderer->set_loudness(m_player->loudness());
-    m_renderer->set_sound(m_player->sound_texels());
+    m_executors.inputs().beam_fit = beam_fit_of(signal);
+    m_executors.inputs().sound = m_player->sound_texels();
     return set;
 }
 
@@ -289,7 +287,7 @@ Result<void> Offline::show_source(double seconds) {
     if (picture == m_shown)
         return {};
     m_shown = std::move(picture);
-    return show_placed(*m_shown, m_source->spec(), m_size, *m_renderer);
+    return show_placed(*m_shown, m_source->spec(), m_size, m_executors);
 }
 
 Diagnostics Offline::take_problems() {
@@ -298,7 +296,7 @@ Diagnostics Offline::take_problems() {
         const Diagnostics more = m_source->take_problems();
         problems.insert(problems.end(), more.begin(), more.end());
     }
-    if (const auto trip = m_renderer->take_non_finite(true)) {
+    if (const auto trip = m_nan_watch->take(executor(), true)) {
         problems.push_back(diagnostic_of(*trip, executor().look()));
         std::string& message = problems.back().message;
         message = with_sentence(message, "NaN and Inf were clamped.");
@@ -318,7 +316,7 @@ Result<void> Offline::load_pictures() {
         m_source = std::move(*source);
         m_source_is_carried = reads_source(look, carried_passes(look));
         const Extent extent = placed_extent(m_source->extent(), m_source->spec(), m_size);
-        if (auto done = m_renderer->resize(m_size, extent); !done)
+        if (auto done = m_executors.picture().resize(m_size, extent); !done)
             return done;
         if (auto done = show_source(0.0); !done)
             return done;
@@ -332,10 +330,10 @@ Result<void> Offline::load_pictures() {
             continue;
         if (auto fits = budget.take(image, **picture); !fits)
             return fits;
-        if (auto done = m_renderer->set_image(image.name, **picture); !done)
+        if (auto done = m_executors.picture().set_image(image.name, **picture); !done)
             return done;
     }
-    return m_chosen_images.show(look, m_document.values(), *m_renderer);
+    return m_chosen_images.show(look, m_document.values(), m_executors.picture());
 }
 
 // Rebuilds the programs after changes of constants. Unchanged programs are kept.
@@ -345,8 +343,9 @@ Result<void> Offline::follow_constants() {
     if (executor().look().constants == m_document.look().constants)
         return {};
     const Look look = m_document.drawn_look();
-    auto programs = build_programs(look, &executor().programs());
-    return programs ? m_renderer->replace(look, *programs) : fail(std::move(programs.error()));
+    auto programs = build_programs(look, &executor().programs().generic());
+    return programs ? m_executors.picture().replace(look, *programs)
+                    : fail(std::move(programs.error()));
 }
 
 bool Offline::moves(const Parameter& parameter) const {
@@ -358,7 +357,7 @@ Result<void> Offline::specialize(const std::vector<std::string>& seen) {
     const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
         return parameter.is_constant && moves(parameter);
     });
-    if (turns_texts || m_unsettled)
+    if (turns_texts || m_generic)
         return {};
     const std::vector<bool> is_seen = seen_with_picture(seen);
     if (auto done = show_to(is_seen); !done)
@@ -368,14 +367,14 @@ Result<void> Offline::specialize(const std::vector<std::string>& seen) {
         look, m_document.values(), executor().plan(),
         [&](const Parameter& parameter) { return moves(parameter); }, texts));
     if (!programs)  // the driver refused: keep the generic programs
-        return m_renderer->set_displayed({});
-    m_unsettled = executor().programs();
-    if (auto done = m_renderer->replace(look, *programs); !done)
+        return m_executors.picture().set_displayed({});
+    m_generic = executor().programs().generic();
+    if (auto done = m_executors.picture().replace(look, *programs); !done)
         return done;
     std::vector<PassRun> runs;
-    for (const bool is_read : executor().read_for(is_seen))
+    for (const bool is_read : read_for(executor(), is_seen))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
-    return m_renderer->set_runs(runs);
+    return m_executors.picture().set_runs(runs);
 }
 
 std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& names) const {
@@ -389,7 +388,7 @@ std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& nam
 Result<void> Offline::show_to(const std::vector<bool>& seen) {
     if (turns_sharing())
         return {};
-    return m_renderer->set_displayed(seen, Executor::Frames::drawn_once);
+    return m_executors.picture().set_displayed(seen, Redraws::never);
 }
 
 // Specialised programs support only one plan.
@@ -401,14 +400,14 @@ bool Offline::turns_sharing() const {
 }
 
 Result<void> Offline::end_specialized() {
-    if (!m_unsettled)
+    if (!m_generic)
         return {};
-    if (auto done = m_renderer->set_displayed({}); !done)
+    if (auto done = m_executors.picture().set_displayed({}); !done)
         return done;
-    const Programs programs = *std::exchange(m_unsettled, std::nullopt);
-    if (auto done = m_renderer->replace(executor().look(), programs); !done)
+    const Programs programs = *std::exchange(m_generic, std::nullopt);
+    if (auto done = m_executors.picture().replace(executor().look(), programs); !done)
         return done;
-    return m_renderer->set_runs({});
+    return m_executors.picture().set_runs({});
 }
 
 Result<void> Offline::start_again(Document document) {
@@ -420,8 +419,8 @@ Result<void> Offline::start_again(Document document) {
         return done;
     m_moves.start_again();
     take_values();
-    m_renderer->clear_history();
-    if (auto done = m_renderer->resize_again(); !done)
+    m_executors.picture().clear_history();
+    if (auto done = resize_again(); !done)
         return done;
     const DocumentState& now = m_document.state();
     if (now.signal == before.signal) {
@@ -433,7 +432,7 @@ Result<void> Offline::start_again(Document document) {
     }
     if (now.source != before.source)
         return load_pictures();
-    return m_chosen_images.show(executor().look(), now.values, *m_renderer);
+    return m_chosen_images.show(executor().look(), now.values, m_executors.picture());
 }
 
 // The values also go into the document, because pictures are saved with it as a preset.
@@ -446,7 +445,7 @@ void Offline::make_moves(double seconds) {
     if (auto done = follow_constants(); !done)
         m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());
     take_values();
-    if (auto sized = m_renderer->resize_again(); !sized)
+    if (auto sized = resize_again(); !sized)
         m_problems.insert(m_problems.end(), sized.error().begin(), sized.error().end());
 }
 
@@ -456,7 +455,7 @@ Beam Offline::beam_of(const PlayedFrame& frame) const {
 
 Result<void> Offline::hold_source(const Picture& picture) {
     m_source.reset();
-    return m_renderer->set_source(picture);
+    return m_executors.set_source(picture);
 }
 
 void Offline::advance() {
@@ -464,7 +463,8 @@ void Offline::advance() {
     make_moves(frame.span.end);
     if (auto shown = show_source(frame.span.end); !shown)
         m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
-    m_renderer->draw(frame, beam_of(frame));
+    modulate_values(frame);
+    m_executors.draw(frame, beam_of(frame));
 }
 
 Picture Offline::picture_after(int frames) {
@@ -480,7 +480,19 @@ void Offline::advance_unseen() {
     if (m_source_is_carried)
         if (auto shown = show_source(frame.span.end); !shown)
             m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
-    m_renderer->draw_unseen(frame, beam_of(frame));
+    modulate_values(frame);
+    ::draw_unseen(m_executors, frame, beam_of(frame));
+}
+
+Result<void> Offline::resize_again() {
+    const FrameSettings& settings = executor().graph().settings();
+    return m_executors.picture().resize(settings.viewport, settings.source);
+}
+
+void Offline::modulate_values(const PlayedFrame& frame) {
+    const Values& values = m_document.values();
+    modulate(m_executors, {values, values, m_document.state().modulations}, frame.span.end,
+             m_player->loudness().get());
 }
 
 Picture Offline::picture(int pass) const {

@@ -3,13 +3,14 @@
 #include "base/byte_store.h"
 #include "base/pass_progress.h"
 #include "gpu/context.h"
+#include "graph/executor/nan_watch.h"
 #include "lab/document/document.h"
 #include "lab/library/open.h"
 #include "lab/media/chosen_images.h"
 #include "lab/media/preset_content.h"
 #include "lab/media/source.h"
 #include "lab/playback/player.h"
-#include "lab/rendering/renderer.h"
+#include "lab/rendering/executors.h"
 #include "model/picture/raw_picture.h"
 #include "model/tuning/moves.h"
 
@@ -85,7 +86,9 @@ public:
     /// Advances this number of frames and returns the last picture.
     Picture picture_after(int frames);
     std::int64_t frame_number() const { return m_player->frame_number(); }
-    std::vector<double> pass_milliseconds() { return m_renderer->pass_milliseconds(); }
+    std::vector<double> pass_milliseconds() {
+        return m_executors.picture().drawer().pass_milliseconds();
+    }
     /// Restarts at the first frame with another document of the same look. Cheaper than create(),
     /// because context and programs stay. Fails like create().
     Result<void> start_again(Document document);
@@ -96,8 +99,8 @@ public:
     Result<void> specialize(const std::vector<std::string>& seen = {});
     /// How NaN and infinity are handled. By default they are clamped, and the first one is reported
     /// with the problems.
-    Result<void> set_nan_policy(Executor::NanPolicy guard) {
-        return m_renderer->set_nan_policy(guard);
+    Result<void> set_nan_policy(NanPolicy guard) {
+        return NanWatch::set_policy(m_nan_watch, guard, m_executors.picture());
     }
     /// Replaces the signal's beam in all later frames.
     void drive_by(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
@@ -105,7 +108,7 @@ public:
     Result<void> hold_source(const Picture& picture);
     /// Sets the frame rate; call start_again() afterwards.
     void set_fps(double fps) { m_fps = fps; }
-    const Executor& executor() const { return m_renderer->executor(); }
+    const Executor& executor() const { return m_executors.picture(); }
     const Document& document() const { return m_document; }
     const gpu::Context& context() const { return *m_context; }
     /// Called by create(). With several instances, call it before using another one.
@@ -138,13 +141,16 @@ private:
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
+    Result<void> resize_again();
+    void modulate_values(const PlayedFrame& frame);
     Beam beam_of(const PlayedFrame& frame) const;
     Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
             Extent size, double fps);
 
     std::unique_ptr<gpu::Context> m_context;
     Document m_document;
-    std::unique_ptr<Renderer> m_renderer;
+    Executors m_executors;
+    std::shared_ptr<NanWatch> m_nan_watch = std::make_shared<NanWatch>();
     std::unique_ptr<Player> m_player;
     Extent m_size;
     double m_fps;
@@ -153,7 +159,7 @@ private:
     SharedPicture m_shown;
     ChosenImages m_chosen_images;
     MovesReader m_moves;
-    std::optional<Programs> m_unsettled;  // the generic programs while specialised ones are used
-    bool m_source_is_carried = false;     // unseen frames also depend on it
+    std::optional<Programs> m_generic;  // the generic programs while specialised ones are used
+    bool m_source_is_carried = false;   // unseen frames also depend on it
     Diagnostics m_problems;
 };

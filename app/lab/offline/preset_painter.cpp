@@ -74,7 +74,7 @@ std::vector<fs::path> files_named_in(const Document& document) {
 }
 
 bool has_samples(const Executor& executor) {
-    const auto samples = executor.samples();
+    const auto samples = executor.drawer().samples();
     return !samples || samples->held >= samples->enough.value_or(0);
 }
 

@@ -21,27 +21,28 @@ std::vector<PlayedFrame> latest(const Player& player, std::size_t frames) {
 
 Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, const Values& values,
                                               const Values* others, std::size_t frames) {
-    auto renderer = std::make_unique<Renderer>(subject.document.drawn_look(),
-                                               subject.shown.executor().programs());
-    renderer->set_values(values);
-    renderer->set_modulations(subject.document.state().modulations);
-    renderer->set_beam_fit(beam_fit_of(subject.document.state().signal));
-    renderer->set_loudness(subject.player.loudness());
-    renderer->set_sound(subject.player.sound_texels());
-    renderer->set_date(local_date());
-    renderer->set_patience(patience_seconds);
-    renderer->set_mouse(subject.shown.mouse()[0], subject.shown.mouse()[1]);
+    Executors executors(
+        Executor(subject.document.drawn_look(), subject.shown.executor().programs().generic()));
+    FrameInputs& inputs = executors.inputs();
+    inputs.beam_fit = beam_fit_of(subject.document.state().signal);
+    inputs.sound = subject.player.sound_texels();
+    inputs.date = local_date();
+    inputs.patience_seconds = patience_seconds;
+    inputs.hand.move(subject.shown.executors().inputs().hand.place());
+    executors.picture().set_values(values);
     const Extent source = subject.media.source_extent(subject.picture);
-    if (auto sized =
-            renderer->resize(subject.picture, source.is_empty() ? subject.picture : source);
+    if (auto sized = executors.picture().resize(subject.picture,
+                                                source.is_empty() ? subject.picture : source);
         !sized)
         return fail(sized.error());
     if (others) {
-        if (auto started = renderer->start_variant(*others); !started)
+        if (auto started = executors.start_variant(*others); !started)
             return fail(started.error());
-        renderer->cancel_replay();  // from now on, both get the same input
+        executors.set_variant_alone(false);  // from now on, both get the same input
     }
-    PreviewRenderer trial(std::move(renderer), latest(subject.player, frames));
+    PreviewRenderer trial(std::move(executors), latest(subject.player, frames));
+    trial.m_values = values;
+    trial.m_other_values = others ? *others : Values();
     if (auto done = trial.show_pictures(subject, values, others); !done)
         return fail(done.error());
     return trial;
@@ -50,30 +51,33 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
 Result<void> PreviewRenderer::show_pictures(const PreviewSubject& subject, const Values& values,
                                             const Values* others) {
     for (const auto& [name, texture] : subject.images)
-        m_renderer->set_image(name, texture);
+        m_executors.set_image(name, texture);
     const Look& look = executor().look();
     // Unreadable files are black, as in the window, which has already reported them.
-    static_cast<void>(m_chosen_images.show(look, values, *m_renderer, Renderer::Whose::picture));
+    static_cast<void>(m_chosen_images.show(look, values, m_executors.picture()));
     if (others)
-        static_cast<void>(
-            m_other_images.show(look, *others, *m_renderer, Renderer::Whose::variant));
+        static_cast<void>(m_other_images.show(look, *others, *m_executors.variant()));
     return subject.media.show_beside(subject.player.time(),
-                                     {*m_renderer, subject.picture, m_source});
+                                     {m_executors, subject.picture, m_source});
 }
 
 Result<void> PreviewRenderer::start_again(const Values& values) {
-    m_renderer->set_values(values);
-    static_cast<void>(m_chosen_images.show(executor().look(), values, *m_renderer));
-    if (auto sized = m_renderer->resize_again(); !sized)
-        return sized;
-    m_renderer->clear_history();
-    m_renderer->restart_samples();
+    m_values = values;
+    Executor& picture = m_executors.picture();
+    picture.set_values(values);
+    static_cast<void>(m_chosen_images.show(picture.look(), values, picture));
     m_done = 0;
-    return {};
+    return m_executors.for_both([](Executor& executor) {
+        const FrameSettings& settings = executor.graph().settings();
+        auto sized = executor.resize(settings.viewport, settings.source);
+        if (sized)
+            executor.clear_history();
+        return sized;
+    });
 }
 
 bool PreviewRenderer::has_samples() const {
-    const auto samples = executor().samples();
+    const auto samples = executor().drawer().samples();
     return !samples || m_frames.empty() || samples->held >= samples->enough.value_or(0);
 }
 
@@ -84,13 +88,14 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
     m_done = std::min(m_done + 1, m_frames.size());
     // Errors are ignored, because a missing film picture affects all compared pictures.
     static_cast<void>(
-        subject.media.show_past_beside(frame.span.end, {*m_renderer, subject.picture, m_source}));
-    m_renderer->invalidate_uniforms();
+        subject.media.show_past_beside(frame.span.end, {m_executors, subject.picture, m_source}));
+    modulate(m_executors, {m_values, m_other_values, subject.document.state().modulations},
+             frame.span.end, subject.player.loudness().get());
     const Beam beam = subject.player.trace(frame.span);
     if (is_last)
-        m_renderer->draw(frame, beam);
+        m_executors.draw(frame, beam);
     else
-        m_renderer->draw_unseen(frame, beam);
+        draw_unseen(m_executors, frame, beam);
 }
 
 bool PreviewRenderer::go_on(const PreviewSubject& subject, double seconds) {
@@ -112,6 +117,6 @@ std::string why_untried(const Parameter& constant) {
 std::size_t bearable_frames(const Look& look, const Renderer& shown, double seconds, double times) {
     constexpr double fewest = 4.0;
     const double all = std::max(look.settle_frames, 1);
-    const double bearable = seconds / std::max(shown.frame_seconds() * times, 1e-6);
+    const double bearable = seconds / std::max(shown.times().frame_seconds() * times, 1e-6);
     return static_cast<std::size_t>(std::clamp(bearable, std::min(fewest, all), all));
 }

@@ -3,6 +3,7 @@
 #include "lab/media/chosen_images.h"
 #include "lab/media/media_input.h"
 #include "lab/reload/look_loader.h"
+#include "lab/rendering/renderer.h"
 
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@ struct PreviewSubject {
     const Document& document;
     const Player& player;
     MediaInput& media;
-    Renderer& shown;  // the window's renderer; its programs are used and must be reclaimed
+    const Renderer& shown;  // the window's renderer, whose programs are used
     const ImageTextures& images;
     Extent picture;  // size to draw
 };
@@ -39,19 +40,21 @@ public:
     bool is_running() const { return m_done < m_frames.size() || !has_samples(); }
     std::size_t done() const { return m_done; }
     std::size_t total() const { return m_frames.size(); }
-    const Executor& executor() const { return m_renderer->executor(); }
+    const Executor& executor() const { return m_executors.picture(); }
     /// The executor for `others`; null: not used.
-    const Executor* others() const { return m_renderer->variant(); }
+    const Executor* others() const { return m_executors.variant(); }
 
 private:
-    PreviewRenderer(std::unique_ptr<Renderer> renderer, std::vector<PlayedFrame> frames)
-        : m_renderer(std::move(renderer)), m_frames(std::move(frames)) {}
+    PreviewRenderer(Executors executors, std::vector<PlayedFrame> frames)
+        : m_executors(std::move(executors)), m_frames(std::move(frames)) {}
     Result<void> show_pictures(const PreviewSubject& subject, const Values& values,
                                const Values* others);
     void draw_next(const PreviewSubject& subject);
     bool has_samples() const;
 
-    std::unique_ptr<Renderer> m_renderer;
+    Executors m_executors;
+    Values m_values;  // without modulation
+    Values m_other_values;
     ChosenImages m_chosen_images;
     ChosenImages m_other_images;
     SharedPicture m_source;

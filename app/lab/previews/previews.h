@@ -17,12 +17,11 @@ public:
     /// Call it in every update while a look is open.
     void update(const PreviewSubject& subject) {
         // Long enough for progress, but short compared to the picture's own frame.
-        const double slice_seconds = std::clamp(0.5 * subject.shown.frame_seconds(), 0.01, 0.05);
+        const double slice_seconds =
+            std::clamp(0.5 * subject.shown.times().frame_seconds(), 0.01, 0.05);
         m_probe.update(subject, slice_seconds);
         if (!m_probe.is_busy())
             m_sheet.update(subject, slice_seconds);
-        if (m_probe.question() || !m_sheet.request().across.empty())
-            subject.shown.invalidate_uniforms();  // their uniforms have the values of the preview
     }
     bool is_busy() const { return m_probe.is_busy() || m_sheet.is_running(); }
     /// Stops all previews, for another look.

@@ -3,6 +3,7 @@
 #include "glsl/compile/check.h"
 #include "gpu/driver_cache.h"
 #include "gpu/objects/draw.h"
+#include "graph/inspect/nan_detector.h"
 #include "graph/warm_up/first_views.h"
 #include "io/pictures/picture_codec.h"
 #include "lab/storage/injected_fault.h"

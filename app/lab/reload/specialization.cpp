@@ -31,9 +31,10 @@ void Specialization::update(const Drawn& drawn, Renderer& renderer, bool is_quie
                             double wall_seconds) {
     constexpr double longest_update = 0.1;
     constexpr double enough_seconds = 2.0;
-    const bool is_specialized = renderer.executor().is_specialized();
+    const bool is_specialized = renderer.executor().programs().is_specialized();
     // A comparison draws both pictures with generic programs.
-    m_loader.programs().set_key(is_specialized && !renderer.variant() ? m_key : nullptr);
+    m_loader.programs().set_key(is_specialized && !renderer.executors().variant() ? m_key
+                                                                                  : nullptr);
     if (!is_quiet || !is_static(drawn.state)) {
         stop();
         follow_values(m_values, drawn.state.values);
@@ -70,7 +71,8 @@ void Specialization::use(Programs programs, const Drawn& drawn, Renderer& render
     m_key = std::make_shared<const SpecializationKey>(
         SpecializationKey{drawn.state.values, renderer.executor().plan(), moving});
     m_loader.programs().set_key(m_key);
-    renderer.specialize(std::move(programs), std::move(moving));
+    renderer.drop_frame();
+    renderer.executors().picture().specialize(std::move(programs), std::move(moving));
 }
 
 void Specialization::draw(SpecializedLook specialized, const Drawn& drawn, Renderer& renderer) {

@@ -16,8 +16,9 @@ PeriodTerms period_terms(const Parameter& parameter, const Document& document,
         return terms;
     terms.target = executor.plan().targets[pass].extent;
     const bool reads_source = executor.look().passes[pass].source.empty();
-    terms.raster = reads_source && renderer->source_raster() ? *renderer->source_raster()
-                                                             : own_raster(terms.target);
+    terms.raster = reads_source && renderer->executors().inputs().source_raster
+                       ? *renderer->executors().inputs().source_raster
+                       : own_raster(terms.target);
     return terms;
 }
 

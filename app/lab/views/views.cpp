@@ -89,7 +89,7 @@ void Views::draw_part(const gpu::Texture& from, std::optional<gpu::Canvas>& to, 
 
 std::optional<gpu::Texture> Views::small_picture(const Lab& lab, int pass, Extent extent) {
     const Executor& executor = lab.renderer()->executor();
-    if (!m_home || !m_home->serve(executor.programs()))
+    if (!m_home || !m_home->serve(executor.programs().generic()))
         return std::nullopt;
     const gpu::ContextScope home(m_home->home.get());
     auto canvas = gpu::Canvas::make(extent, Format::rgba8);
@@ -211,7 +211,7 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
                                   {part.name, part.options.channels, part.options.levels}, now);
     }
     const CellNumbers::Subject cells =
-        part.cells(room, window.views.cell, executor.picture_number());
+        part.cells(room, window.views.cell, executor.textures().number());
     m_closer.update_inspected(&cells, now);
 }
 
@@ -219,7 +219,7 @@ void Views::draw_inspected(const Executor& executor, const WindowState& window) 
 void Views::look_closer(const Lab& lab, const WindowState& window) {
     const Part part = large_part(lab, window);
     const double now = present_seconds();
-    const auto number = lab.renderer()->executor().picture_number();
+    const auto number = lab.renderer()->executor().textures().number();
     const CellNumbers::Subject cells = part.cells(window.views.picture, window.views.cell, number);
     const bool is_itself = lab.frames().comparison().mode() == CompareMode::off &&
                            !lab.frames().comparison().selection().is_flashing() &&
@@ -250,7 +250,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     if (lab.renderer()->replay().is_running() || !lab.renderer()->has_whole_picture())
         return;  // the previous views stay until the replay or the first frame is complete
     const Executor& executor = lab.renderer()->executor();
-    move_to(executor.programs());
+    move_to(executor.programs().generic());
     inspect(executor, window);
     draw_picture(lab, window);
     draw_output(lab, window.output.is_black ? Extent{} : window.views.output);
@@ -307,7 +307,7 @@ void Views::count_flashes(const Lab& lab, const WindowState& window) {
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     const gpu::ContextScope home(m_home->home.get());
     m_home->flash_meter.update(
-        {executor.target(last), encoding_of(executor.look(), last), executor.picture_number()},
+        {executor.target(last), encoding_of(executor.look(), last), executor.textures().number()},
         present_seconds());
 }
 
@@ -345,7 +345,7 @@ Views::Part Views::large_part(const Lab& lab, const WindowState& window) const {
 
 // Updates the reference of the part. A picture from a file can only be compared with the picture.
 void Views::compare(const Lab& lab, const Part& part) {
-    const Executor* variant = lab.renderer()->variant();
+    const Executor* variant = lab.renderer()->executors().variant();
     const bool is_picture = part.pass == lab.frames().passes().picture_pass();
     const bool is_file =
         lab.frames().comparison().selection().chosen().other.kind == Other::Kind::file;

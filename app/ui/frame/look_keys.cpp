@@ -77,12 +77,17 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
         if (const std::size_t number = browser_key(key); number != 0 && is_held(key, number))
             held.set(number);
     const Keys::Flags changed = held ^ known;
-    for (std::size_t key = 0; key < Keys::count; ++key)
-        if (changed[key])
-            edits.add([key, is_down = held.test(key)](Lab& lab) {
-                if (Renderer* renderer = lab.renderer())
-                    renderer->set_key(key, is_down);
-            });
+    if (changed.none())
+        return;
+    edits.add([changed, held](Lab& lab) {
+        if (!lab.renderer())
+            return;
+        lab.renderer()->change_hand([&](Hand& hand) {
+            for (std::size_t key = 0; key < Keys::count; ++key)
+                if (changed[key])
+                    hand.set_key(key, held[key]);
+        });
+    });
 }
 
 bool is_key_of_look(int key, const Scene& scene) {

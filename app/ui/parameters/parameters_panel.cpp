@@ -171,7 +171,7 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
         knob.typed = revealed.component;
     if (knob.modulation && scene.lab.renderer())
-        knob.now = &value_of(parameter, scene.lab.renderer()->drawn_values());
+        knob.now = &value_of(parameter, scene.lab.renderer()->executor().graph().values());
     row.end(draw_parameter(knob, scene, edits));
 }
 

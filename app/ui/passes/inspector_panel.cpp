@@ -35,7 +35,7 @@ void draw_choice(const TextureChoice& choice, const std::string& words, bool is_
 void draw_picture_list(const TextureChoice& present, const Scene& scene, Edits& edits) {
     const ScopedFont text(scene.fonts.text);
     Input::From kind = Input::From::pass;
-    for (const TextureChoice& choice : scene.lab.renderer()->executor().textures()) {
+    for (const TextureChoice& choice : scene.lab.renderer()->executor().textures().list()) {
         if (choice.from != kind)
             ImGui::Separator();
         kind = choice.from;

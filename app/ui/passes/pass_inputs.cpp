@@ -105,7 +105,8 @@ void draw_pass_inputs(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     const Executor& executor = scene.lab.renderer()->executor();
-    const PassReport report = executor.report(inspected_pass(executor.look(), scene.window));
+    const PassReport report =
+        executor.drawer().report(inspected_pass(executor.look(), scene.window));
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> padding(
         ImGuiStyleVar_CellPadding,

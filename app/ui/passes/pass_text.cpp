@@ -71,7 +71,7 @@ void draw_pass_text(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer()->executor();
     const auto index = static_cast<std::size_t>(inspected_pass(executor.look(), scene.window));
     const Pass& pass = executor.look().passes[index];
-    const Stage own{{}, executor.programs().passes[index].vertex, {}};
+    const Stage own{{}, executor.programs().generic().passes[index].vertex, {}};
     const ScopedFont font(scene.fonts.numbers);
     draw_stage("Fragment shader", pass.fragment, edits);
     draw_stage("Vertex shader", pass.vertex.text->empty() ? own : pass.vertex, edits);

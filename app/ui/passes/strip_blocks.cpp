@@ -160,7 +160,7 @@ std::vector<StripPass> present_passes(const Scene& scene) {
     const Renderer& renderer = *scene.lab.renderer();
     const Look& look = renderer.executor().look();
     const std::vector<PlannedTarget>& targets = renderer.executor().plan().targets;
-    const std::vector<double>& times = renderer.latest_pass_milliseconds();
+    const std::vector<double>& times = renderer.times().pass_milliseconds();
     const auto& changes = scene.lab.frames().previews().probe().changes();
     std::vector<StripPass> passes;
     for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {

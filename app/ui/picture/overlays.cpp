@@ -137,7 +137,7 @@ void draw_replay(const Scene& scene) {
         return;
     const Replay& replay = scene.lab.renderer()->replay();
     draw_pill({"##replay",
-               fmt::format("Replaying frame {} of {} · Esc to stop", replay.done, replay.total),
+               fmt::format("Replaying frame {} of {} · Esc to stop", replay.done(), replay.total()),
                theme::dim, 1.0f},
               scene);
 }

@@ -41,10 +41,11 @@ void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     const std::array<double, 2> mouse{x, extent.height - y};
-    if (scene.lab.renderer() && scene.lab.renderer()->mouse() != mouse)  // else the lab never idles
+    // An unchanged position would keep the lab awake.
+    if (scene.lab.renderer() && scene.lab.renderer()->hand().place() != mouse)
         edits.add([mouse](Lab& lab) {
             if (Renderer* renderer = lab.renderer())
-                renderer->set_mouse(mouse[0], mouse[1]);
+                renderer->change_hand([mouse](Hand& hand) { hand.move(mouse); });
         });
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
@@ -59,7 +60,7 @@ void tell_press(const Scene& scene, Edits& edits) {
     if (scene.lab.renderer() && scene.lab.renderer()->hand().press().is_down != is_down)
         edits.add([is_down](Lab& lab) {
             if (Renderer* renderer = lab.renderer())
-                renderer->set_mouse_button(is_down);
+                renderer->change_hand([is_down](Hand& hand) { hand.set_button(is_down); });
         });
 }
 

@@ -86,12 +86,12 @@ void draw_facts(const Scene& scene, float room) {
         facts.emplace_back("recording automation");
     if (renderer && renderer->replay().is_running())
         facts.push_back(
-            fmt::format("replay {}/{}", renderer->replay().done, renderer->replay().total));
+            fmt::format("replay {}/{}", renderer->replay().done(), renderer->replay().total()));
     else
         facts.push_back(fmt::format("frame {}", player.frame_number()));
     if (renderer && scene.lab.document() &&
         scene.lab.document()->look().driven_by == Driver::signal)
-        facts.push_back(points_text(renderer->point_count()));
+        facts.push_back(points_text(renderer->times().point_count()));
     if (const auto samples = scene.lab.frames().samples())
         facts.push_back(samples_text(*samples));
     const float gap = ImGui::GetFontSize();

@@ -60,7 +60,7 @@ void draw_lag(const Scene& scene, Edits& edits) {
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
     const auto half = scene.lab.work().size.chosen().halved();
     const Renderer* renderer = scene.lab.renderer();
-    const double passes = renderer ? renderer->pass_times().present_total() : 0.0;
+    const double passes = renderer ? renderer->times().passes().present_total() : 0.0;
     const bool runs = scene.lab.player().is_playing() && !scene.lab.frames().has_converged();
     const bool may_be_smaller = half && half->has_shape();
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
@@ -88,10 +88,10 @@ Cost cost_of(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer();
     if (!renderer || renderer->executor().plan().targets.empty())
         return {pace_text(scene), {}, {}};
-    const double all = renderer->pass_times().present_total();
+    const double all = renderer->times().passes().present_total();
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
-    const int draws = renderer->executor().draw_calls();
+    const int draws = renderer->executor().drawer().draw_calls();
     return {pace_text(scene) + "   ", fmt::format("{:.2f} ms", all),
             draws == 1 ? fmt::format("   1 draw   {:.1f} MiB", memory)
                        : fmt::format("   {} draws   {:.1f} MiB", draws, memory)};

@@ -81,7 +81,7 @@ float budget_width(double budget) {
 }
 
 void draw_budget_words(const Scene& scene, Edits& edits) {
-    const double present = scene.lab.renderer()->pass_times().present_total();
+    const double present = scene.lab.renderer()->times().passes().present_total();
     double budget = scene.window.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
     ImGui::AlignTextToFramePadding();
@@ -98,7 +98,7 @@ void draw_budget_words(const Scene& scene, Edits& edits) {
 /// One line: the pass name, a plot of its latest frames, its time and its memory.
 void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     const Executor& executor = scene.lab.renderer()->executor();
-    const PassTimes& times = scene.lab.renderer()->pass_times();
+    const PassTimes& times = scene.lab.renderer()->times().passes();
     const float width = ImGui::GetContentRegionAvail().x;
     const float memory_width = ImGui::CalcTextSize("0000.0 MiB").x;
     const float time_width = ImGui::CalcTextSize("000.00 ms").x;
@@ -120,7 +120,7 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     };
     const std::string name = cut_to_fit(executor.look().passes[pass].name, name_width);
     list.AddText({start.x, plot.low.y}, theme::packed(theme::label), name.c_str());
-    const double latest = scene.lab.renderer()->latest_pass_milliseconds()[pass];
+    const double latest = scene.lab.renderer()->times().pass_milliseconds()[pass];
     write(plot.low.x + room + gap + time_width, fmt::format("{:.2f} ms", latest), theme::text);
     const auto bytes = static_cast<double>(memory_of(executor.plan().targets[pass]));
     write(start.x + width, fmt::format("{:.1f} MiB", bytes / mebibyte), theme::dim);
@@ -128,9 +128,9 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
 
 void draw_passes(const Scene& scene) {
     const Renderer& renderer = *scene.lab.renderer();
-    const PassTimes& times = renderer.pass_times();
+    const PassTimes& times = renderer.times().passes();
     const std::size_t count = std::min({times.passes(), renderer.executor().plan().targets.size(),
-                                        renderer.latest_pass_milliseconds().size()});
+                                        renderer.times().pass_milliseconds().size()});
     double most = 0.01;
     for (std::size_t pass = 0; pass < count; ++pass)
         for (std::size_t frame = 0; frame < times.frames(); ++frame)
@@ -160,7 +160,7 @@ std::string wall_text(const Scene& scene) {
 bool is_over_budget(const Scene& scene) {
     const Lab& lab = scene.lab;
     return lab.renderer() && lab.player().is_playing() && !lab.frames().has_converged() &&
-           lab.renderer()->pass_times().present_total() > scene.window.budget_milliseconds;
+           lab.renderer()->times().passes().present_total() > scene.window.budget_milliseconds;
 }
 
 void draw_timings_panel(const Scene& scene, Edits& edits) {
@@ -181,8 +181,8 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();
-    draw_budget(scene.lab.renderer()->pass_times(), scene.window.budget_milliseconds, width, height,
-                scene.scale);
+    draw_budget(scene.lab.renderer()->times().passes(), scene.window.budget_milliseconds, width,
+                height, scene.scale);
     draw_budget_words(scene, edits);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);

@@ -44,7 +44,8 @@ std::string moving_text(const Lab& lab) {
         if (lab.document()->modulation(parameter) && lab.renderer())
             moving.push_back(fmt::format(
                 "{}:{}", json_string(parameter.name),
-                format_number(value_of(parameter, lab.renderer()->drawn_values()).number())));
+                format_number(
+                    value_of(parameter, lab.renderer()->executor().graph().values()).number())));
     return fmt::format("{{{}}}", fmt::join(moving, ","));
 }
 

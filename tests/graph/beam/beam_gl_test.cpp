@@ -86,7 +86,7 @@ TEST_CASE_FIXTURE(Headless, "segments connect consecutive points") {
     CHECK(pixel(executor, 0, 4, 1) == Rgba{2, 2, 0.5f, 0.5f});
     CHECK(red(executor, 0, 6, 1) == 0.0f);
     CHECK(red(executor, 0, 3, 2) == 0.0f);
-    CHECK(executor.draw_calls() == 1);
+    CHECK(executor.drawer().draw_calls() == 1);
 }
 
 TEST_CASE_FIXTURE(
@@ -155,5 +155,5 @@ TEST_CASE_FIXTURE(Headless, "a segment has the colour of its end point") {
     executor.draw(colored(beam, 1));
     CHECK(pixel(executor, 0, 3, 1) == Rgba{0, 0.5f, 0, 1});
     CHECK(pixel(executor, 0, 3, 2) == Rgba{0, 0, 0.5f, 1});
-    CHECK(executor.draw_calls() == 1);
+    CHECK(executor.drawer().draw_calls() == 1);
 }

@@ -108,7 +108,7 @@ TEST_CASE_FIXTURE(Headless, "extents of all inputs include their reciprocals") {
     now.time_delta = 1.0 / 60.0;
     executor.draw(now);
     const auto numbers = [&](const std::string& name) {
-        for (const BuiltInReport& report : executor.report(1).built_ins)
+        for (const BuiltInReport& report : executor.drawer().report(1).built_ins)
             if (report.name == name)
                 return report.numbers;
         return std::vector<double>{};

@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Headless, "an accumulating pass sums all repetitions of all fr
     Executor executor = executor_of(counting(2));
     draw(executor, 1, 2);
     CHECK(pixel(executor, 0) == Rgba{4, 0 + 1 + 2 + 3, 0, 0});
-    CHECK(executor.samples() == Samples{4, {}});
+    CHECK(executor.drawer().samples() == Samples{4, {}});
     executor.draw(frame(1));  // a restart
     CHECK(pixel(executor, 0) == Rgba{2, 0 + 1, 0, 0});
 }
@@ -60,10 +60,10 @@ TEST_CASE_FIXTURE(Headless, "samples restart only when something that affects th
     }
     SUBCASE("an edited look with the same programs") {
         const Look look = counting();
-        REQUIRE(executor.replace(look, programs_of(look, &executor.programs())));
+        REQUIRE(executor.replace(look, programs_of(look, &executor.programs().generic())));
     }
     SUBCASE("an explicit restart") {
-        executor.restart_samples();
+        executor.drawer().restart_samples();
     }
     SUBCASE("a value of a later pass") {
         executor.set_values({{"gain", 2.0}});
@@ -75,7 +75,7 @@ TEST_CASE_FIXTURE(Headless, "samples restart only when something that affects th
         left = 4;
     }
     SUBCASE("the mouse, which the pass does not read") {
-        executor.note_mouse_moved();
+        executor.drawer().note_mouse_moved();
         left = 4;
     }
     executor.draw(frame(4));
@@ -102,7 +102,7 @@ TEST_CASE_FIXTURE(Headless, "a source, an image or the mouse restarts the passes
         REQUIRE(executor.set_image("lut", white));
     }
     SUBCASE("a moved mouse") {
-        executor.note_mouse_moved();
+        executor.drawer().note_mouse_moved();
     }
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 1);
@@ -112,21 +112,21 @@ TEST_CASE_FIXTURE(Headless, "a pass stops at its target number of samples") {
     Look look = counting(2);
     look.passes[0].converge = Count("enough");
     Executor executor = executor_of(look);
-    CHECK_FALSE(executor.has_converged());
+    CHECK_FALSE(executor.drawer().has_converged());
     executor.draw(frame(1));
-    CHECK_FALSE(executor.has_converged());
+    CHECK_FALSE(executor.drawer().has_converged());
     executor.draw(frame(2));
-    CHECK(executor.has_converged());
-    CHECK(executor.samples() == Samples{3, 3});
+    CHECK(executor.drawer().has_converged());
+    CHECK(executor.drawer().samples() == Samples{3, 3});
     executor.draw(frame(3));
     CHECK(red(executor, 0) == 3);
-    CHECK(executor.draw_calls() == 1);       // only the pass that shows it
-    executor.set_values({{"enough", 5.0}});  // more samples of the same kind
-    CHECK_FALSE(executor.has_converged());
+    CHECK(executor.drawer().draw_calls() == 1);  // only the pass that shows it
+    executor.set_values({{"enough", 5.0}});      // more samples of the same kind
+    CHECK_FALSE(executor.drawer().has_converged());
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 5);
     executor.set_values({{"enough", 5.0}, {"shade", 1.0}});
-    CHECK_FALSE(executor.has_converged());
+    CHECK_FALSE(executor.drawer().has_converged());
 }
 
 TEST_CASE_FIXTURE(Headless, "the number of samples per frame does not restart accumulation") {
@@ -146,7 +146,7 @@ TEST_CASE_FIXTURE(Headless,
     Executor executor = executor_of(look);
     draw(executor, 1, 4);
     CHECK(red(executor, 0) == 3);
-    CHECK_FALSE(executor.has_converged());
+    CHECK_FALSE(executor.drawer().has_converged());
 }
 
 TEST_CASE_FIXTURE(Headless,
@@ -166,8 +166,8 @@ TEST_CASE_FIXTURE(Headless,
     }
     Executor executor = executor_of(look);
     draw(executor, 1, 3);
-    CHECK_FALSE(executor.has_converged());
-    CHECK(executor.samples() == Samples{1, 1});
+    CHECK_FALSE(executor.drawer().has_converged());
+    CHECK(executor.drawer().samples() == Samples{1, 1});
 }
 
 TEST_CASE_FIXTURE(Headless, "a redraw keeps the samples and adds none") {
@@ -184,16 +184,16 @@ TEST_CASE_FIXTURE(Headless, "a frame with a time limit draws fewer samples") {
     Frame now = frame(1);
     now.patience_seconds = 1e-9;
     executor.draw(now);
-    CHECK(executor.samples() == Samples{1, {}});
+    CHECK(executor.drawer().samples() == Samples{1, {}});
     gpu::finish();
     now = frame(2);
     now.patience_seconds = 1e-9;
     executor.draw(now);
-    CHECK(executor.samples() == Samples{2, {}});
+    CHECK(executor.drawer().samples() == Samples{2, {}});
     now = frame(3);
     now.patience_seconds = 1e9;  // all samples if there is time
     executor.draw(now);
-    CHECK(executor.samples()->held == 2 + 64);
+    CHECK(executor.drawer().samples()->held == 2 + 64);
 }
 
 TEST_CASE_FIXTURE(Headless,

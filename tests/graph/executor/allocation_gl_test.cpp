@@ -31,7 +31,7 @@ TEST_CASE_FIXTURE(Headless, "a frame allocates no memory after the first frames"
 
     count_allocations(true);
     executor.set_values({});
-    const std::vector<double> times = executor.pass_milliseconds();
+    const std::vector<double> times = executor.drawer().pass_milliseconds();
     count_allocations(false);
     CHECK(allocations() > 0);  // the counter works
 }

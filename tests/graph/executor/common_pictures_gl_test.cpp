@@ -1,4 +1,5 @@
 // Passes that draw into shared pictures give the same result as passes with their own.
+#include "graph/executor/nan_watch.h"
 #include "graph/looks.h"
 
 #include <cmath>
@@ -45,7 +46,7 @@ std::vector<bool> last_of(const Look& look) {
 
 Executor drawing_once(const Look& look, Extent extent = {8, 8}) {
     Executor executor = executor_of(look, extent);
-    REQUIRE(executor.set_displayed(last_of(look), Executor::Frames::drawn_once).has_value());
+    REQUIRE(executor.set_displayed(last_of(look), Redraws::never).has_value());
     return executor;
 }
 
@@ -84,16 +85,15 @@ TEST_CASE_FIXTURE(Headless, "history continues when sharing of pictures starts a
         CAPTURE(n);
         const bool is_once = n % 3 != 0;
         REQUIRE(turning
-                    .set_displayed(
-                        is_once ? last_of(look) : std::vector<bool>{},
-                        is_once ? Executor::Frames::drawn_once : Executor::Frames::drawn_again)
+                    .set_displayed(is_once ? last_of(look) : std::vector<bool>{},
+                                   is_once ? Redraws::never : Redraws::possible)
                     .has_value());
         CHECK(turning.plan().common.empty() != is_once);
         apart.draw(frame(n));
         turning.draw(frame(n));
         CHECK(picture_of(turning) == picture_of(apart));
     }
-    REQUIRE(turning.set_displayed(last_of(look), Executor::Frames::drawn_once).has_value());
+    REQUIRE(turning.set_displayed(last_of(look), Redraws::never).has_value());
     REQUIRE(turning.replace(look, programs_of(look)).has_value());
     apart.draw(frame(10));
     turning.draw(frame(10));
@@ -106,10 +106,10 @@ TEST_CASE_FIXTURE(Headless, "drawing in bands gives the same result with shared 
     Executor common = drawing_once(look);
     for (int n = 1; n <= 4; ++n) {
         apart.draw(frame(n));
-        common.begin_draw(frame(n), nullptr, false);
-        while (!common.continue_frame(1e-9)) {
+        common.draw(frame(n), nullptr, false);
+        while (!common.drawer().continue_frame(1e-9)) {
         }
-        CHECK(picture_of(common) == picture_of(apart));
+        CHECK(picture_of(common) == picture_of(apart) ? Slices::double_buffered : Slices::in_place);
     }
 }
 
@@ -120,11 +120,12 @@ TEST_CASE_FIXTURE(Headless,
         "uniform sampler2D image; uniform int u_frame;\n"
         "void main() { color = u_frame == 3 ? vec4(1.0 / 0.0) : texture(image, uv); }\n");
     Executor common = drawing_once(look);
-    REQUIRE(common.set_nan_policy(Executor::NanPolicy::clamp).has_value());
+    const auto nan_watch = std::make_shared<NanWatch>();
+    REQUIRE(NanWatch::set_policy(nan_watch, NanPolicy::clamp, common).has_value());
     const std::vector<bool> carried = carried_passes(look);
     for (int n = 1; n <= 3; ++n)
         common.draw(frame(n), &carried);
-    const auto trip = common.take_non_finite(true);
+    const auto trip = nan_watch->take(common, true);
     REQUIRE(trip.has_value());
     CHECK(trip->pass == 5);
     CHECK(trip->frame == 3);

@@ -236,11 +236,11 @@ TEST_CASE_FIXTURE(Headless,
                   "every pass is one draw call, and its time is available some frames later") {
     Executor executor = executor_of(
         look_of({counter(), pass("b", "void main() { color = vec4(1); }\n")}), {256, 256});
-    CHECK(executor.pass_milliseconds() == std::vector<double>{0, 0});
+    CHECK(executor.drawer().pass_milliseconds() == std::vector<double>{0, 0});
     for (int n = 1; n <= 6; ++n)
         executor.draw(frame(n));
-    CHECK(executor.draw_calls() == 2);
+    CHECK(executor.drawer().draw_calls() == 2);
     gpu::read_picture(executor.target(1));  // waits
-    for (const double time : executor.pass_milliseconds())
+    for (const double time : executor.drawer().pass_milliseconds())
         CHECK(time > 0.0);
 }

@@ -1,5 +1,6 @@
 // A pass that is drawn directly onto the target of its reader gives the same result as with its own
 // target.
+#include "graph/executor/nan_watch.h"
 #include "graph/looks.h"
 #include "graph/programs/specialized_look.h"
 
@@ -53,13 +54,13 @@ TEST_CASE_FIXTURE(Headless, "a pass drawn onto another target is added to it, ex
         CHECK(pixel(executor, 2)[0] == glow_after(n));
         CHECK(pixel(executor, 2)[2] == 1.0f);  // the program's uniform is set
         CHECK(pixel(executor, 2)[3] == 1.0f);
-        CHECK(executor.draw_calls() == 3);
+        CHECK(executor.drawer().draw_calls() == 3);
     }
     // At 16 bytes per texel: the previous glow is read, the glow written and read, the picture
     // written.
-    CHECK(executor.bytes_per_pixel() == 4 * 16.0);
+    CHECK(bytes_per_pixel(executor) == 4 * 16.0);
     REQUIRE(executor.set_displayed({}).has_value());
-    CHECK(executor.bytes_per_pixel() == 6 * 16.0);  // also the light is written and read
+    CHECK(bytes_per_pixel(executor) == 6 * 16.0);  // also the light is written and read
 }
 
 TEST_CASE_FIXTURE(Headless,
@@ -72,7 +73,7 @@ TEST_CASE_FIXTURE(Headless,
         CHECK(pixel(executor, 0) == Rgba{static_cast<float>(n), 0.125f, 0.0f, 7.0f});
         CHECK(pixel(executor, 0, 3)[1] == 0.875f);
         CHECK(red(executor, 2) == glow_after(n));
-        CHECK(executor.draw_calls() == 3);
+        CHECK(executor.drawer().draw_calls() == 3);
     }
     executor.redraw(frame(9), {false, false, true});  // the pass drawn onto it is unchanged
     CHECK(red(executor, 0) == 3.0f);
@@ -101,8 +102,8 @@ TEST_CASE_FIXTURE(Headless, "slices and redraws give a shared target the same co
     Executor executor = sharing(glowing_look());
     executor.draw(frame(1));
     for (int n = 2; n <= 4; ++n) {
-        executor.begin_draw(frame(n), nullptr, n % 2 == 0);
-        while (!executor.continue_frame(1e-9)) {
+        executor.draw(frame(n), nullptr, n % 2 == 0 ? Slices::double_buffered : Slices::in_place);
+        while (!executor.drawer().continue_frame(1e-9)) {
         }
         CHECK(red(executor, 2) == glow_after(n));
     }
@@ -110,11 +111,11 @@ TEST_CASE_FIXTURE(Headless, "slices and redraws give a shared target the same co
     CHECK(red(executor, 2) == glow_after(4));
     executor.redraw(frame(4), {true, false, true});
     CHECK(red(executor, 2) == glow_after(4));
-    executor.begin_redraw(frame(4), {false, true, true}, true);
-    while (!executor.continue_frame(1e-9)) {
+    executor.redraw(frame(4), {false, true, true}, Slices::double_buffered);
+    while (!executor.drawer().continue_frame(1e-9)) {
     }
     CHECK(red(executor, 2) == glow_after(4));
-    executor.warm_up_pass(frame(5), 0);  // it must return without an error
+    executor.drawer().warm_up_pass(frame(5), 0);  // it must return without an error
     executor.clear_history();
     executor.draw(frame(1));
     CHECK(red(executor, 2) == glow_after(1));
@@ -132,7 +133,7 @@ TEST_CASE_FIXTURE(Headless, "a frozen or left-out pass gets its own target again
     executor.draw(frame(4));
     CHECK(red(executor, 2) == 0.5f * 3.25f + 4.0f);
     CHECK(executor.plan().targets[0].onto == 1);
-    CHECK(executor.read_for(last_only) == std::vector<bool>{true, true, true});
+    CHECK(read_for(executor, last_only) == std::vector<bool>{true, true, true});
 }
 
 TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they were drawn onto") {
@@ -141,11 +142,12 @@ TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they
         "uniform int u_frame;\nvoid main() { color = vec4(u_frame == 2 ? 1.0 / 0.0 : 1.0); "
         "}\n");
     Executor executor = sharing(look);
-    REQUIRE(executor.set_nan_policy(Executor::NanPolicy::clamp).has_value());
+    const auto nan_watch = std::make_shared<NanWatch>();
+    REQUIRE(NanWatch::set_policy(nan_watch, NanPolicy::clamp, executor).has_value());
     executor.draw(frame(1));
-    CHECK_FALSE(executor.take_non_finite(true).has_value());
+    CHECK_FALSE(nan_watch->take(executor, true).has_value());
     executor.draw(frame(2));
-    const auto trip = executor.take_non_finite(true);
+    const auto trip = nan_watch->take(executor, true);
     REQUIRE(trip.has_value());
     CHECK(trip->pass == 1);
     CHECK(red(executor, 2) < std::numeric_limits<float>::infinity());
@@ -178,7 +180,7 @@ TEST_CASE_FIXTURE(Headless,
     executor.specialize(
         programs_of(specialized_look(look, {}, executor.plan(), nothing_moves, texts)), {});
     executor.draw(frame(1));
-    CHECK(executor.is_specialized());
+    CHECK(executor.programs().is_specialized());
     CHECK(pixel(executor, 2)[2] == 1.0f);
     REQUIRE(executor.set_displayed({}).has_value());
     executor.draw(frame(2));

@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Headless, "the report of a pass lists what each sampler reads 
     Executor executor = executor_of(look_of({half, last}), {8, 4}, {2, 2});
     executor.draw(frame(1));
 
-    const PassReport report = executor.report(1);
+    const PassReport report = executor.drawer().report(1);
     CHECK(report.samplers.size() == 4);
     const SamplerReport& a = sampler(report, "a");
     CHECK(a.reads.value().label() == "half");
@@ -60,7 +60,7 @@ TEST_CASE_FIXTURE(Headless, "the report of a pass lists its built-in uniforms wi
     now.mouse = {3.0, 5.0};
     executor.draw(now);
 
-    const PassReport report = executor.report(0);
+    const PassReport report = executor.drawer().report(0);
     CHECK(report.built_ins.size() == 5);
     CHECK(numbers(report, "u_time") == std::vector{now.time});
     CHECK(numbers(report, "u_frame") == std::vector{2.0});  // 6 modulo 4
@@ -81,5 +81,5 @@ TEST_CASE_FIXTURE(Headless, "the report of an accumulating pass has its last sam
     Executor executor = executor_of(look_of({sum}));
     executor.draw(frame(1));
     executor.draw(frame(2));
-    CHECK(numbers(executor.report(0), "u_samples") == std::vector{5.0});  // the sixth
+    CHECK(numbers(executor.drawer().report(0), "u_samples") == std::vector{5.0});  // the sixth
 }

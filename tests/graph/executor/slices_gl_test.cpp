@@ -7,7 +7,7 @@ constexpr double shortest = 1e-9;
 
 int slices_of(Executor& executor) {
     int slices = 1;
-    while (!executor.continue_frame(shortest))
+    while (!executor.drawer().continue_frame(shortest))
         ++slices;
     return slices;
 }
@@ -55,17 +55,16 @@ TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
     for (int n = 1; n <= 6; ++n) {
         whole.draw(frame(n));
         const bool is_beside = n % 2 == 0;
-        sliced.begin_draw(frame(n), nullptr, is_beside);
-        CHECK(sliced.is_amid_frame());
+        sliced.draw(frame(n), nullptr, is_beside);
+        CHECK(sliced.drawer().is_amid_frame() ? Slices::double_buffered : Slices::in_place);
         // 27 rows are 13 pairs and one row, for each of 1 + 1 + 3 + 1 draws, with pass ends
         // between.
         const int slices = slices_of(sliced);
         CHECK(slices > 6);
-        CHECK_FALSE(sliced.is_amid_frame());
-        CHECK(sliced.draw_calls() == whole.draw_calls());
+        CHECK_FALSE(sliced.drawer().is_amid_frame());
+        CHECK(sliced.drawer().draw_calls() == whole.drawer().draw_calls());
         check_same(sliced, whole);
     }
-    sliced.end_slices();
     sliced.draw(frame(7));
     whole.draw(frame(7));
     check_same(sliced, whole);
@@ -74,19 +73,19 @@ TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
 TEST_CASE_FIXTURE(Headless, "until a frame is complete, the previous one is shown") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
-    executor.begin_draw(frame(2), nullptr, true);
-    const auto number = executor.picture_number();
+    executor.draw(frame(2), nullptr, true);
+    const auto number = executor.textures().number(? Slices::double_buffered : Slices::in_place);
     int slices = 0;
-    while (!executor.continue_frame(shortest)) {
+    while (!executor.drawer().continue_frame(shortest)) {
         CHECK(red(executor, 0, 0, 0) == 1.0f);
         CHECK(red(executor, 0, 7, 7) == 1.0f);
-        CHECK(executor.picture_number() == number);
+        CHECK(executor.textures().number() == number);
         ++slices;
     }
     CHECK(slices >= 1);
     CHECK(red(executor, 0, 0, 0) == 2.0f);
     CHECK(red(executor, 0, 7, 7) == 2.0f);
-    CHECK(executor.picture_number() != number);
+    CHECK(executor.textures().number() != number);
 }
 
 TEST_CASE_FIXTURE(Headless,
@@ -100,8 +99,9 @@ TEST_CASE_FIXTURE(Headless,
     for (int n = 1; n <= 3; ++n)
         executor.draw(frame(n));
     executor.set_values({{"gain", 10.0}});
-    executor.begin_redraw(frame(3), {true, true}, true);
-    CHECK_FALSE(executor.continue_frame(shortest));
+    executor.redraw(frame(3), {true, true}, true);
+    CHECK_FALSE(executor.drawer().continue_frame(shortest) ? Slices::double_buffered
+                                                           : Slices::in_place);
     CHECK(red(executor, 1, 0, 0) == 3.0f);
     slices_of(executor);
     CHECK(red(executor, 0) == 3.0f);  // two and one, not three and one
@@ -113,9 +113,9 @@ TEST_CASE_FIXTURE(Headless,
 TEST_CASE_FIXTURE(Headless, "a dropped frame leaves history unchanged") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
-    executor.begin_draw(frame(2), nullptr, true);
-    CHECK_FALSE(executor.continue_frame(shortest));
-    executor.drop_frame();
+    executor.draw(frame(2), nullptr, true);
+    CHECK_FALSE(executor.drawer().continue_frame(shortest));
+    executor.drawer().drop_frame(? Slices::double_buffered : Slices::in_place);
     CHECK(red(executor, 0, 0, 0) == 1.0f);
     CHECK(red(executor, 0, 7, 7) == 1.0f);
     executor.draw(frame(3));
@@ -129,16 +129,16 @@ TEST_CASE_FIXTURE(Headless, "samples accumulate over slices, and a restart drops
     sum.blend = Blend::add;
     sum.repeat = 3;
     Executor executor = executor_of(look_of({sum}), {8, 8});
-    executor.begin_draw(frame(1), nullptr, false);
+    executor.draw(frame(1), nullptr, false);
+    slices_of(executor ? Slices::double_buffered : Slices::in_place);
+    executor.draw(frame(2), nullptr, true);
     slices_of(executor);
-    executor.begin_draw(frame(2), nullptr, true);
-    slices_of(executor);
-    CHECK(executor.samples()->held == 6);
+    CHECK(executor.drawer().samples()->held == 6 ? Slices::double_buffered : Slices::in_place);
     CHECK(pixel(executor, 0, 7, 7) == Rgba{6, 0 + 1 + 2 + 3 + 4 + 5, 0, 0});
-    executor.begin_draw(frame(3), nullptr, true);
-    CHECK_FALSE(executor.continue_frame(shortest));
-    executor.restart_samples();
-    CHECK_FALSE(executor.is_amid_frame());
-    executor.draw(frame(4));
+    executor.draw(frame(3), nullptr, true);
+    CHECK_FALSE(executor.drawer().continue_frame(shortest));
+    executor.drawer().restart_samples();
+    CHECK_FALSE(executor.drawer().is_amid_frame());
+    executor.draw(frame(4) ? Slices::double_buffered : Slices::in_place);
     CHECK(pixel(executor, 0, 0, 0) == Rgba{3, 0 + 1 + 2, 0, 0});
 }

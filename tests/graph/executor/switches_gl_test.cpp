@@ -141,8 +141,8 @@ TEST_CASE_FIXTURE(Headless, "a frozen pass keeps its picture, also in its histor
         CHECK(red(executor, 1) == 40.0f);
         CHECK(red(executor, 2) == late[n - 5]);
     }
-    CHECK(executor.draw_calls() == 2);
-    CHECK(executor.pass_milliseconds()[0] == 0.0);
+    CHECK(executor.drawer().draw_calls() == 2);
+    CHECK(executor.drawer().pass_milliseconds()[0] == 0.0);
     executor.redraw(frame(8), {true, true, true});
     CHECK(red(executor, 0) == 4.0f);
     run(executor, {});
@@ -191,7 +191,7 @@ TEST_CASE_FIXTURE(Headless, "left-out passes are not drawn, and are cleared with
     executor.draw(frame(5));
     CHECK(red(executor, 0) == 5.0f);
     CHECK(red(executor, 1) == 2.0f);
-    CHECK(executor.draw_calls() == 1);
+    CHECK(executor.drawer().draw_calls() == 1);
     executor.clear_history();
     executor.draw(frame(6));
     CHECK(red(executor, 1) == 0.0f);
@@ -207,9 +207,9 @@ TEST_CASE_FIXTURE(Headless, "the history of one pass can be cleared alone") {
     Executor executor = executor_of(look_of({counter(), other}));
     for (int n = 1; n <= 5; ++n)
         executor.draw(frame(n));
-    const auto number = executor.picture_number();
+    const auto number = executor.textures().number();
     executor.clear_history(1);
-    CHECK(executor.picture_number() != number);
+    CHECK(executor.textures().number() != number);
     executor.redraw(frame(5), {false, true});
     CHECK(red(executor, 0) == 5.0f);
     CHECK(red(executor, 1) == 1.0f);
@@ -222,13 +222,13 @@ TEST_CASE_FIXTURE(Headless,
     Executor executor = executor_of(look_of({sum}));
     executor.draw(frame(1));
     executor.draw(frame(2));
-    CHECK_FALSE(executor.has_converged());
+    CHECK_FALSE(executor.drawer().has_converged());
     run(executor, {frozen});
     executor.draw(frame(3));
     CHECK(red(executor, 0) == 2.0f);
-    CHECK(executor.has_converged());
+    CHECK(executor.drawer().has_converged());
     run(executor, {});
     executor.draw(frame(4));
-    CHECK_FALSE(executor.has_converged());
-    CHECK(executor.samples()->held == 1);
+    CHECK_FALSE(executor.drawer().has_converged());
+    CHECK(executor.drawer().samples()->held == 1);
 }

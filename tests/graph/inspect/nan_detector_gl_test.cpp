@@ -1,3 +1,4 @@
+#include "graph/executor/nan_watch.h"
 #include "graph/looks.h"
 
 #include <cmath>
@@ -28,14 +29,20 @@ Look going_wrong(const std::string& number, const std::string& frame) {
 
 struct DetectingHeadless : Headless {
     std::unique_ptr<Executor> executor;
+    std::shared_ptr<NanWatch> nan_watch = std::make_shared<NanWatch>();
 
-    void open(const Look& look, Executor::NanPolicy guard) {
+    void open(const Look& look, NanPolicy guard) {
         auto programs = build_programs(look);
         REQUIRE(programs.has_value());
         executor = std::make_unique<Executor>(look, std::move(*programs));
         REQUIRE(executor->resize({70, 40}, {70, 40}).has_value());
-        REQUIRE(executor->set_nan_policy(guard).has_value());
+        nan_watch = std::make_shared<NanWatch>();
+        set_policy(guard);
     }
+    void set_policy(NanPolicy policy) {
+        REQUIRE(NanWatch::set_policy(nan_watch, policy, *executor).has_value());
+    }
+    auto found(bool waits = true) { return nan_watch->take(*executor, waits); }
     void draw(int from, int to) {
         for (int number = from; number <= to; ++number) {
             Frame frame;
@@ -55,11 +62,11 @@ const std::string endless = "1.0 / none";
 TEST_CASE_FIXTURE(DetectingHeadless,
                   "the first non-finite value is found with pass, pixel and frame") {
     for (const std::string& number : {nan, endless, "-" + endless}) {
-        open(going_wrong(number, "3"), Executor::NanPolicy::watch);
+        open(going_wrong(number, "3"), NanPolicy::watch);
         draw(1, 2);
-        CHECK_FALSE(executor->take_non_finite(true));
+        CHECK_FALSE(found());
         draw(3, 9);  // later non-finite values that follow from it are not reported
-        const auto trip = executor->take_non_finite(true);
+        const auto trip = found();
         REQUIRE(trip);
         CHECK(*trip == NonFinitePixel{0, 37, 40 - 1 - 5, 3});
         CHECK_FALSE(std::isfinite(green(0)));
@@ -67,11 +74,11 @@ TEST_CASE_FIXTURE(DetectingHeadless,
 }
 
 TEST_CASE_FIXTURE(DetectingHeadless, "without waiting, the result is available some frames later") {
-    open(going_wrong(nan, "2"), Executor::NanPolicy::watch);
+    open(going_wrong(nan, "2"), NanPolicy::watch);
     std::optional<NonFinitePixel> trip;
     for (int frame = 1; frame < 100 && !trip; ++frame) {
         draw(frame, frame);
-        trip = executor->take_non_finite();
+        trip = found(false);
     }
     REQUIRE(trip);
     CHECK(trip->frame == 2);
@@ -80,17 +87,17 @@ TEST_CASE_FIXTURE(DetectingHeadless, "without waiting, the result is available s
 TEST_CASE_FIXTURE(
     DetectingHeadless,
     "with clamping, a non-finite value is replaced before it is read, and still reported") {
-    open(going_wrong(nan, "3"), Executor::NanPolicy::clamp);
+    open(going_wrong(nan, "3"), NanPolicy::clamp);
     draw(1, 3);
     CHECK(green(0) == 0.0f);
     CHECK(green(1) == 0.5f);
     draw(4, 4);
     CHECK(green(0) == 1.0f);
-    const auto trip = executor->take_non_finite(true);
+    const auto trip = found();
     REQUIRE(trip);
     CHECK(*trip == NonFinitePixel{0, 37, 34, 3});
-    CHECK_FALSE(executor->take_non_finite(true));
-    open(going_wrong(endless, "3"), Executor::NanPolicy::clamp);
+    CHECK_FALSE(found());
+    open(going_wrong(endless, "3"), NanPolicy::clamp);
     draw(1, 3);
     CHECK(green(0) == std::numeric_limits<float>::max());
 }
@@ -112,9 +119,9 @@ TEST_CASE_FIXTURE(DetectingHeadless, "in many large passes, the right pass and p
     REQUIRE(programs.has_value());
     executor = std::make_unique<Executor>(look_of(passes), std::move(*programs));
     REQUIRE(executor->resize({1600, 900}, {1600, 900}).has_value());
-    REQUIRE(executor->set_nan_policy(Executor::NanPolicy::watch).has_value());
+    set_policy(NanPolicy::watch);
     draw(1, 1);
-    const auto trip = executor->take_non_finite(true);
+    const auto trip = found();
     REQUIRE(trip);
     CHECK(*trip == NonFinitePixel{10, 1234, 900 - 1 - 321, 1});
 }
@@ -152,9 +159,9 @@ TEST_CASE_FIXTURE(DetectingHeadless, "a pass that no later pass reads is checked
                                pass("bad",
                                     "uniform float none = 0.0;\n"
                                     "void main() { color = vec4(none / none); }\n")});
-    open(look, Executor::NanPolicy::watch);
+    open(look, NanPolicy::watch);
     draw(1, 4);
-    const auto trip = executor->take_non_finite(true);
+    const auto trip = found();
     REQUIRE(trip);
     CHECK(trip->pass == 1);
     CHECK(trip->frame <= 2);
@@ -162,24 +169,24 @@ TEST_CASE_FIXTURE(DetectingHeadless, "a pass that no later pass reads is checked
 
 TEST_CASE_FIXTURE(DetectingHeadless,
                   "history can be sanitised afterwards, and with the detector off values stay") {
-    open(going_wrong(nan, "2"), Executor::NanPolicy::off);
+    open(going_wrong(nan, "2"), NanPolicy::off);
     draw(1, 3);
     CHECK(std::isnan(green(0)));
-    CHECK_FALSE(executor->take_non_finite(true));
-    REQUIRE(executor->set_nan_policy(Executor::NanPolicy::clamp).has_value());
-    executor->sanitize();
+    CHECK_FALSE(found());
+    set_policy(NanPolicy::clamp);
+    nan_watch->sanitize(*executor);
     CHECK(green(0) == 0.0f);
     draw(4, 4);
     CHECK(green(0) == 1.0f);
-    CHECK_FALSE(executor->take_non_finite(true));
+    CHECK_FALSE(found());
 }
 
 TEST_CASE_FIXTURE(DetectingHeadless, "frame numbers restart with the history") {
-    open(going_wrong(nan, "3"), Executor::NanPolicy::watch);
+    open(going_wrong(nan, "3"), NanPolicy::watch);
     draw(1, 2);
     executor->clear_history();
     draw(1, 5);
-    const auto trip = executor->take_non_finite(true);
+    const auto trip = found();
     REQUIRE(trip);
     CHECK(trip->frame == 3);
 }
@@ -200,7 +207,7 @@ TEST_CASE_FIXTURE(
                       "uniform sampler2D fresh, before;\n"
                       "void main() { color = texture(fresh, uv) - texture(before, uv); }\n",
                       {reads("fresh", "spark"), reads("before", "sum", 1)})});
-    open(look, Executor::NanPolicy::clamp);
+    open(look, NanPolicy::clamp);
     const std::vector<bool> carried{false, true, true};
     for (int number = 1; number <= 5; ++number) {
         Frame frame;
@@ -208,7 +215,7 @@ TEST_CASE_FIXTURE(
         executor->draw(frame, &carried);
     }
     CHECK(std::isfinite(green(2)));
-    const auto trip = executor->take_non_finite(true);
+    const auto trip = found();
     REQUIRE(trip);
     CHECK(*trip == NonFinitePixel{1, 37, 34, 3});
 }

@@ -99,7 +99,7 @@ TEST_CASE_FIXTURE(Headless, "`set` fixes a uniform in one pass, also if two pass
     CHECK(pixel(executor, 1) == Rgba{0, 1, 0, 0});
 
     look.passes[0].set.clear();  // back to GLSL's own default
-    REQUIRE(executor.replace(look, programs_of(look, &executor.programs())).has_value());
+    REQUIRE(executor.replace(look, programs_of(look, &executor.programs().generic())).has_value());
     executor.draw(frame(2));
     CHECK(pixel(executor, 0) == Rgba{0, 0, 0, 0});
     CHECK(pixel(executor, 1) == Rgba{0, 1, 0, 0});
@@ -216,7 +216,9 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(drawn(2) == 1.0f);
     CHECK(drawn(3) == 0.0f);
     executor.set_values({{"hit", 1.0}, {"other", 2.0}});  // still held
-    executor.invalidate_uniforms();
+    Executor other(executor.look(), executor.programs().generic());
+    REQUIRE(other.resize({8, 8}, {8, 8}).has_value());
+    other.draw(frame(1));  // writes its own values
     CHECK(drawn(4) == 0.0f);
     executor.set_values({});
     CHECK(drawn(5) == 0.0f);

@@ -40,7 +40,7 @@ TEST_CASE_FIXTURE(Headless, "a redraw uses new values without advancing history"
     for (int i = 0; i < 4; ++i)
         executor.redraw(frame(3), {false, true});
     CHECK(red(executor, 1) == 30.0f);
-    CHECK(executor.draw_calls() == 1);
+    CHECK(executor.drawer().draw_calls() == 1);
     for (int i = 0; i < 4; ++i)
         executor.redraw(frame(3), {true, true});
     CHECK(red(executor, 0) == 3.0f);
@@ -58,8 +58,8 @@ TEST_CASE_FIXTURE(Headless, "an edited look keeps the history of unchanged passe
         {pass("new", "void main() { color = vec4(7); }\n"), counter(),
          pass("older", "uniform sampler2D old;\nvoid main() { color = texture(old, uv); }\n",
               {reads("old", "counter", 3)})});
-    const Programs programs = programs_of(after, &executor.programs());
-    CHECK(programs.passes[1].program == executor.programs().passes[0].program);
+    const Programs programs = programs_of(after, &executor.programs().generic());
+    CHECK(programs.passes[1].program == executor.programs().generic().passes[0].program);
     REQUIRE(executor.replace(after, programs).has_value());
     executor.draw(frame(4));
     CHECK(red(executor, 0) == 7.0f);
@@ -79,7 +79,7 @@ TEST_CASE_FIXTURE(Headless, "a target with another format or size restarts, and 
     executor.draw(frame(1));
     executor.draw(frame(2));
     look.passes[1].format = Format::rgba16f;
-    REQUIRE(executor.replace(look, programs_of(look, &executor.programs())).has_value());
+    REQUIRE(executor.replace(look, programs_of(look, &executor.programs().generic())).has_value());
     executor.draw(frame(3));
     CHECK(red(executor, 0) == 3.0f);
     CHECK(red(executor, 1) == 1.0f);
@@ -113,7 +113,7 @@ TEST_CASE_FIXTURE(Headless, "the history of a pass is resampled on resize if the
         CHECK(wide.pixels[wide.index(x, 1)] ==
               doctest::Approx(across[static_cast<std::size_t>(x)]).epsilon(1e-5));
     look.passes[0].format = Format::rgba16f;
-    REQUIRE(executor.replace(look, programs_of(look, &executor.programs())).has_value());
+    REQUIRE(executor.replace(look, programs_of(look, &executor.programs().generic())).has_value());
     executor.draw(frame(3));
     CHECK(gpu::read_picture(executor.target(0)).pixels.back() == 0.0f);
 }
@@ -128,8 +128,8 @@ TEST_CASE_FIXTURE(Headless, "a pass that keeps its program reads the inputs of t
     executor.draw(frame(1));
     CHECK(red(executor, 2) == 1.0f);
     look.passes[2].inputs = {reads("image", "two")};
-    const Programs programs = programs_of(look, &executor.programs());
-    REQUIRE(programs.passes[2].program == executor.programs().passes[2].program);
+    const Programs programs = programs_of(look, &executor.programs().generic());
+    REQUIRE(programs.passes[2].program == executor.programs().generic().passes[2].program);
     REQUIRE(executor.replace(look, programs).has_value());
     executor.draw(frame(2));
     CHECK(red(executor, 2) == 2.0f);
@@ -146,7 +146,7 @@ TEST_CASE_FIXTURE(Headless, "an undone edit draws with the values changed meanwh
     executor.set_values({{"gain", 3.0}});
     executor.draw(frame(1));
     CHECK(red(executor, 1) == 3.0f * 3.0f);
-    const Programs first = executor.programs();
+    const Programs first = executor.programs().generic();
     Look edited = look;
     edited.passes[1].fragment = fragment(
         "uniform float gain;\nuniform sampler2D image;\n"
@@ -156,7 +156,7 @@ TEST_CASE_FIXTURE(Headless, "an undone edit draws with the values changed meanwh
     executor.draw(frame(2));
     CHECK(red(executor, 1) == 2.0f * 5.0f * 5.0f);
     REQUIRE(executor.replace(look, programs_of(look, &first)).has_value());
-    CHECK(executor.programs().passes[1].program == first.passes[1].program);
+    CHECK(executor.programs().generic().passes[1].program == first.passes[1].program);
     executor.draw(frame(3));
     CHECK(red(executor, 1) == 5.0f * 5.0f);
 }
@@ -191,7 +191,7 @@ TEST_CASE_FIXTURE(Headless, "a pass with feedback advances once per repetition")
     Executor executor = executor_of(look);
     executor.draw(frame(1));
     CHECK(red(executor, 0) == 3.0f);
-    CHECK(executor.draw_calls() == 3);
+    CHECK(executor.drawer().draw_calls() == 3);
     executor.set_values({{"rounds", 10.0}});
     executor.draw(frame(2));
     CHECK(red(executor, 0) == 13.0f);

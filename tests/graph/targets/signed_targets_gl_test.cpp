@@ -153,7 +153,8 @@ TEST_CASE_FIXTURE(Headless, "negative values in feedback are kept when another p
     CHECK(red(executor, 0) == -6.0f);
     Look edited = look;
     edited.passes[1].fragment = fragment("void main() { color = vec4(2); }\n");
-    REQUIRE(executor.replace(edited, programs_of(edited, &executor.programs())).has_value());
+    REQUIRE(
+        executor.replace(edited, programs_of(edited, &executor.programs().generic())).has_value());
     REQUIRE(executor.resize({4, 4}, {}).has_value());
     executor.draw(frame(3));
     CHECK(red(executor, 0) == -9.0f);

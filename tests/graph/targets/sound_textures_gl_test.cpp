@@ -52,12 +52,12 @@ TEST_CASE_FIXTURE(Headless, "the sound texture is one of the textures that can b
     Executor executor = executor_of(listening());
     executor.draw(frame(1));
     const TextureChoice wanted{Input::From::sound, {}, 0, 0, eight};
-    const auto all = executor.textures();
+    const auto all = executor.textures().list();
     REQUIRE(std::ranges::find(all, wanted) != all.end());
     CHECK(wanted.label() == "sound wave 8");
     REQUIRE(executor.texture(wanted));
     CHECK(executor.texture(wanted)->extent() == Extent{8, 2});
-    CHECK(executor.report(0).samplers.front().reads == wanted);
+    CHECK(executor.drawer().report(0).samplers.front().reads == wanted);
 }
 
 TEST_CASE_FIXTURE(Headless, "an edited look that starts to use sound reads it at once") {

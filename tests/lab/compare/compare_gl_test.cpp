@@ -131,7 +131,7 @@ TEST_CASE("a wipe shows the slot on its side and follows changes of the slot") {
     small.lab().frames().comparison().clear_slot(0);
     small.rest();
     CHECK(small.lab().frames().comparison().mode() == CompareMode::off);
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
 }
 
 TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
@@ -149,10 +149,10 @@ TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
     CHECK(small.seen() == 1.0);
     CHECK(small.document().history().undo_name() == before);
     CHECK_FALSE(small.document().history().can_redo());
-    CHECK(small.lab().renderer()->variant() != nullptr);  // kept for the next flash
+    CHECK(small.lab().renderer()->executors().variant() != nullptr);  // kept for the next flash
     small.lab().update(6.0);
     small.lab().update(0.0);
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
 }
 
 TEST_CASE("side-by-side pictures get half the view each") {
@@ -177,7 +177,7 @@ TEST_CASE("a comparison with a picture file follows the file on disk") {
     const auto file = small.picture_file("photo.png", {8, 8}, {0.2f, 0.4f, 0.6f});
     small.lab().frames().comparison().compare_with_file(file);
     small.rest();
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
     CHECK(small.lab().frames().comparison().sides()->other == "photo.png");
     CHECK(small.seen(1) == about(0.2, step));
     CHECK(small.seen(6) == about(0.5, step));
@@ -263,5 +263,5 @@ TEST_CASE("without a comparison no other picture is kept on the GPU") {
     CHECK(small.views().compared().other() == nullptr);
     small.lab().frames().comparison().store(0);
     small.rest();
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
 }

@@ -48,7 +48,7 @@ public:
             turn(1);
     }
     float shown_beside() {
-        return gpu::read_pixel(lab().renderer()->variant()->target(1), 3, 3)[0];
+        return gpu::read_pixel(lab().renderer()->executors().variant()->target(1), 3, 3)[0];
     }
 };
 }  // namespace
@@ -60,7 +60,7 @@ TEST_CASE("the article's picture is drawn from the frames that led to the curren
     small.turn(1);
     const float frames = small.frames();
     const float shown = small.shown();
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
 
     small.wipe();
     small.rest();
@@ -79,7 +79,7 @@ TEST_CASE("the article's picture is drawn from the frames that led to the curren
 
     small.lab().frames().comparison().set_mode(CompareMode::off);
     small.turn(1);
-    CHECK(small.lab().renderer()->variant() == nullptr);
+    CHECK(small.lab().renderer()->executors().variant() == nullptr);
     CHECK(small.shown() == shown + 5);
 }
 
@@ -114,8 +114,9 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     SUBCASE("a parameter without history") {
         small.set("gain", 2.0);
         small.turn(1);
-        CHECK(gpu::read_pixel(small.lab().renderer()->variant()->target(1), 3, 3)[0] ==
-              2 * gpu::read_pixel(small.lab().renderer()->variant()->target(0), 3, 3)[0]);
+        CHECK(
+            gpu::read_pixel(small.lab().renderer()->executors().variant()->target(1), 3, 3)[0] ==
+            2 * gpu::read_pixel(small.lab().renderer()->executors().variant()->target(0), 3, 3)[0]);
         CHECK(small.shown() ==
               2 * gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0]);
     }
@@ -144,7 +145,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     SUBCASE("the size") {
         small.lab().work().size.choose({false, {16, 4}, 1.0});
         small.turn(1);
-        CHECK(small.lab().renderer()->variant()->target(1).extent() == Extent{16, 4});
+        CHECK(small.lab().renderer()->executors().variant()->target(1).extent() == Extent{16, 4});
         CHECK(small.lab().renderer()->executor().target(1).extent() == Extent{16, 4});
     }
 }
@@ -179,7 +180,7 @@ TEST_CASE("both sides of an accumulating look take all their samples and stop") 
     small.wipe();
     REQUIRE(small.turn_until([&] { return small.lab().frames().has_converged(); }));
     small.rest();
-    CHECK(small.lab().renderer()->variant()->samples()->held == 6);
+    CHECK(small.lab().renderer()->executors().variant()->drawer().samples()->held == 6);
     CHECK(small.shown() == 6);
     CHECK(small.shown_beside() == 18);
 }

@@ -165,5 +165,5 @@ TEST_CASE("the pass that wrote it first is reported, even if another one was che
 TEST_CASE("formats that cannot store NaN are not checked") {
     SmallLab lab(replaced(replaced(small_look::manifest, "rgba32f", "rgba8"), "rgba32f", "rgba8"));
     lab.turn(3);
-    CHECK_FALSE(lab.lab().renderer()->awaits_nan_check());
+    CHECK_FALSE(lab.lab().frames().nan_guard().is_waiting());
 }

@@ -41,7 +41,7 @@ struct Watching : Headless {
 
 TEST_CASE_FIXTURE(Watching, "passes, previous frames, the source and images can be inspected") {
     std::vector<std::string> labels;
-    for (const TextureChoice& choice : executor.textures())
+    for (const TextureChoice& choice : executor.textures().list())
         labels.push_back(choice.label());
     CHECK(labels == std::vector<std::string>{"number", "late", "source", "lut"});
     CHECK(frame_count(executor, {Input::From::pass, "number"}) == 3);

@@ -16,8 +16,13 @@ struct CloserWatching : Headless {
 
     CellNumbers::Subject cells(const PictureView& view, Extent size) const {
         const gpu::Texture& texture = executor.target(0);
-        return {texture, name,     texture.extent(),         place_of(view, texture.extent(), size),
-                size,    {40, 30}, executor.picture_number()};
+        return {texture,
+                name,
+                texture.extent(),
+                place_of(view, texture.extent(), size),
+                size,
+                {40, 30},
+                executor.textures().number()};
     }
     void turn(const PictureView& view, double seconds) {
         REQUIRE(closer.has_value());
@@ -31,7 +36,8 @@ struct CloserWatching : Headless {
     }
     void turn(const ScanLine& line, double seconds) {
         REQUIRE(closer.has_value());
-        const Waveform::Subject subject{executor.target(0), name, line, executor.picture_number()};
+        const Waveform::Subject subject{executor.target(0), name, line,
+                                        executor.textures().number()};
         closer->update_waveform(&subject, seconds);
         gpu::finish();
     }

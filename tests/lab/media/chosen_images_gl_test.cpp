@@ -56,15 +56,15 @@ TEST_CASE("a chosen picture is loaded only when it is chosen and when its file c
     REQUIRE(loaded.look.has_value());
     auto programs = build_programs(*loaded.look);
     REQUIRE(programs.has_value());
-    Renderer renderer(*loaded.look, std::move(*programs));
-    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    Executors executors(Executor(*loaded.look, std::move(*programs)));
+    REQUIRE(executors.picture().resize({8, 8}, {8, 8}).has_value());
     ChosenImages images;
     const auto shown = [&](const fs::path& file) {
         const auto done =
-            images.show(*loaded.look, {{"picked", Value::of_path(file.string())}}, renderer);
-        renderer.draw({}, {});
+            images.show(*loaded.look, {{"picked", Value::of_path(file.string())}}, executors);
+        executors.draw({}, {});
         CHECK(done.has_value());
-        return gpu::read_pixel(renderer.executor().target(1), 3, 3)[0];
+        return gpu::read_pixel(executors.picture().target(1), 3, 3)[0];
     };
 
     const fs::path file = save_grey(folder / "one.exr", 0.25f);
@@ -179,13 +179,13 @@ TEST_CASE("a sampler reads its default pattern, and again after a choice is remo
     loaded.look->parameters[0].initial = Value::of_path("pattern:white");
     auto programs = build_programs(*loaded.look);
     REQUIRE(programs.has_value());
-    Renderer renderer(*loaded.look, std::move(*programs));
-    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    Executors executors(Executor(*loaded.look, std::move(*programs)));
+    REQUIRE(executors.picture().resize({8, 8}, {8, 8}).has_value());
     ChosenImages images;
     const auto shown = [&](const Values& values) {
-        CHECK(images.show(*loaded.look, values, renderer).has_value());
-        renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
-        return gpu::read_pixel(renderer.executor().target(0), 4, 4)[0];
+        CHECK(images.show(*loaded.look, values, executors).has_value());
+        executors.draw({1, {0.0, 1.0 / 60.0}}, {});
+        return gpu::read_pixel(executors.picture().target(0), 4, 4)[0];
     };
     const std::string black = save_grey(folder / "black.exr", 0.0f).string();
     CHECK(shown({}) == 1.0f);
@@ -233,7 +233,7 @@ TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported")
         });
     };
     const auto red = [&small] {
-        return gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0];
+        return gpu::read_pixel(small.lab().executors()->executor().target(0), 3, 3)[0];
     };
     choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
     CHECK(small.turn_until([&] { return red() == 1.0f; }));

@@ -114,7 +114,13 @@ TEST_CASE("cancelling without an opening does nothing, and the thread ends on re
 
 namespace {
 const gpu::Context* home_of(const SmallLab& small) {
-    return const_cast<SmallLab&>(small).lab().renderer()->executor().programs().home.get();
+    return const_cast<SmallLab&>(small)
+        .lab()
+        .renderer()
+        ->executor()
+        .programs()
+        .generic()
+        .home.get();
 }
 }  // namespace
 
@@ -161,7 +167,7 @@ TEST_CASE("a look draws nothing before its source is available") {
         if (open_look(small) != "other")
             return false;
         const Executor& executor = small.lab().renderer()->executor();
-        const auto held = executor.textures();
+        const auto held = executor.textures().list();
         const bool has_source =
             std::ranges::find(held, Input::From::source, &TextureChoice::from) != held.end();
         has_drawn_without = has_drawn_without || (!executor.plan().targets.empty() && !has_source);

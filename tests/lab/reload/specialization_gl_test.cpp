@@ -9,7 +9,7 @@ namespace {
 /// Its picture is the frame number times `gain`.
 class SpecializingLab : public SmallLab {
 public:
-    bool is_specialized() { return lab().renderer()->executor().is_specialized(); }
+    bool is_specialized() { return lab().renderer()->executor().programs().is_specialized(); }
     bool specializes() {
         return turn_until([&] { return is_specialized(); });
     }
@@ -58,7 +58,7 @@ TEST_CASE("a modulated parameter keeps moving while the others are constants") {
     REQUIRE(small.specializes());
     small.turn(7);
     CHECK(small.is_specialized());
-    const double gain = small.lab().renderer()->drawn_values().at("gain").number();
+    const double gain = small.lab().renderer()->executor().graph().values().at("gain").number();
     CHECK(gain != 1.0);
     CHECK(std::abs(static_cast<double>(small.shown() / small.frames()) - gain) < 1e-4);
 }
@@ -122,7 +122,8 @@ TEST_CASE("an edit is drawn with programs that can be turned where it is compare
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
-    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
+    REQUIRE(
+        small.turn_until([&] { return small.lab().renderer()->executors().variant() != nullptr; }));
     small.save_times(5);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
@@ -133,9 +134,11 @@ TEST_CASE("an edit after the end of a comparison is drawn with specialised progr
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
-    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() != nullptr; }));
+    REQUIRE(
+        small.turn_until([&] { return small.lab().renderer()->executors().variant() != nullptr; }));
     small.lab().frames().comparison().choose({});
-    REQUIRE(small.turn_until([&] { return small.lab().renderer()->variant() == nullptr; }));
+    REQUIRE(
+        small.turn_until([&] { return small.lab().renderer()->executors().variant() == nullptr; }));
     small.turn(1);
     small.save_times(5);
     REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
@@ -164,12 +167,12 @@ TEST_CASE("another renderer with the same programs draws its own values") {
     SpecializingLab small;
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
-    Renderer others(small.document().drawn_look(), small.lab().renderer()->executor().programs());
-    others.set_values({{"gain", Value(7.0)}});
-    REQUIRE(others.resize({8, 8}, {8, 8}).has_value());
-    others.invalidate_uniforms();
+    Executors others(Executor(small.document().drawn_look(),
+                              small.lab().renderer()->executor().programs().generic()));
+    others.picture().set_values({{"gain", Value(7.0)}});
+    REQUIRE(others.picture().resize({8, 8}, {8, 8}).has_value());
     others.draw({.number = 1, .span = {0.0, 1.0 / 60.0}}, Beam());
-    CHECK(gpu::read_pixel(others.executor().target(1), 3, 3)[0] == 7.0f);
+    CHECK(gpu::read_pixel(others.picture().target(1), 3, 3)[0] == 7.0f);
     small.turn(1);
     CHECK(small.is_specialized());
     CHECK(small.shown() == 2.0f * small.frames());

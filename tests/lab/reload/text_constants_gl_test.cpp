@@ -149,7 +149,7 @@ TEST_CASE("each side of a comparison has its own constants") {
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
     const auto other_is = [&](double level) {
         return small.turn_until([&] {
-            const Executor* other = small.lab().renderer()->variant();
+            const Executor* other = small.lab().renderer()->executors().variant();
             return other && small.lab().frames().comparison().sides() &&
                    std::abs(small.red(*other) - level) < 0.003;
         });

@@ -27,8 +27,8 @@ TEST_CASE("slicing starts above one and a half slices and ends below one") {
 
 TEST_CASE_FIXTURE(Headless, "a sliced first frame is not a picture until it is complete") {
     const Look look = look_of({counter()});
-    Renderer renderer(look, programs_of(look));
-    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
+    Renderer renderer(Executor(look, programs_of(look)));
+    REQUIRE(renderer.executors().picture().resize({8, 8}, {8, 8}).has_value());
     renderer.set_slice(1e-9);
     renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
     CHECK(renderer.is_amid_frame());
@@ -48,18 +48,19 @@ TEST_CASE_FIXTURE(Headless,
                   "a variant is drawn in the slices after the picture's, with its own values") {
     Look look = look_of({pass("show", "uniform float k;\nvoid main() { color = vec4(k); }\n")},
                         {knob("k", {}, 1.0, {{0, "k"}})});
-    Renderer renderer(look, programs_of(look));
-    REQUIRE(renderer.resize({8, 8}, {8, 8}).has_value());
-    REQUIRE(renderer.start_variant({{"k", 5.0}}).has_value());
+    Renderer renderer(Executor(look, programs_of(look)));
+    REQUIRE(renderer.executors().picture().resize({8, 8}, {8, 8}).has_value());
+    REQUIRE(renderer.executors().start_variant({{"k", 5.0}}).has_value());
     Player player;
-    renderer.replay_variant(player, 0);  // without a history, so both are drawn from here on
+    renderer.replay().start_variant(player,
+                                    0);  // without a history, so both are drawn from here on
     renderer.set_slice(1e-9);
     renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
     int slices = 1;
     while (!renderer.continue_frame())
         ++slices;
     CHECK(slices >= 4);
-    REQUIRE(renderer.variant());
+    REQUIRE(renderer.executors().variant());
     CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
-    CHECK(red(*renderer.variant(), 0, 7, 7) == 5.0f);
+    CHECK(red(*renderer.executors().variant(), 0, 7, 7) == 5.0f);
 }

@@ -13,7 +13,7 @@ std::size_t compiled_programs(const Roots& roots) {
     REQUIRE(offline.has_value());
     CHECK(offline->picture_after(3).pixels[0] == 3.0f);  // the look counts frames
     std::size_t compiled = 0;
-    for (const PassProgram& pass : offline->executor().programs().passes)
+    for (const PassProgram& pass : offline->executor().programs().generic().passes)
         compiled += pass.program->is_restored() ? 0U : 1U;
     return compiled;
 }

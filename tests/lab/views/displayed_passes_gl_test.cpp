@@ -81,12 +81,12 @@ TEST_CASE("a static picture draws its passes as soon as they are displayed") {
 
 TEST_CASE("specialised programs follow changes of shared targets") {
     GlowingLab small;
-    REQUIRE(small.turn_until([&] { return small.executor().is_specialized(); }));
+    REQUIRE(small.turn_until([&] { return small.executor().programs().is_specialized(); }));
     small.lab().frames().set_displayed(picture_alone);
     small.turn(1);
-    CHECK_FALSE(small.executor().is_specialized());
+    CHECK_FALSE(small.executor().programs().is_specialized());
     CHECK(small.has_all_light());
-    REQUIRE(small.turn_until([&] { return small.executor().is_specialized(); }));
+    REQUIRE(small.turn_until([&] { return small.executor().programs().is_specialized(); }));
     CHECK(small.is_shared());
     CHECK(small.has_all_light());
     small.lab().frames().passes().toggle(PassSwitch::freeze, "light");

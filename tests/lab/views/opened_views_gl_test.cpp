@@ -6,7 +6,7 @@ namespace {
 /// Whether the viewers are warmed up in the look's context for each kind of its targets.
 bool has_met_all(Lab& lab) {
     const Executor& executor = lab.renderer()->executor();
-    const auto views = executor.programs().first_views;
+    const auto views = executor.programs().generic().first_views;
     REQUIRE(views);
     views->expect(executor.look(), executor.plan());
     return views->owed() == 0;
@@ -40,11 +40,11 @@ TEST_CASE("the viewers of an opening look are warmed up while the previous look 
 
 TEST_CASE("a reload that changes a target's format is shown after its viewers are warmed up") {
     SmallLab small;
-    const auto now = small.lab().renderer()->executor().programs().first_views;
+    const auto now = small.lab().renderer()->executor().programs().generic().first_views;
     has_met_all(small.lab());  // the warm-ups that are due now are done with the edit
     small.write_by_rename("look.json", replaced(small_look::manifest, "rgba32f", "rg16f"));
     REQUIRE(small.turn_until(
         [&] { return small.document().look().passes[0].format == Format::rg16f; }));
-    CHECK(small.lab().renderer()->executor().programs().first_views == now);
+    CHECK(small.lab().renderer()->executor().programs().generic().first_views == now);
     CHECK(has_met_all(small.lab()));
 }

@@ -1,0 +1,20 @@
+#include "lab/rendering/frame_inputs.h"
+
+Frame frame_of(const FrameInputs& inputs, const PlayedFrame& played, const Beam& beam) {
+    Frame frame;
+    frame.time = played.span.end;
+    frame.time_delta = played.span.seconds();
+    frame.number = played.number;
+    frame.mouse = inputs.hand.place();
+    frame.press = inputs.hand.press();
+    frame.keys = inputs.hand.keys();
+    frame.pixel_aspect = inputs.pixel_aspect;
+    frame.source_raster = inputs.source_raster;
+    frame.patience_seconds = inputs.patience_seconds;
+    frame.beam = beam;
+    frame.beam_fit = inputs.beam_fit;
+    frame.tints = beam.tints;
+    frame.sound = inputs.sound.get();
+    frame.date = inputs.date.value_or(date_after(date_of_renders, frame.time));
+    return frame;
+}

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "graph/programs/frame.h"
+#include "lab/playback/player.h"
+
+#include <memory>
+#include <optional>
+
+/// What the frames of a look get besides beam and time.
+struct FrameInputs {
+    Hand hand = {};
+    double pixel_aspect = 1.0;  // of the source: width / height of a pixel
+    // The position of the source's lines in the picture; nullopt: they fill it.
+    std::optional<SourceRaster> source_raster = {};
+    std::optional<Fit> beam_fit = {};  // of the beam to the picture; nullopt: the look's
+    std::shared_ptr<const SoundTexels> sound = {};  // shared with the player; null: silence
+    std::optional<Date> date = {};                  // nullopt: that of offline renders
+    // The time per frame for samples of accumulating passes; 0: no limit. The rest is left to the
+    // next frames.
+    double patience_seconds = 0.0;
+};
+
+/// `inputs` and `beam` must outlive the result.
+Frame frame_of(const FrameInputs& inputs, const PlayedFrame& played, const Beam& beam);
