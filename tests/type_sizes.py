@@ -28,7 +28,6 @@ EXCEPTIONS = {
     "MediaInput": ("functions", "to be divided: the file that the user chose, while it is read"),
     "FrameStream": ("members", "to be divided: the queue that it shares with its thread"),
     "Offline": ("functions", "to be divided: the pictures and the sound of a frame"),
-    "Player": ("functions, members", "to be divided: the clock, the sound devices and another program's beam"),
     "WindowState": ("members", "to be divided: the layout, the inspection and the lists"),
     "gpu::Context": ("files", "to be divided: the context without a window, which needs EGL"),
     "gpu::Window": ("functions, files", "to be divided: the displays, and the events of the window"),

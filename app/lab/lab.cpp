@@ -58,7 +58,7 @@ void Lab::update_drawing(double wall_seconds, double loading_seconds) {
     if (!m_frames.is_amid_frame())
         m_content.update();
     m_frames.update(wall_seconds, loading_seconds);
-    m_automation.update(m_work.player.time());
+    m_automation.update(m_work.player.transport().time());
     m_audio.update();
     watch_extra_files();
 }

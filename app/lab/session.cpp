@@ -156,10 +156,11 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.fits_shape = size.fits_shape;
     session.picture_scale = size.scale;
     session.picture_shape = size.shape ? std::string(shape_name(*size.shape)) : std::string();
-    session.time = lab.player().time();
-    session.speed = lab.player().speed();
-    session.level = lab.player().level();
-    session.is_playing = lab.player().is_playing();
+    const Transport& transport = lab.player().transport();
+    session.time = transport.time();
+    session.speed = transport.speed();
+    session.level = lab.player().devices().level();
+    session.is_playing = transport.is_playing();
     session.comparison = lab.frames().comparison().selection().chosen();
     session.slots = lab.frames().comparison().selection().all_slots();
     session.knobs = lab.parameters().all();
@@ -188,7 +189,7 @@ void rest_at(double seconds, Lab& lab) {
     const int settling = lab.document()->look().settle_frames;
     player.pause();
     player.seek_with_past(seconds, static_cast<std::size_t>(std::max(settling, 1)));
-    if (player.past().empty())
+    if (player.transport().past().empty())
         player.step();
 }
 }  // namespace
@@ -214,7 +215,7 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
     lab.player().set_level(session.level);
     if (session.look.empty())
         return;
-    if (lab.player().live_device().empty())
+    if (const PlayedSignal& signal = lab.player().signal(); !signal.live_input().is_open())
         (void)lab.player().mute_input(true);  // the user has not enabled it yet
     const Content present = lab.document() ? lab.document()->content() : Content{};
     const auto restore_rest = [&lab, session, then, present] {

@@ -27,7 +27,7 @@ struct Engine {
             give_up(specialized.error());
     }
 
-    Beam points() { return player.trace(player.advance_fixed(60.0).span); }
+    Beam points() { return player.signal().trace(player.advance_fixed(60.0).span); }
     void draw() { offline.advance(); }
 
 private:

@@ -41,7 +41,7 @@ public:
     }
     Beam samples() {
         m_frame = m_player.advance_fixed(60.0);
-        return m_player.trace(m_frame.span);
+        return m_player.signal().trace(m_frame.span);
     }
     void draw() {
         const Beam beam = samples();

@@ -49,7 +49,7 @@ public:
         const fs::path file = folder / "marching.glsl";
         std::ofstream(file) << marching;
         m_lab->looks().open(file.string());
-        while (m_lab->player().frame_number() < 10)
+        while (m_lab->player().transport().frame_number() < 10)
             turn();
     }
 

@@ -39,7 +39,7 @@ class OpeningBench : public bench::BenchLab {
 public:
     explicit OpeningBench(const fs::path& folder) : BenchLab(folder, {640, 480}) {
         m_lab->looks().open("crt");
-        while (m_lab->player().frame_number() < 10)
+        while (m_lab->player().transport().frame_number() < 10)
             turn();
     }
 
@@ -54,7 +54,7 @@ public:
         if (m_lab->document()->look().manifest != preset)
             return false;
         std::vector<Turn> later;
-        while (m_lab->player().frame_number() < 4)
+        while (m_lab->player().transport().frame_number() < 4)
             later.push_back(turn());
         const double longest = std::ranges::max(later, {}, &Turn::milliseconds).milliseconds;
         std::ranges::sort(turns, std::ranges::greater(), &Turn::milliseconds);

@@ -21,7 +21,7 @@ class PausedLab : public bench::BenchLab {
 public:
     PausedLab(const fs::path& folder, Extent extent) : BenchLab(folder, extent) {
         m_lab->looks().open("phosphor");
-        while (m_lab->player().frame_number() < 12)
+        while (m_lab->player().transport().frame_number() < 12)
             turn();
         m_lab->player().pause();
         do

@@ -90,7 +90,7 @@ public:
             std::move(*worker));
         m_lab->work().size.choose({false, {1280, 720}, 1.0});
         m_lab->looks().open(m_folders.look.folder);
-        while (m_lab->player().frame_number() < 10)
+        while (m_lab->player().transport().frame_number() < 10)
             frame();
         for (const auto start = Clock::now(); milliseconds_since(start) < 2500.0;)
             frame();  // finishes the work after the first picture

@@ -90,7 +90,7 @@ public:
         m_lab->looks().open(look.string());
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
-               m_lab->player().frame_number() < 5)
+               m_lab->player().transport().frame_number() < 5)
             draw();
         m_lab->edit([&](Document& document) {
             for (const auto& [name, value] : values)

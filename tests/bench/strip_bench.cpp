@@ -27,7 +27,7 @@ public:
         m_lab->looks().open(look);
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
-               m_lab->player().frame_number() < 5)
+               m_lab->player().transport().frame_number() < 5)
             turn();
         specialize();
     }

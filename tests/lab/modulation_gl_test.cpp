@@ -42,7 +42,7 @@ TEST_CASE("setting a modulation can be undone, and running it is not a change") 
     small.lab().edit([](Document& changed) { changed.mark_saved(); });
     for (int i = 0; i < 20; ++i) {
         small.turn(1);
-        CHECK(is_close(small.shown(), small.frames() * gain_at(small.lab().player().time())));
+        CHECK(is_close(small.shown(), small.frames() * gain_at(small.player().transport().time())));
     }
     CHECK(document.values().empty());
     CHECK_FALSE(document.is_modified());
@@ -62,11 +62,11 @@ TEST_CASE("while paused a changed value is drawn with its modulation, and a step
     small.lab().player().pause();
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(2);
-    const double time = small.lab().player().time();
+    const double time = small.player().transport().time();
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time))));
     small.lab().player().step();
     small.turn(1);
-    CHECK(is_close(small.lab().player().time(), time + 1.0 / 60.0));
+    CHECK(is_close(small.player().transport().time(), time + 1.0 / 60.0));
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("a replay uses the modulated values of each frame's time") {
         return !small.lab().renderer()->replay().is_running() &&
                small.lab().renderer()->replay().total() > 0;
     });
-    const auto& past = small.lab().player().past();
+    const auto& past = small.player().transport().past();
     double sum = 0.0;
     for (std::size_t i = past.size() - 20; i < past.size(); ++i)  // settle_frames
         sum += gain_at(past[i].span.end);

@@ -54,7 +54,7 @@ TEST_CASE("a paused picture makes draw calls only after a change") {
 TEST_CASE("a converged picture makes no draw calls while time continues") {
     SmallLab small(still);
     rest(small);
-    CHECK(small.lab().player().is_playing());
+    CHECK(small.player().transport().is_playing());
     CHECK(small.lab().frames().has_converged());
     const CountedDraws draws;
     small.turn(100);

@@ -32,7 +32,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     small.lab().work().size.choose({false, {16, 8}, 0.5});
     small.turn(5);
     small.lab().player().pause();
-    const double time = small.lab().player().time();
+    const double time = small.player().transport().time();
     const Session session = kept(small);
     CHECK(session.window == kept_window);
 
@@ -42,8 +42,8 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     CHECK(small.document().values().at("gain") == Value(3.0));
     CHECK(small.document().preset_name() == "two");
     CHECK(small.document().is_modified());
-    CHECK_FALSE(small.lab().player().is_playing());
-    CHECK(std::abs(small.lab().player().time() - time) < 1.5 / 60.0);  // one frame may pass
+    CHECK_FALSE(small.player().transport().is_playing());
+    CHECK(std::abs(small.player().transport().time() - time) < 1.5 / 60.0);  // one frame may pass
     CHECK(small.lab().work().size.extent() == Extent{8, 4});
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(small.document().values().at("gain") == Value(4.0));

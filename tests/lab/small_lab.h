@@ -70,11 +70,12 @@ public:
         m_lab->work().size.choose({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {
-        REQUIRE(
-            turn_until([&] { return m_lab->renderer() && m_lab->player().frame_number() > 2; }));
+        REQUIRE(turn_until(
+            [&] { return m_lab->renderer() && player().transport().frame_number() > 2; }));
     }
 
     Lab& lab() { return *m_lab; }
+    Player& player() { return m_lab->player(); }
     const Document& document() const { return *m_lab->document(); }
     const Roots& roots() const { return m_roots; }
     std::filesystem::path folder() const { return m_folder.path(); }
@@ -105,7 +106,7 @@ public:
             m_lab->update(1.0 / 60.0);
     }
     float shown() { return gpu::read_pixel(m_lab->renderer()->executor().target(1), 3, 3)[0]; }
-    float frames() { return static_cast<float>(m_lab->player().frame_number()); }
+    float frames() { return static_cast<float>(player().transport().frame_number()); }
 
 private:
     TemporaryFolder m_folder;

@@ -219,12 +219,11 @@ std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
     }
     add_lists(all, window_choices(window, size_in_force(lab)));
     const Player& player = lab.player();
-    all.push_back(
-        sound_choices({.settings = player.sound_settings(),
-                       .devices = lab.audio().devices(),
-                       .level = player.level(),
-                       .place = player.time(),
-                       .sound_seconds = player.sound().sound ? player.sound_seconds() : 0.0}));
+    all.push_back(sound_choices({.settings = player.devices().settings(),
+                                 .devices = lab.audio().devices(),
+                                 .level = player.devices().level(),
+                                 .place = player.transport().time(),
+                                 .sound_seconds = player.signal().sound_seconds()}));
     all.push_back(remote_choices(lab.remote().settings(), lab.remote().osc().is_listening(),
                                  lab.remote().midi().is_listening()));
     all.push_back(include_choices(lab));

@@ -226,7 +226,7 @@ void ComparisonView::start_variant() {
     const double all = std::max(look.settle_frames, 1);
     const double bearable =
         std::max(patience_seconds / m_work.renderer->times().frame_seconds(), fewest);
-    const double frames = m_work.player.is_playing() ? std::min(all, bearable) : all;
+    const double frames = m_work.player.transport().is_playing() ? std::min(all, bearable) : all;
     m_work.renderer->replay().start_variant(m_work.player, static_cast<std::size_t>(frames));
 }
 

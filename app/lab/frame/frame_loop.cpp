@@ -151,7 +151,7 @@ Specialization::Drawn FrameLoop::drawn() const {
 void FrameLoop::specialize(double wall_seconds) {
     if (!m_applied)
         return m_specialization.stop();
-    const bool is_quiet = m_work.player.is_playing() && !m_loader.is_loading() &&
+    const bool is_quiet = m_work.player.transport().is_playing() && !m_loader.is_loading() &&
                           !m_previews.is_busy() && !m_work.document->history().is_in_gesture();
     m_specialization.update(drawn(), *m_work.renderer, is_quiet, wall_seconds);
 }
@@ -167,7 +167,8 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
     // The worker thread needs the processor and the driver, too.
     m_work.renderer->set_slice(m_loader.is_reading() ? slice_seconds / 2.0 : slice_seconds);
     m_slices.was_loading = m_loader.is_loading() && !m_slices.was_loading &&
-                           loading_seconds > slice_seconds && m_work.player.is_playing();
+                           loading_seconds > slice_seconds &&
+                           m_work.player.transport().is_playing();
     if (m_slices.was_loading)
         m_slices.unfinished_seconds += wall_seconds;  // the next update draws
     else if (is_amid_frame())
@@ -204,7 +205,7 @@ bool FrameLoop::is_amid_frame() const {
 
 // Other changes apply to later frames.
 void FrameLoop::continue_frame(double wall_seconds) {
-    if (m_work.player.is_playing())
+    if (m_work.player.transport().is_playing())
         m_slices.unfinished_seconds += wall_seconds;
     for (const Parameter& parameter : m_work.document->look().parameters)
         if (parameter.control == Control::event && m_applied &&
@@ -232,7 +233,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
     if (!m_work.document->is_restacking())
         apply_document();
     apply_missed_events();
-    if (m_work.renderer->take_dropped_frame() && !m_work.player.is_playing())
+    if (m_work.renderer->take_dropped_frame() && !m_work.player.transport().is_playing())
         m_work.redraw.add_replay();
     if (m_comparison.update(wall_seconds))
         m_drawn_extent = {};  // sizes may depend on values
@@ -252,9 +253,10 @@ bool FrameLoop::has_converged() const {
 
 bool FrameLoop::is_moving() const {
     const Renderer* renderer = m_work.renderer.get();
-    return (m_work.player.is_playing() && !has_converged()) || !m_work.redraw.is_empty() ||
-           m_previews.is_busy() || m_work.pictures.chosen().is_reading() ||
-           !m_work.media.loading().empty() || m_work.media.is_source_late() ||
+    return (m_work.player.transport().is_playing() && !has_converged()) ||
+           !m_work.redraw.is_empty() || m_previews.is_busy() ||
+           m_work.pictures.chosen().is_reading() || !m_work.media.loading().empty() ||
+           m_work.media.is_source_late() ||
            (renderer &&
             (renderer->is_amid_frame() || renderer->replay().is_running() || m_guard.is_waiting()));
 }
@@ -319,7 +321,7 @@ void FrameLoop::update_source() {
     if (!problems.empty())
         report_content_problems(m_work);
     if (m_work.media.is_source_late())
-        show_source(m_work.player.time());
+        show_source(m_work.player.transport().time());
     const auto taken =
         m_work.media.update(*m_work.document, m_work.player, m_work.renderer->executors());
     if (!taken)
@@ -334,7 +336,7 @@ void FrameLoop::update_source() {
 // Redraws a paused picture with the new source.
 void FrameLoop::show_source(double seconds) {
     const auto is_new = m_work.media.show_source(seconds, m_work.renderer->executors());
-    if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.is_playing())
+    if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.transport().is_playing())
         m_work.redraw.add_replay();
 }
 
@@ -345,7 +347,7 @@ void FrameLoop::resize_picture() {
     m_drawn_extent = extent;
     m_loader.worker().builder().set_picture(extent);
     m_work.media.set_viewport(extent);
-    show_source(m_work.player.time());
+    show_source(m_work.player.transport().time());
     const Plan before = m_work.renderer->executor().plan();
     const Extent source = m_work.media.source_extent();
     const bool is_resized =
@@ -361,9 +363,9 @@ void FrameLoop::resize_picture() {
 
 // On a slow machine the clock runs slower, so that frames do not get longer and longer.
 void FrameLoop::limit_frame(double wall_seconds) {
-    if (m_work.player.past().empty())
+    if (m_work.player.transport().past().empty())
         return;
-    const double span = m_work.player.past().back().span.seconds();
+    const double span = m_work.player.transport().past().back().span.seconds();
     m_work.player.set_longest_frame(
         longest_frame({.wall_seconds = wall_seconds,
                        .beam_seconds = m_work.renderer->times().beam_seconds_a_second() * span,
@@ -385,11 +387,11 @@ void FrameLoop::draw_picture(double wall_seconds) {
         return;  // allocation has used the time of this update
     m_guard.prepare();
     limit_frame(wall_seconds);
-    m_work.renderer->executors().inputs().sound = m_work.player.sound_texels();
+    m_work.renderer->executors().inputs().sound = m_work.player.signal().sound_texels();
     m_work.renderer->executors().inputs().date = local_date();
-    const bool rests = m_work.player.is_playing() && has_converged();
+    const bool rests = m_work.player.transport().is_playing() && has_converged();
     const bool comes_next =
-        m_work.player.is_playing() && !rests;  // a frame, which includes all redraws
+        m_work.player.transport().is_playing() && !rests;  // a frame, which includes all redraws
     const bool waits = rests || m_work.renderer->replay().is_of_variant();
     const auto frame = waits ? std::nullopt : m_work.player.advance(wall_seconds);
     if (frame) {
@@ -398,7 +400,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.messages.succeeded(
             m_work.media.show_source(frame->span.end, m_work.renderer->executors()));
         modulate_values(frame->span.end);
-        m_work.renderer->draw(*frame, m_work.player.trace(frame->span));
+        m_work.renderer->draw(*frame, m_work.player.signal().trace(frame->span));
         return;
     }
     // Fast enough for a drag, and the window still responds.
@@ -418,8 +420,8 @@ void FrameLoop::draw_picture(double wall_seconds) {
 
 void FrameLoop::redraw() {
     const Redraw redraw = m_work.redraw.take();
-    if (!m_work.player.past().empty())
-        modulate_values(m_work.player.past().back().span.end);
+    if (!m_work.player.transport().past().empty())
+        modulate_values(m_work.player.transport().past().back().span.end);
     m_work.renderer->redraw(m_work.player, redraw.passes);
 }
 
@@ -430,7 +432,7 @@ void FrameLoop::modulate_values(double seconds) {
     const Values* variant = m_comparison.variant_values();
     modulate(m_work.renderer->executors(),
              {m_applied->values, variant ? *variant : none, m_applied->modulations}, seconds,
-             m_work.player.loudness().get());
+             m_work.player.signal().loudness().get());
 }
 
 void FrameLoop::replace_drawn_look() {
@@ -471,7 +473,7 @@ void FrameLoop::restart() {
     m_work.player.restart();
     if (m_work.renderer)
         m_work.renderer->clear_history();
-    if (!m_work.player.is_playing())
+    if (!m_work.player.transport().is_playing())
         m_work.player.step();
 }
 

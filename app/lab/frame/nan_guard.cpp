@@ -6,7 +6,7 @@
 #include <algorithm>
 
 void NanGuard::prepare() {
-    if (m_work.player.is_playing()) {
+    if (m_work.player.transport().is_playing()) {
         m_plays_after = false;
         if (m_found)
             answer(NonFiniteAction::go_on);
@@ -14,7 +14,8 @@ void NanGuard::prepare() {
     const bool clamps = m_is_unattended || m_answer == NonFiniteAction::clamp;
     const bool is_first =
         !m_work.renderer->has_drawn();  // its history is checked with the next frame
-    NanPolicy policy = m_work.player.is_playing() ? NanPolicy::watch : NanPolicy::search;
+    NanPolicy policy =
+        m_work.player.transport().is_playing() ? NanPolicy::watch : NanPolicy::search;
     if (m_answer == NonFiniteAction::go_on || (is_first && policy == NanPolicy::watch))
         policy = NanPolicy::off;
     else if (clamps)
@@ -59,7 +60,7 @@ void NanGuard::stop_at(const NonFinitePixel& found) {
         return;
     }
     m_found = found;
-    if (!m_work.player.is_playing())
+    if (!m_work.player.transport().is_playing())
         return;
     m_plays_after = true;
     m_work.player.pause();

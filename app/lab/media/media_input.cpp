@@ -50,7 +50,7 @@ Result<void> MediaInput::follow(const Document& document, Player& player, Execut
         case Driver::signal:
             return follow_signal(document, player);
         case Driver::picture:
-            if (player.signal())
+            if (player.signal().get())
                 if (auto silent = player.set_signal({}); !silent)
                     return silent;
             return follow_source(document, player, executors);
@@ -64,13 +64,14 @@ Result<void> MediaInput::follow(const Document& document, Player& player, Execut
 Result<void> MediaInput::follow_signal(const Document& document, Player& player) {
     const Spec& spec = document.state().signal;
     const std::string file = file_of(spec);
-    if (!file.empty() && file != player.sound().file) {
+    const PlayedSignal& played = player.signal();
+    if (!file.empty() && file != played.sound().file) {
         if (file != m_loader.name())
             m_loader.load(MediaLoader::Kind::signal, file);
-        return player.signal() ? Result<void>() : fall_back(document, player, {});
+        return played.get() ? Result<void>() : fall_back(document, player, {});
     }
     m_loader.cancel();
-    if (auto set = player.set_signal(spec, file.empty() ? PlayedSound{} : player.sound()); !set)
+    if (auto set = player.set_signal(spec, file.empty() ? PlayedSound{} : played.sound()); !set)
         return fall_back(document, player, std::move(set.error()));
     return {};
 }
@@ -137,8 +138,9 @@ Result<void> MediaInput::fall_back(const Document& document, Player& player,
     // A preset with a missing file opens with the look's own signal. If the user chose an
     // unreadable file, or the file broke on disk, the last signal stays.
     const bool is_as_opened = document.state().signal == document.saved().signal;
-    const bool was_read = player.sound().file == file_of(document.state().signal);
-    const bool is_needed = !player.signal() || (is_as_opened && !was_read && !reasons.empty());
+    const bool was_read = player.signal().sound().file == file_of(document.state().signal);
+    const bool is_needed =
+        !player.signal().get() || (is_as_opened && !was_read && !reasons.empty());
     if (is_needed && own && file_of(*own).empty())
         if (const auto set = player.set_signal(*own); !set)
             reasons.insert(reasons.end(), set.error().begin(), set.error().end());
@@ -165,7 +167,7 @@ Result<void> MediaInput::follow_source(const Document& document, const Player& p
 
 Result<void> MediaInput::show_anew(const Player& player, Executors& executors) {
     m_shown.reset();
-    const auto shown = show_source(player.time(), executors);
+    const auto shown = show_source(player.transport().time(), executors);
     return shown ? Result<void>() : fail(shown.error());
 }
 
@@ -251,7 +253,7 @@ Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Play
         m_recent.remember(file, loaded.digest);
     if (loaded.source) {
         m_source = std::move(loaded.source);
-        if (player.frame_number() > 0)
+        if (player.transport().frame_number() > 0)
             return show_anew(player, executors);
         m_shown.reset();  // the first frame shows its own picture
         return {};

@@ -211,12 +211,10 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
     : m_context(std::move(context)),
       m_document(std::move(prepared.document)),
       m_executors(Executor(m_document.drawn_look(), std::move(programs))),
-      m_player(std::make_unique<Player>()),
+      m_player(std::make_unique<Player>(nullptr, prepared.sender_seconds)),
       m_size(size),
       m_fps(fps),
-      m_moves(std::move(prepared.moves)) {
-    m_player->set_sender_patience(prepared.sender_seconds);
-}
+      m_moves(std::move(prepared.moves)) {}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::Context::headless();
@@ -265,7 +263,7 @@ Result<void> Offline::load_signal() {
     add_new(m_problems, notes_about(signal));
     auto set = m_player->set_signal(signal, std::move(sound));
     m_executors.inputs().beam_fit = beam_fit_of(signal);
-    m_executors.inputs().sound = m_player->sound_texels();
+    m_executors.inputs().sound = m_player->signal().sound_texels();
     return set;
 }
 
@@ -302,8 +300,10 @@ Diagnostics Offline::take_problems() {
         message = with_sentence(message, "NaN and Inf were clamped.");
     }
     add_new(problems, m_chosen_images.problems());
-    const Diagnostics sent = m_player->beam_input_problems();
-    problems.insert(problems.end(), sent.begin(), sent.end());
+    if (const BeamFeed* feed = m_player->signal().feed()) {
+        const Diagnostics sent = feed->problems();
+        problems.insert(problems.end(), sent.begin(), sent.end());
+    }
     return problems;
 }
 
@@ -450,7 +450,7 @@ void Offline::make_moves(double seconds) {
 }
 
 Beam Offline::beam_of(const PlayedFrame& frame) const {
-    return m_beam ? m_beam(frame) : m_player->trace(frame.span);
+    return m_beam ? m_beam(frame) : m_player->signal().trace(frame.span);
 }
 
 Result<void> Offline::hold_source(const Picture& picture) {
@@ -492,7 +492,7 @@ Result<void> Offline::resize_again() {
 void Offline::modulate_values(const PlayedFrame& frame) {
     const Values& values = m_document.values();
     modulate(m_executors, {values, values, m_document.state().modulations}, frame.span.end,
-             m_player->loudness().get());
+             m_player->signal().loudness().get());
 }
 
 Picture Offline::picture(int pass) const {

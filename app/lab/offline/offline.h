@@ -85,7 +85,7 @@ public:
     void advance_unseen();
     /// Advances this number of frames and returns the last picture.
     Picture picture_after(int frames);
-    std::int64_t frame_number() const { return m_player->frame_number(); }
+    std::int64_t frame_number() const { return m_player->transport().frame_number(); }
     std::vector<double> pass_milliseconds() {
         return m_executors.picture().drawer().pass_milliseconds();
     }
@@ -116,15 +116,18 @@ public:
     /// The problems of the source and of another program's beam. Call it once, at the end.
     Diagnostics take_problems();
     /// What drawing waits for: "Waiting for a program at /run/…"; "": not waiting.
-    std::string sender_state() const { return m_player->sender_state(); }
+    std::string sender_state() const {
+        const BeamFeed* feed = m_player->signal().feed();
+        return feed ? feed->state() : std::string();
+    }
     /// The picture of a pass, row 0 at the top, in the encoding of its values.
     Picture picture(int pass) const;
     /// The same in the target's stored format, for another thread.
     void read(int pass, RawPicture& raw) const;
     /// The sound of the signal; null: no sound.
-    std::shared_ptr<const SampleStream> sound() const { return m_player->heard(); }
+    std::shared_ptr<const SampleStream> sound() const { return m_player->signal().sound_stream(); }
     /// Its duration; 0: no sound.
-    double sound_seconds() const { return m_player->sound_seconds(); }
+    double sound_seconds() const { return m_player->signal().sound_seconds(); }
     Picture picture() const {
         return picture(static_cast<int>(executor().look().passes.size()) - 1);
     }

@@ -14,14 +14,15 @@ void AudioControl::set_settings(const SoundSettings& settings) {
 }
 
 void AudioControl::update() {
-    std::string error = m_player.silence();
+    std::string error = m_player.error();
     if (error == m_reported)
         return;
     constexpr const char* subject = "sound device";
     m_reported = std::move(error);
     if (m_reported.empty())
         return m_messages.withdraw(subject);
-    if (!m_player.draws_muted_input())
+    const PlayedSignal& signal = m_player.signal();
+    if (!signal.is_live() || !signal.live_input().is_muted())
         return m_messages.say(m_reported, true, subject);
     const auto unmute = [this](Lab&) { m_messages.succeeded(m_player.mute_input(false)); };
     m_messages.ask(m_reported, {{.name = "Unmute", .commands = {unmute}}}, subject, false);

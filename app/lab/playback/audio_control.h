@@ -17,7 +17,7 @@ public:
     void set_settings(const SoundSettings& settings);
     /// The devices that find_devices() found.
     const std::vector<SoundDevice>& devices() const { return m_devices; }
-    void find_devices() { m_devices = m_player.sound_devices(); }
+    void find_devices() { m_devices = m_player.devices().list(); }
     /// Shows a notice once when a device fails or a live input is muted.
     void update();
 

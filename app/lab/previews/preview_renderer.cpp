@@ -13,7 +13,7 @@ namespace {
 constexpr double patience_seconds = 0.01;  // for accumulating passes
 
 std::vector<PlayedFrame> latest(const Player& player, std::size_t frames) {
-    const auto& past = player.past();
+    const auto& past = player.transport().past();
     const std::size_t count = std::min(frames, past.size());
     return {past.end() - static_cast<std::ptrdiff_t>(count), past.end()};
 }
@@ -25,7 +25,7 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
         Executor(subject.document.drawn_look(), subject.shown.executor().programs().generic()));
     FrameInputs& inputs = executors.inputs();
     inputs.beam_fit = beam_fit_of(subject.document.state().signal);
-    inputs.sound = subject.player.sound_texels();
+    inputs.sound = subject.player.signal().sound_texels();
     inputs.date = local_date();
     inputs.patience_seconds = patience_seconds;
     inputs.hand.move(subject.shown.executors().inputs().hand.place());
@@ -57,7 +57,7 @@ Result<void> PreviewRenderer::show_pictures(const PreviewSubject& subject, const
     static_cast<void>(m_chosen_images.show(look, values, m_executors.picture()));
     if (others)
         static_cast<void>(m_other_images.show(look, *others, *m_executors.variant()));
-    return subject.media.show_beside(subject.player.time(),
+    return subject.media.show_beside(subject.player.transport().time(),
                                      {m_executors, subject.picture, m_source});
 }
 
@@ -90,8 +90,8 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
     static_cast<void>(
         subject.media.show_past_beside(frame.span.end, {m_executors, subject.picture, m_source}));
     modulate(m_executors, {m_values, m_other_values, subject.document.state().modulations},
-             frame.span.end, subject.player.loudness().get());
-    const Beam beam = subject.player.trace(frame.span);
+             frame.span.end, subject.player.signal().loudness().get());
+    const Beam beam = subject.player.signal().trace(frame.span);
     if (is_last)
         m_executors.draw(frame, beam);
     else

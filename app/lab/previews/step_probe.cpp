@@ -145,7 +145,7 @@ void StepProbe::conclude() {
 }
 
 void StepProbe::update(const PreviewSubject& subject, double slice_seconds) {
-    if (!m_question || subject.player.past().empty())
+    if (!m_question || subject.player.transport().past().empty())
         return;
     const bool is_other = m_values != subject.document.values() || m_extent != subject.picture;
     const bool is_new = !m_trial && !m_is_answered;

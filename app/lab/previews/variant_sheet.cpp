@@ -150,7 +150,7 @@ Result<void> VariantSheet::keep_picture() {
 
 void VariantSheet::update(const PreviewSubject& whole, double slice_seconds) {
     const Document& document = whole.document;
-    if (m_request.across.empty() || whole.player.past().empty() ||
+    if (m_request.across.empty() || whole.player.transport().past().empty() ||
         document.history().is_in_gesture())
         return;
     if (m_drawn_for != without_axes(document, m_request) || m_knobs != document.knobs())

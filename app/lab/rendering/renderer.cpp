@@ -72,10 +72,11 @@ bool draws_beam(const Look& look, const std::vector<bool>& passes) {
 }  // namespace
 
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
-    if (player.past().empty())
+    if (player.transport().past().empty())
         return;
-    const PlayedFrame& present = player.past().back();
-    const Beam beam = draws_beam(executor().look(), passes) ? player.trace(present.span) : Beam();
+    const PlayedFrame& present = player.transport().past().back();
+    const Beam beam =
+        draws_beam(executor().look(), passes) ? player.signal().trace(present.span) : Beam();
     drop_frame();
     if (m_slicing.is_due()) {
         m_executors.redraw(present, beam, passes, begin_slices({.is_again = true}));

@@ -18,7 +18,7 @@ void Replay::start_variant(const Player& player, std::size_t frames) {
 void Replay::begin(const Player& player, std::size_t frames) {
     m_renderer.drop_frame();
     static_cast<void>(m_renderer.take_dropped_frame());  // it is replaced
-    const std::size_t count = player.past().size();
+    const std::size_t count = player.transport().past().size();
     m_done = 0;
     m_total = std::min(frames, count);
     m_first = count - m_total;
@@ -41,16 +41,16 @@ bool Replay::update(const Player& player, double seconds, const BeforeFrame& bef
     if (m_is_of_variant && !m_renderer.executors().variant())
         cancel();
     while (is_running() && seconds_since(start) < seconds) {
-        const PlayedFrame& frame = player.past()[m_first + m_done];
+        const PlayedFrame& frame = player.transport().past()[m_first + m_done];
         const bool is_last = m_done + 1 == m_total;
         if (m_renderer.is_amid_frame()) {
             m_renderer.continue_frame(seconds - seconds_since(start));
         } else {
             before(frame);
             if (is_last)
-                m_renderer.draw(frame, player.trace(frame.span));
+                m_renderer.draw(frame, player.signal().trace(frame.span));
             else
-                m_renderer.draw_unseen(frame, player.trace(frame.span));
+                m_renderer.draw_unseen(frame, player.signal().trace(frame.span));
         }
         if (m_renderer.is_amid_frame())
             return false;

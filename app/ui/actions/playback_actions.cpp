@@ -10,7 +10,7 @@
 
 namespace {
 void play_pause(const Scene& scene, Edits& edits) {
-    const bool is_playing = scene.lab.player().is_playing();
+    const bool is_playing = scene.lab.player().transport().is_playing();
     edits.add([is_playing](Lab& lab) { is_playing ? lab.player().pause() : lab.player().play(); });
 }
 void step(const Scene&, Edits& edits) {
@@ -24,7 +24,7 @@ void restart(const Scene&, Edits& edits) {
 }
 template <int octaves>
 void change_speed(const Scene& scene, Edits& edits) {
-    const double speed = scene.lab.player().speed() * std::exp2(octaves);
+    const double speed = scene.lab.player().transport().speed() * std::exp2(octaves);
     edits.add([speed](Lab& lab) { lab.player().set_speed(speed); });
 }
 void set_normal_speed(const Scene&, Edits& edits) {

@@ -9,7 +9,7 @@ namespace {
 double export_seconds(const Scene& scene) {
     if (scene.window.export_seconds > 0.0)
         return scene.window.export_seconds;
-    const double sound = scene.lab.player().sound_seconds();
+    const double sound = scene.lab.player().signal().sound_seconds();
     return sound > 0.0 ? sound : film_seconds_without_sound;
 }
 

@@ -29,13 +29,13 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
     dim_text(fmt::format("{} / {}", clock_text(place), clock_text(length)));
 }
 
-void draw_volume(const Player& player, const Scene& scene, Edits& edits) {
+void draw_volume(const AudioDevices& devices, const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("volume"));
     const FormColumns columns = form_columns();
     form_label("Volume", columns, false);
     tooltip("Playback volume. It doesn't change the trace.");
     form_control(columns);
-    double level = player.level();
+    double level = devices.level();
     if (form_slider(
             "##value", level,
             {.low = 0.0, .high = 2.0, .initial = 1.0, .unit = "×", .limit = Limit{0.0, 2.0}},
@@ -65,7 +65,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
                is_out ? "Audio device for playback."
                       : "Audio device for live input. A monitor records what other programs play.",
                columns);
-    SoundSettings settings = scene.lab.player().sound_settings();
+    SoundSettings settings = scene.lab.player().devices().settings();
     std::string& chosen = is_out ? settings.output : settings.input;
     const bool is_open = begin_combo("##device", chosen.empty() ? "System default" : chosen,
                                      columns.control_and_number());
@@ -92,7 +92,7 @@ void draw_number_choice(const char* label, const char* help, int SoundSettings::
     const ScopedId id{std::string(label)};
     const FormColumns columns = form_columns(false);
     begin_line(label, help, columns);
-    SoundSettings settings = scene.lab.player().sound_settings();
+    SoundSettings settings = scene.lab.player().devices().settings();
     std::vector<std::string> words;
     std::vector<const char*> labels;
     int chosen = -1;
@@ -117,7 +117,7 @@ void draw_delay(const Scene& scene, Edits& edits) {
     begin_line("Picture delay",
                "Delays the picture to match loudspeakers with latency, such as Bluetooth.",
                columns);
-    SoundSettings settings = scene.lab.player().sound_settings();
+    SoundSettings settings = scene.lab.player().devices().settings();
     const Turned turned = form_slider("##value", settings.picture_delay_ms,
                                       {.low = -200.0, .high = 500.0, .step = 1.0, .unit = "ms"},
                                       columns, scene.fonts);
@@ -129,7 +129,7 @@ void draw_delay(const Scene& scene, Edits& edits) {
 }
 
 void draw_beam_output(const Scene& scene, Edits& edits) {
-    SoundSettings settings = scene.lab.player().sound_settings();
+    SoundSettings settings = scene.lab.player().devices().settings();
     if (ImGui::Checkbox("Send beam to audio output", &settings.plays_beam))
         apply(settings, edits);
     edits.mark("sound:beam");
@@ -163,7 +163,8 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
     }
     draw_beam_output(scene, edits);
     const Player& player = scene.lab.player();
-    const bool is_heard = player.sound_settings().plays_beam || player.sound().sound;
+    const bool has_sound = player.signal().sound().sound != nullptr;
+    const bool is_heard = player.devices().settings().plays_beam || has_sound;
     if (is_live)
         draw_device(Way::in, scene, edits);
     if (is_heard)
@@ -175,25 +176,27 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
     draw_number_choice(
         "Buffer", "Buffer size in samples. Smaller means lower latency, larger avoids dropouts.",
         &SoundSettings::buffer, {sound_buffers.begin(), sound_buffers.end()}, scene, edits);
-    if (is_live || player.sound().sound)
+    if (is_live || has_sound)
         draw_delay(scene, edits);
 }
 
 void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
     const Player& player = scene.lab.player();
-    if (player.sound().sound)
-        draw_seek_bar(player.time(), player.sound_seconds(), scene, edits);
-    if (player.sound().sound && player.beam_device().empty())
-        draw_volume(player, scene, edits);
-    else if (is_live && !player.live_device().empty())
-        fitted_text(fmt::format("Input: {}", player.live_device()),
-                    ImGui::GetContentRegionAvail().x, theme::dim);
+    const PlayedSignal& signal = player.signal();
+    const std::string input = signal.live_input().device_name();
+    if (signal.sound().sound)
+        draw_seek_bar(player.transport().time(), signal.sound_seconds(), scene, edits);
+    if (signal.sound().sound && player.devices().beam_device().empty())
+        draw_volume(player.devices(), scene, edits);
+    else if (is_live && !input.empty())
+        fitted_text(fmt::format("Input: {}", input), ImGui::GetContentRegionAvail().x, theme::dim);
     draw_silence(scene);
 }
 
 void draw_silence(const Scene& scene) {
     const Player& player = scene.lab.player();
-    for (std::string text : {player.sender_state(), player.silence()}) {
+    const BeamFeed* feed = player.signal().feed();
+    for (std::string text : {feed ? feed->state() : std::string(), player.error()}) {
         if (text.empty())
             continue;
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));

@@ -17,7 +17,7 @@
 
 namespace {
 void draw_buttons(const Scene& scene, Edits& edits) {
-    const bool is_playing = scene.lab.player().is_playing();
+    const bool is_playing = scene.lab.player().transport().is_playing();
     if (icon_button("##restart", Icon::restart, scene.actions.help(ActionId::restart)))
         run(ActionId::restart, scene, edits);
     edits.mark("restart");
@@ -33,7 +33,7 @@ void draw_buttons(const Scene& scene, Edits& edits) {
 }
 
 void draw_speed(const Scene& scene, Edits& edits) {
-    double speed = scene.lab.player().speed();
+    double speed = scene.lab.player().transport().speed();
     const SliderFacts facts{.low = 0.01,
                             .high = 4.0,
                             .is_logarithmic = true,
@@ -79,16 +79,16 @@ std::string points_text(std::size_t count) {
 // In a narrow pane, the last facts are omitted.
 void draw_facts(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
-    const Player& player = scene.lab.player();
+    const Transport& transport = scene.lab.player().transport();
     const Renderer* renderer = scene.lab.renderer();
-    std::vector<std::string> facts{clock_text(player.time())};
+    std::vector<std::string> facts{clock_text(transport.time())};
     if (scene.lab.automation().recorder().is_running())
         facts.emplace_back("recording automation");
     if (renderer && renderer->replay().is_running())
         facts.push_back(
             fmt::format("replay {}/{}", renderer->replay().done(), renderer->replay().total()));
     else
-        facts.push_back(fmt::format("frame {}", player.frame_number()));
+        facts.push_back(fmt::format("frame {}", transport.frame_number()));
     if (renderer && scene.lab.document() &&
         scene.lab.document()->look().driven_by == Driver::signal)
         facts.push_back(points_text(renderer->times().point_count()));

@@ -25,7 +25,7 @@ std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
     if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
         return "Replaying";
-    if (!scene.lab.player().is_playing())
+    if (!scene.lab.player().transport().is_playing())
         return "Paused";
     if (pace <= 0.0)
         return "Idle";
@@ -35,11 +35,12 @@ std::string pace_text(const Scene& scene) {
 // How playback is reduced if the machine is too slow; "": it is fast enough.
 std::string lag_text(const Player& player) {
     constexpr double hardly_seen = 0.93;
-    const double share = player.shown_share();
-    if (!player.is_playing() || share > hardly_seen)
+    const double share = player.transport().shown_share();
+    if (!player.transport().is_playing() || share > hardly_seen)
         return {};
-    return player.leaves_out() ? fmt::format("Drawing {:.0f} % of the sound", 100.0 * share)
-                               : fmt::format("Running at {:.2f}× speed", share);
+    return player.devices().plays_in_real_time()
+               ? fmt::format("Drawing {:.0f} % of the sound", 100.0 * share)
+               : fmt::format("Running at {:.2f}× speed", share);
 }
 
 void draw_lag(const Scene& scene, Edits& edits) {
@@ -61,7 +62,8 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     const auto half = scene.lab.work().size.chosen().halved();
     const Renderer* renderer = scene.lab.renderer();
     const double passes = renderer ? renderer->times().passes().present_total() : 0.0;
-    const bool runs = scene.lab.player().is_playing() && !scene.lab.frames().has_converged();
+    const bool runs =
+        scene.lab.player().transport().is_playing() && !scene.lab.frames().has_converged();
     const bool may_be_smaller = half && half->has_shape();
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;

@@ -159,7 +159,8 @@ std::string wall_text(const Scene& scene) {
 
 bool is_over_budget(const Scene& scene) {
     const Lab& lab = scene.lab;
-    return lab.renderer() && lab.player().is_playing() && !lab.frames().has_converged() &&
+    return lab.renderer() && lab.player().transport().is_playing() &&
+           !lab.frames().has_converged() &&
            lab.renderer()->times().passes().present_total() > scene.window.budget_milliseconds;
 }
 

@@ -254,6 +254,7 @@ std::string document_text(const Lab& lab) {
 
 std::string state_text(const Scene& scene, const Edits& edits) {
     const Lab& lab = scene.lab;
+    const Transport& transport = lab.player().transport();
     const Extent picture = lab.work().size.extent();
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
@@ -261,14 +262,14 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         scene.is_behind, lab.loader().is_loading(),
         json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
                                            : std::string()),
-        json_string(lab.work().media.loading()), lab.player().is_playing(),
-        lab.renderer() && lab.renderer()->has_drawn(), lab.player().frame_number(),
+        json_string(lab.work().media.loading()), transport.is_playing(),
+        lab.renderer() && lab.renderer()->has_drawn(), transport.frame_number(),
         lab.frames().samples().value_or(Samples{}).held, lab.remote().osc().port(),
         lab.remote().midi().is_listening(),
         json_string(lab.remote().midi().learning() ? lab.remote().midi().learning()->parameter
                                                    : std::string()),
-        lab.remote().settings().midi.size(), lab.frames().has_converged(), lab.player().time(),
-        lab.player().shown_share(), picture.width, picture.height,
+        lab.remote().settings().midi.size(), lab.frames().has_converged(), transport.time(),
+        transport.shown_share(), picture.width, picture.height,
         lab.work().size.chosen().fixed.width, lab.work().size.chosen().fixed.height,
         json_string(lab.messages().notice() ? lab.messages().notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),

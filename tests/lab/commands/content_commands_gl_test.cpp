@@ -40,7 +40,7 @@ public:
         lab().work().opened_files.take();
     }
     bool plays_song() {
-        return lab().document()->state().signal.kind == "audio" && lab().player().sound().sound;
+        return lab().document()->state().signal.kind == "audio" && player().signal().sound().sound;
     }
     void open_and_wait(const std::string& argument) {
         lab().looks().open(argument);
@@ -108,7 +108,7 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     small.lab().edit(command);
     small.turn(2);
     CHECK(small.document().state().signal.kind == "waveform");
-    CHECK(small.lab().player().sound().sound == nullptr);
+    CHECK(small.player().signal().sound().sound == nullptr);
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.turn_until([&] { return small.plays_song(); }));
     CHECK(small.document().is_content_locked());

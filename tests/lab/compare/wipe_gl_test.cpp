@@ -199,7 +199,7 @@ public:
         m_lab = std::make_unique<Lab>(Library(roots), *m_context, std::move(*worker));
         m_lab->work().size.choose({false, {48, 36}, 1.0});
         m_lab->looks().open(look);
-        turn_until([&] { return m_lab->player().frame_number() > 5; });
+        turn_until([&] { return m_lab->player().transport().frame_number() > 5; });
         m_lab->player().pause();
         m_lab->update(0.0);
         auto views = Views::make();

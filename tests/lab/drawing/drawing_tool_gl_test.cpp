@@ -33,7 +33,7 @@ void write(const std::filesystem::path& file, const std::string& text) {
 /// The lowest and highest lit point of the beam at a time.
 std::array<float, 2> lit_heights(const Lab& lab, double seconds) {
     std::array<float, 2> heights{9.0f, -9.0f};
-    for (const BeamPoint& point : lab.player().trace({seconds, seconds + 1.0 / 60.0}))
+    for (const BeamPoint& point : lab.player().signal().trace({seconds, seconds + 1.0 / 60.0}))
         if (point.intensity > 0.0f)
             heights = {std::min(heights[0], point.y), std::max(heights[1], point.y)};
     return heights;
@@ -87,7 +87,7 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     CHECK(lab.messages().notice()->text.find("plays from its file. Its 20002 points") !=
           std::string::npos);
     CHECK(strokes_of(lab).empty());
-    REQUIRE(small.turn_until([&] { return lab.player().sound().drawing != nullptr; }));
+    REQUIRE(small.turn_until([&] { return lab.player().signal().sound().drawing != nullptr; }));
     CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 in total
 }
 
@@ -97,6 +97,6 @@ TEST_CASE("an opened scene is drawn") {
           "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"
           "{ \"shape\": \"line\", \"from\": [-0.5, 0.25], \"to\": [0.5, 0.25] } ] }");
     small.lab().looks().open_file(small.folder() / "s.json");
-    REQUIRE(small.turn_until([&] { return small.lab().player().sound().scene != nullptr; }));
+    REQUIRE(small.turn_until([&] { return small.player().signal().sound().scene != nullptr; }));
     CHECK(lit_heights(small.lab(), 0.0)[0] == 0.25f);
 }

@@ -62,8 +62,8 @@ TEST_CASE("the first non-finite number pauses the clock at its frame with a vali
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     CHECK(*lab.lab().frames().nan_guard().found() == NonFinitePixel{0, 3, 3, 40});
-    CHECK_FALSE(lab.lab().player().is_playing());
-    CHECK(lab.lab().player().frame_number() == 40);
+    CHECK_FALSE(lab.player().transport().is_playing());
+    CHECK(lab.player().transport().frame_number() == 40);
     CHECK(std::isnan(lab.sum(3)));
     CHECK(lab.sum(5) == 20.0f);  // settle_frames of history
 }
@@ -73,7 +73,7 @@ TEST_CASE("clamping continues with 0 instead of NaN") {
     lab.wait_for_non_finite();
     lab.lab().frames().nan_guard().answer(NonFiniteAction::clamp);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
-    CHECK(lab.lab().player().is_playing());
+    CHECK(lab.player().transport().is_playing());
     lab.turn(3);
     CHECK(lab.frames() == 43.0f);
     CHECK(lab.sum(3) == 3.0f);
@@ -103,7 +103,7 @@ TEST_CASE("in unattended mode NaN is clamped and reported once") {
     CHECK(lab.lab().messages().notice()->text.find("pass 'sum'") != std::string::npos);
     CHECK(lab.lab().messages().notice()->text.find("pixel (3, 3), frame 40") != std::string::npos);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
-    CHECK(lab.lab().player().is_playing());
+    CHECK(lab.player().transport().is_playing());
     CHECK(std::isfinite(lab.sum(3)));
 }
 
@@ -111,7 +111,7 @@ TEST_CASE("a value that fixes the NaN lets time continue with a valid history") 
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.0)); });
-    REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
+    REQUIRE(lab.turn_until([&] { return lab.player().transport().is_playing(); }));
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     lab.turn(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
@@ -127,14 +127,14 @@ TEST_CASE("a value that does not fix the NaN keeps the clock paused") {
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     lab.wait_for_non_finite();
     CHECK(*lab.lab().frames().nan_guard().found() == NonFinitePixel{0, 3, 3, 40});
-    CHECK_FALSE(lab.lab().player().is_playing());
+    CHECK_FALSE(lab.player().transport().is_playing());
 }
 
 TEST_CASE("an edit that fixes the NaN lets time continue") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.write_by_rename("sum.frag", small_look::sum);
-    REQUIRE(lab.turn_until([&] { return lab.lab().player().is_playing(); }));
+    REQUIRE(lab.turn_until([&] { return lab.player().transport().is_playing(); }));
     lab.turn(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isfinite(lab.sum(3)));

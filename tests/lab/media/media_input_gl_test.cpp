@@ -54,7 +54,7 @@ Picture grey(float level) {
 }
 
 bool has_sound(SmallLab& small) {
-    return small.turn_until([&] { return small.lab().player().sound().sound != nullptr; });
+    return small.turn_until([&] { return small.player().signal().sound().sound != nullptr; });
 }
 }  // namespace
 
@@ -63,18 +63,18 @@ TEST_CASE("an opened sound draws and plays from its start, and undo restores the
     const fs::path song = small.folder() / "song.wav";
     REQUIRE(write_atomically(song, wav(8000)).has_value());
     small.lab().looks().open_file(song);
-    CHECK(small.lab().player().signal() != nullptr);  // the figure stays until then
+    CHECK(small.player().signal().get() != nullptr);  // the figure stays until then
     REQUIRE(has_sound(small));
-    CHECK(small.lab().player().time() < 0.1);
-    CHECK(small.lab().player().sound_seconds() == doctest::Approx(1.0));
-    const Beam beam = small.lab().player().trace({0.25, 0.26});
+    CHECK(small.player().transport().time() < 0.1);
+    CHECK(small.player().signal().sound_seconds() == doctest::Approx(1.0));
+    const Beam beam = small.player().signal().trace({0.25, 0.26});
     REQUIRE_FALSE(beam.empty());
     CHECK(beam[beam.size() / 2].x == about(0.25, 0.01));
     CHECK(beam[beam.size() / 2].y == about(-0.25, 0.01));
 
     small.lab().edit([](Document& document) { document.undo(); });
     small.turn(1);
-    CHECK(small.lab().player().sound().sound == nullptr);
+    CHECK(small.player().signal().sound().sound == nullptr);
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(has_sound(small));
 }
@@ -102,12 +102,12 @@ TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     small.wait_for_frames();
     small.lab().edit([](Document& document) { document.set_signal(Spec{"waveform", {}}); });
     small.turn(1);
-    const Signal* of_another = small.lab().player().signal();
+    const Signal* of_another = small.player().signal().get();
     small.lab().looks().open(file.string());
     REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
-    CHECK(small.lab().player().signal() != of_another);
+    CHECK(small.player().signal().get() != of_another);
     CHECK(small.lab().messages().notice()->text.find("song.wav") != std::string::npos);
-    CHECK(small.lab().player().signal() != nullptr);  // the look's default
+    CHECK(small.player().signal().get() != nullptr);  // the look's default
     CHECK(small.document().state().signal.kind == "audio");
     small.lab().presets().save();
     CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);  // the reference is kept
@@ -152,7 +152,7 @@ TEST_CASE("a truncated sound plays as far as it goes and is listed as a problem"
     REQUIRE(write_atomically(song, whole.substr(0, 44 + 4 * 2000)).has_value());
     small.lab().looks().open_file(song);
     REQUIRE(has_sound(small));
-    CHECK(small.lab().player().sound_seconds() == doctest::Approx(0.25));
+    CHECK(small.player().signal().sound_seconds() == doctest::Approx(0.25));
     REQUIRE(small.lab().messages().problems().size() == 1);
     CHECK(small.lab().messages().problems().front().diagnostic.message ==
           "the file ends early: only 0.25 of 1.00 s were read");
@@ -171,7 +171,7 @@ TEST_CASE("loading a sound can be cancelled, and the previous signal returns") {
     CHECK(small.lab().work().media.loading().empty());
     CHECK(small.document().state().signal.kind == "lissajous");
     small.turn(50);
-    CHECK(small.lab().player().sound().sound == nullptr);
+    CHECK(small.player().signal().sound().sound == nullptr);
 }
 
 TEST_CASE("a picture or sound follows its file, and a broken file keeps the last version") {
@@ -194,7 +194,7 @@ TEST_CASE("a picture or sound follows its file, and a broken file keeps the last
     REQUIRE(write_atomically(song, wav(8000)).has_value());
     played.lab().looks().open_file(song);
     REQUIRE(has_sound(played));
-    const auto seconds = [&] { return played.lab().player().sound_seconds(); };
+    const auto seconds = [&] { return played.player().signal().sound_seconds(); };
     REQUIRE(write_atomically(song, wav(4000)).has_value());
     CHECK(played.turn_until([&] { return seconds() == doctest::Approx(0.5); }));
     REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
@@ -221,7 +221,7 @@ TEST_CASE("a chosen file that cannot be read changes nothing and is named in the
         if (bad.content)
             REQUIRE(write_atomically(file, bad.content).has_value());
         const DocumentState before = small.document().state();
-        const Signal* signal = small.lab().player().signal();
+        const Signal* signal = small.player().signal().get();
         small.lab().looks().open_file(file);
         REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
         small.turn(3);
@@ -230,7 +230,7 @@ TEST_CASE("a chosen file that cannot be read changes nothing and is named in the
         CHECK(small.document().state() == before);
         CHECK_FALSE(small.document().history().can_undo());
         CHECK(small.lab().messages().problems().empty());
-        CHECK(small.lab().player().signal() == signal);
+        CHECK(small.player().signal().get() == signal);
         CHECK(small.lab().work().opened_files.take().empty());
     }
 }
@@ -287,7 +287,7 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
         small.turn(3);
         CHECK(small.frames() == frames + 3);
         if (bad.manifest == on_a_signal)
-            CHECK(small.lab().player().signal() != nullptr);
+            CHECK(small.player().signal().get() != nullptr);
         else
             CHECK(gpu::read_pixel(small.lab().renderer()->executor().target(1), 3, 3)[0] > 0.5f);
     }
@@ -376,7 +376,7 @@ TEST_CASE("a replay shows a moving pattern as it was in each frame") {
         return !small.lab().work().media.source_extent().is_empty() && small.frames() > 40.0f;
     }));
     // The harbour moves by one step in ten frames.
-    const double end = small.lab().player().time();
+    const double end = small.player().transport().time();
     REQUIRE(make_pattern("harbour,size=64x48", end)->pixels !=
             make_pattern("harbour,size=64x48", end - 10.0 / 60.0)->pixels);
     small.lab().player().pause();

@@ -49,7 +49,7 @@ template <class Wished>
 Beam play_until(Player& player, const Wished& is_wished) {
     const auto start = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() - start < std::chrono::seconds(20)) {
-        Beam beam = player.trace(player.advance(feed_frame)->span);
+        Beam beam = player.signal().trace(player.advance(feed_frame)->span);
         if (is_wished(beam))
             return beam;
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -68,20 +68,20 @@ TEST_CASE("programs draw over a socket one after another, and their state is rep
     const auto place = folder.path() / "beam";
     Player player = live_player();
     REQUIRE(player.set_signal(socket_at(place)).has_value());
-    CHECK(player.sender_state() == "Waiting for a program at " + place.string());
-    CHECK(player.silence().empty());
+    CHECK(player.signal().feed()->state() == "Waiting for a program at " + place.string());
+    CHECK(player.error().empty());
     {
         const Sender first(place);
         first.send("0.5 0 1 0.01\nnothing\n");
         CHECK(play_until(player, is_lit).back().x == 0.5f);
-        play_until(player, [&](const Beam&) { return !player.silence().empty(); });
-        CHECK(player.silence().find("beam:2: error: expected x y intensity") != std::string::npos);
+        play_until(player, [&](const Beam&) { return !player.error().empty(); });
+        CHECK(player.error().find("beam:2: error: expected x y intensity") != std::string::npos);
     }
     const Sender second(place);
     second.send("-0.25 0 1 0.01\n");
     play_until(player, [](const Beam& beam) { return is_lit(beam) && beam.back().x == -0.25f; });
-    CHECK(player.silence().empty());
-    CHECK(player.sender_state() == "Receiving from " + place.string());
+    CHECK(player.error().empty());
+    CHECK(player.signal().feed()->state() == "Receiving from " + place.string());
 }
 
 TEST_CASE("after the last program disconnects the beam stops, and this is reported") {
@@ -90,8 +90,8 @@ TEST_CASE("after the last program disconnects the beam stops, and this is report
     REQUIRE(player.set_signal(socket_at(folder.path() / "beam")).has_value());
     { const Sender silent(folder.path() / "beam"); }  // sends nothing, so it is not a sender
     Sender(folder.path() / "beam").send("0 0 1 0.01\n");
-    play_until(player, [&](const Beam&) { return !player.silence().empty(); });
-    CHECK(player.silence() == "\"" + (folder.path() / "beam").string() + "\" stopped sending");
+    play_until(player, [&](const Beam&) { return !player.error().empty(); });
+    CHECK(player.error() == "\"" + (folder.path() / "beam").string() + "\" stopped sending");
 }
 
 TEST_CASE("an unusable path leaves the open socket in place") {

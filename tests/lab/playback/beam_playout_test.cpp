@@ -105,7 +105,7 @@ const float steepest = static_cast<float>(0.8 * 2.0 * std::numbers::pi * 180.0 /
 TEST_CASE("a scope gets x on the left and y on the right, at the device's rate") {
     Bench bench;
     bench.run(0.1);
-    const double start = bench.player.time();
+    const double start = bench.player.transport().time();
     const std::vector<float> seen = bench.run(1.0);
     double largest = 0.0;
     for (std::size_t i = 0; i < seen.size() / 2; ++i) {
@@ -158,25 +158,24 @@ TEST_CASE("a device with another clock than the picture is followed without a ga
 TEST_CASE("time that a slow machine does not show is skipped, because a scope cannot wait") {
     Bench bench;
     bench.player.set_longest_frame(0.05);
-    CHECK(bench.player.leaves_out());
+    CHECK(bench.player.devices().plays_in_real_time());
     for (int i = 0; i < 20; ++i) {
         bench.player.advance(0.1);
         bench.scope.see(playout_rate / 10);
     }
-    CHECK(std::abs(bench.player.time() - 2.0) < 1e-6);
+    CHECK(std::abs(bench.player.transport().time() - 2.0) < 1e-6);
 }
 
 TEST_CASE("a lost scope device is reported, and switching off releases it") {
     Bench bench;
     CHECK(bench.scope.opened == 1);
-    CHECK(bench.player.beam_device() == "Scope");
+    CHECK(bench.player.devices().beam_device() == "Scope");
     bench.scope.has_stalled = true;
     bench.run(0.1);
-    CHECK(bench.player.silence() ==
-          "Audio device \"Scope\" stopped. The beam isn't sent any more.");
+    CHECK(bench.player.error() == "Audio device \"Scope\" stopped. The beam isn't sent any more.");
     REQUIRE(bench.player.set_sound_settings(beam_switched(false)).has_value());
     CHECK(bench.scope.opened == 0);
-    CHECK(bench.player.silence().empty());
+    CHECK(bench.player.error().empty());
     REQUIRE(bench.player.advance(playout_frame).has_value());
 }
 
@@ -190,10 +189,10 @@ TEST_CASE("without a device the switch resets, this is reported and the picture 
         const bool is_sound = spec.kind == "audio";
         REQUIRE(player.set_signal(spec, is_sound ? PlayedSound{"a.wav", sound} : PlayedSound{})
                     .has_value());
-        CHECK(player.silence() == (is_sound ? "no audio device found" : ""));
+        CHECK(player.error() == (is_sound ? "no audio device found" : ""));
         REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());
-        CHECK(player.silence() == "no device for a beam");
-        CHECK_FALSE(player.sound_settings().plays_beam);
+        CHECK(player.error() == "no device for a beam");
+        CHECK_FALSE(player.devices().settings().plays_beam);
         REQUIRE(player.advance(playout_frame).has_value());
     }
 }

@@ -87,9 +87,9 @@ TEST_CASE("speed scales time within 0.01 and 4") {
     player.set_speed(2.0);
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.2));
     player.set_speed(1000.0);
-    CHECK(player.speed() == 4.0);
+    CHECK(player.transport().speed() == 4.0);
     player.set_speed(0.0);
-    CHECK(player.speed() == 0.01);
+    CHECK(player.transport().speed() == 0.01);
 }
 
 TEST_CASE("while paused there is no frame, and a step is 1/60 s") {
@@ -113,9 +113,9 @@ TEST_CASE("restart begins at frame 1 and time 0 without history, and seeking kee
     const auto sought = player.advance(0.05);
     CHECK(sought->span.start == 7.0);
     CHECK(sought->number == 2);
-    CHECK(player.past().size() == 2);
+    CHECK(player.transport().past().size() == 2);
     player.restart();
-    CHECK(player.past().empty());
+    CHECK(player.transport().past().empty());
     CHECK(player.advance(0.05)->number == 1);
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("a delayed window drops time instead of drawing it in one frame") {
 
 TEST_CASE("a limit per frame slows the shown time down, and the share is reported") {
     Player player;
-    CHECK(player.shown_share() == 1.0);
+    CHECK(player.transport().shown_share() == 1.0);
     player.set_longest_frame(0.05);
     double end = 0.0;
     for (int i = 0; i < 60; ++i) {
@@ -135,12 +135,12 @@ TEST_CASE("a limit per frame slows the shown time down, and the share is reporte
         CHECK(frame->span.seconds() == doctest::Approx(0.05));
         end = frame->span.end;
     }
-    CHECK(player.shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
+    CHECK(player.transport().shown_share() == doctest::Approx(0.05 / 0.6).epsilon(0.01));
     player.set_longest_frame(1.0);  // at most a quarter of a second in any case
     CHECK(player.advance(0.6)->span.seconds() == doctest::Approx(0.25));
     for (int i = 0; i < 180; ++i)
         player.advance(frame_seconds);
-    CHECK(player.shown_share() == doctest::Approx(1.0).epsilon(0.01));
+    CHECK(player.transport().shown_share() == doctest::Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("the reported share is right from the second slow frame on, for any duration") {
@@ -148,18 +148,18 @@ TEST_CASE("the reported share is right from the second slow frame on, for any du
     for (int i = 0; i < 60; ++i)
         player.advance(frame_seconds);
     player.advance(1.8);
-    CHECK(player.shown_share() == 1.0);  // a single frame may be delayed by anything
+    CHECK(player.transport().shown_share() == 1.0);  // a single frame may be delayed by anything
     player.advance(1.8);
-    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+    CHECK(player.transport().shown_share() == doctest::Approx(0.25 / 1.8));
     player.advance(1.8);
-    CHECK(player.shown_share() == doctest::Approx(0.25 / 1.8));
+    CHECK(player.transport().shown_share() == doctest::Approx(0.25 / 1.8));
 }
 
 TEST_CASE("a single delayed frame does not slow time down") {
     Player player;
     for (const double seconds : {frame_seconds, 3.0, frame_seconds, frame_seconds}) {
         player.advance(seconds);
-        CHECK(player.shown_share() == 1.0);
+        CHECK(player.transport().shown_share() == 1.0);
     }
 }
 
@@ -179,23 +179,23 @@ TEST_CASE("a signal is created over its sound, and an unknown one keeps the last
                 .set_signal(Spec{"audio", {{"file", std::string("a.wav")}, {"start", 0.25}}},
                             second_of_sound())
                 .has_value());
-    CHECK(player.sound_seconds() == doctest::Approx(0.75));
-    const Signal* before = player.signal();
+    CHECK(player.signal().sound_seconds() == doctest::Approx(0.75));
+    const Signal* before = player.signal().get();
     CHECK_FALSE(player.set_signal(Spec{"no such kind", {}}).has_value());
-    CHECK(player.signal() == before);
-    CHECK(player.sound().sound != nullptr);
+    CHECK(player.signal().get() == before);
+    CHECK(player.signal().sound().sound != nullptr);
     REQUIRE(player.set_signal(Spec{"lissajous", {}}).has_value());
-    CHECK(player.sound_seconds() == 0.0);
-    CHECK_FALSE(player.trace({0.0, frame_seconds}).empty());
+    CHECK(player.signal().sound_seconds() == 0.0);
+    CHECK_FALSE(player.signal().trace({0.0, frame_seconds}).empty());
     REQUIRE(player.set_signal({}).has_value());
-    CHECK(player.trace({0.0, frame_seconds}).empty());
+    CHECK(player.signal().trace({0.0, frame_seconds}).empty());
 }
 
 TEST_CASE("live sound is the clock, and input is drawn at its own time") {
     LivePlayer live;
     live.player.advance(0.1);
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
-    CHECK(live.player.live_device() == "Line in");
+    CHECK(live.player.signal().live_input().device_name() == "Line in");
     CHECK_FALSE(live.player.advance(0.5).has_value());  // no input since then
     live.devices.live->write(std::vector<float>(2 * 5000, 0.0f), 2);
     live.devices.live->write(std::vector<float>(2 * 100, 0.25f), 2);
@@ -204,7 +204,7 @@ TEST_CASE("live sound is the clock, and input is drawn at its own time") {
     REQUIRE(frame.has_value());
     CHECK(frame->span.start == doctest::Approx(0.1));
     CHECK(frame->span.end == doctest::Approx(0.2));
-    const Beam beam = live.player.trace(frame->span);
+    const Beam beam = live.player.signal().trace(frame->span);
     REQUIRE(beam.size() == 100);
     CHECK(beam.front().x == 0.25f);
     CHECK(beam.back().y == 0.25f);
@@ -261,8 +261,8 @@ TEST_CASE("a missing input is reported, and the last signal continues") {
     REQUIRE(live.player.set_sound_settings(gone).has_value());
     const auto set = live.player.set_signal(Spec{"microphone", {}});
     REQUIRE_FALSE(set.has_value());
-    CHECK(live.player.silence() == "can't open the audio input: 'Gone' isn't connected");
-    CHECK_FALSE(live.player.trace(live.player.advance(0.1)->span).empty());
+    CHECK(live.player.error() == "can't open the audio input: 'Gone' isn't connected");
+    CHECK_FALSE(live.player.signal().trace(live.player.advance(0.1)->span).empty());
 }
 
 TEST_CASE("an input that stops is reported, and time continues") {
@@ -270,7 +270,7 @@ TEST_CASE("an input that stops is reported, and time continues") {
     REQUIRE(live.player.set_signal(Spec{"microphone", {}}).has_value());
     live.devices.has_stalled = true;
     CHECK(live.player.advance(0.1)->span.seconds() == doctest::Approx(0.1));
-    CHECK(live.player.silence() == "No input from \"Line in\"");
+    CHECK(live.player.error() == "No input from \"Line in\"");
 }
 
 TEST_CASE("a muted live sound draws a still beam, and its device stays closed") {
@@ -278,20 +278,21 @@ TEST_CASE("a muted live sound draws a still beam, and its device stays closed") 
     REQUIRE(live.player.mute_input(true).has_value());
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"upsample", 1.0}}}).has_value());
     CHECK(live.devices.captures == 0);
-    CHECK(live.player.draws_muted_input());
-    CHECK(live.player.silence() == "Live sound is muted");
+    CHECK(live.player.signal().is_live());
+    CHECK(live.player.signal().live_input().is_muted());
+    CHECK(live.player.error() == "Live sound is muted");
     const auto frame = live.player.advance(0.1);  // the machine's clock continues
     REQUIRE(frame.has_value());
-    for (const BeamPoint& point : live.player.trace(frame->span)) {
+    for (const BeamPoint& point : live.player.signal().trace(frame->span)) {
         CHECK(point.x == 0.0f);
         CHECK(point.y == 0.0f);
     }
     REQUIRE(live.player.mute_input(false).has_value());
     CHECK(live.devices.captures == 1);
-    CHECK(live.player.live_device() == "Line in");
-    CHECK(live.player.silence().empty());
+    CHECK(live.player.signal().live_input().device_name() == "Line in");
+    CHECK(live.player.error().empty());
     REQUIRE(live.player.mute_input(true).has_value());
-    CHECK(live.player.live_device().empty());
+    CHECK(live.player.signal().live_input().device_name().empty());
 }
 
 TEST_CASE("the input is open only while it is drawn, and value changes do not reopen it") {
@@ -300,7 +301,7 @@ TEST_CASE("the input is open only while it is drawn, and value changes do not re
     REQUIRE(live.player.set_signal(Spec{"microphone", {{"level", 2.0}}}).has_value());
     CHECK(live.devices.captures == 1);
     REQUIRE(live.player.set_signal(Spec{"lissajous", {}}).has_value());
-    CHECK(live.player.live_device().empty());
+    CHECK(live.player.signal().live_input().device_name().empty());
 }
 
 namespace {
@@ -348,41 +349,41 @@ TEST_CASE("an audible sound is the clock, and time continues when its device is 
     REQUIRE(player.set_signal(parse_spec("audio:a.wav").value(), second_of_sound()).has_value());
     loudspeaker.position = 0.02;
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.02));
-    CHECK(player.silence().empty());
+    CHECK(player.error().empty());
     loudspeaker.has_stalled = true;
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
-    CHECK(player.silence() == "Audio device \"Line out\" stopped. Playing silently.");
+    CHECK(player.error() == "Audio device \"Line out\" stopped. Playing silently.");
 }
 
 TEST_CASE("seeking with a past fills the history as if the frames had been shown") {
     Player player;
     player.seek_with_past(2.0, 30);
-    CHECK(player.time() == doctest::Approx(2.0));
-    CHECK(player.frame_number() == 120);
-    REQUIRE(player.past().size() == 30);
-    CHECK(player.past().front().number == 91);
-    CHECK(player.past().front().span.start == doctest::Approx(1.5));
-    CHECK(player.past().back().span.end == doctest::Approx(2.0));
-    CHECK(player.past().back().span.seconds() == doctest::Approx(frame_seconds));
+    CHECK(player.transport().time() == doctest::Approx(2.0));
+    CHECK(player.transport().frame_number() == 120);
+    REQUIRE(player.transport().past().size() == 30);
+    CHECK(player.transport().past().front().number == 91);
+    CHECK(player.transport().past().front().span.start == doctest::Approx(1.5));
+    CHECK(player.transport().past().back().span.end == doctest::Approx(2.0));
+    CHECK(player.transport().past().back().span.seconds() == doctest::Approx(frame_seconds));
 
     player.seek_with_past(0.1, 30);  // there are no earlier frames
-    CHECK(player.past().size() == 6);
-    CHECK(player.past().front().number == 1);
+    CHECK(player.transport().past().size() == 6);
+    CHECK(player.transport().past().front().number == 1);
     player.seek_with_past(0.0, 30);
-    CHECK(player.past().empty());
+    CHECK(player.transport().past().empty());
 }
 
 TEST_CASE("sound textures follow the player's signal, and without a signal there are none") {
     Player player;
-    CHECK_FALSE(player.sound_texels());
+    CHECK_FALSE(player.signal().sound_texels());
     REQUIRE(player.set_signal(parse_spec("lissajous:x=2,y=2,phase=0.25,amplitude=0.5").value())
                 .has_value());
-    REQUIRE(player.sound_texels());
+    REQUIRE(player.signal().sound_texels());
     std::array<float, 8> levels{};
-    player.sound_texels()->read({SoundTexture::Holds::wave, 4}, 1.0, levels);
+    player.signal().sound_texels()->read({SoundTexture::Holds::wave, 4}, 1.0, levels);
     for (std::size_t i = 0; i < 4; ++i)
         CHECK(std::hypot(2.0f * levels[i] - 1.0f, 2.0f * levels[i + 4] - 1.0f) ==
               doctest::Approx(0.5).epsilon(1e-3));
     REQUIRE(player.set_signal({}).has_value());
-    CHECK_FALSE(player.sound_texels());
+    CHECK_FALSE(player.signal().sound_texels());
 }

@@ -106,13 +106,14 @@ TEST_CASE("probing a step leaves clock, history and values unchanged") {
     Probing small;
     small.lab().edit([](Document& document) { document.set_value("light", Value(0.125)); });
     small.turn(60);  // reaches 0.25 + 0.25
-    const double time = small.lab().player().time();
+    const double time = small.player().transport().time();
     const DocumentState before = small.document().state();
     small.lab().frames().previews().probe().ask({"light", 0, true});
     int turns = 0;
     for (; small.probe().is_busy() && turns < 2000; ++turns)
         small.lab().update(1.0 / 60.0);
-    CHECK(is_near_step(small.lab().player().time(), time + turns / 60.0, 1e-6));  // time continued
+    CHECK(is_near_step(small.player().transport().time(), time + turns / 60.0,
+                       1e-6));  // time continued
     CHECK(small.document().state() == before);
     CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
     small.turn(1);

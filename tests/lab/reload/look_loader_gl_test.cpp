@@ -171,7 +171,7 @@ TEST_CASE("a look draws nothing before its source is available") {
         const bool has_source =
             std::ranges::find(held, Input::From::source, &TextureChoice::from) != held.end();
         has_drawn_without = has_drawn_without || (!executor.plan().targets.empty() && !has_source);
-        return small.lab().player().frame_number() > 2;
+        return small.player().transport().frame_number() > 2;
     }));
     CHECK_FALSE(has_drawn_without);
 }
