@@ -54,8 +54,10 @@ Result<void> AudioDevices::play_sound(const SoundTrack& track, const Transport& 
     m_track = track;
     if (m_machine && track.sound && !m_output && !m_playout) {
         auto output = m_machine->open_output(m_settings);
-        if (!output)
+        if (!output) {
+            m_track = {};  // is new for a device that is connected later
             return fail(output.error());
+        }
         m_output = std::move(*output);
     }
     if (!m_output)

@@ -308,6 +308,8 @@ namespace {
 /// A simulated loudspeaker.
 struct Loudspeaker {
     double position = 0.0;
+    bool is_connected = true;
+    bool has_sound = false;
     bool has_stalled = false;
 };
 
@@ -316,7 +318,9 @@ public:
     explicit FakeOutput(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
 
     std::string device_name() const override { return "Line out"; }
-    void play(std::shared_ptr<const Sound>, double) override {}
+    void play(std::shared_ptr<const Sound> sound, double) override {
+        m_loudspeaker.has_sound = sound != nullptr;
+    }
     void play() override {}
     void pause() override {}
     void seek(double seconds) override { m_loudspeaker.position = seconds; }
@@ -335,6 +339,8 @@ public:
     explicit OutputDevices(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
 
     Result<std::unique_ptr<SoundOutput>> open_output(const SoundSettings&) override {
+        if (!m_loudspeaker.is_connected)
+            return fail({{}, 0, "no audio device found"});
         return std::make_unique<FakeOutput>(m_loudspeaker);
     }
 
@@ -353,6 +359,19 @@ TEST_CASE("an audible sound is the clock, and time continues when its device is 
     loudspeaker.has_stalled = true;
     CHECK(player.advance(0.1)->span.end == doctest::Approx(0.12));
     CHECK(player.error() == "Audio device \"Line out\" stopped. Playing silently.");
+}
+
+TEST_CASE("a sound plays on a device that was connected later") {
+    Loudspeaker loudspeaker{.is_connected = false};
+    Player player(std::make_unique<OutputDevices>(loudspeaker));
+    const Spec spec = parse_spec("audio:a.wav").value();
+    const PlayedSound sound = second_of_sound();
+    REQUIRE(player.set_signal(spec, sound).has_value());
+    CHECK(player.error() == "no audio device found");
+    loudspeaker.is_connected = true;
+    REQUIRE(player.set_signal(spec, sound).has_value());
+    CHECK(loudspeaker.has_sound);
+    CHECK(player.error().empty());
 }
 
 TEST_CASE("seeking with a past fills the history as if the frames had been shown") {
