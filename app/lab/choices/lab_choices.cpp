@@ -86,22 +86,24 @@ void add_pens(const Pen& pen, std::vector<Choice>& choices) {
 }
 
 void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
-    const auto offer = [&](const char* name,
-                           const std::function<void(DrawingBoard&, Document&)>& change) {
-        choices.push_back({.name = name, .commands = {on_board(change)}});
+    const auto on_keyframes = [](const KeyframeChange& change) {
+        return MenuCommand([change](Lab& lab) { lab.drawing().edit_keyframes(change); });
     };
-    offer("New keyframe", &DrawingBoard::add_keyframe);
-    offer("Duplicate keyframe", &DrawingBoard::duplicate_keyframe);
-    offer("Remove keyframe", &DrawingBoard::remove_keyframe);
-    offer("Clear keyframe", &DrawingBoard::clear_keyframe);
+    const auto offer = [&](const char* name, const KeyframeChange& change) {
+        choices.push_back({.name = name, .commands = {on_keyframes(change)}});
+    };
+    offer("New keyframe", &EditedDrawing::add_keyframe);
+    offer("Duplicate keyframe", &EditedDrawing::duplicate_keyframe);
+    offer("Remove keyframe", &EditedDrawing::remove_keyframe);
+    offer("Clear keyframe", &EditedDrawing::clear_keyframe);
     offer("Move keyframe earlier",
-          [](DrawingBoard& desk, Document& document) { desk.move_keyframe(-1, document); });
+          [](EditedDrawing& drawing, Document& document) { drawing.move_keyframe(-1, document); });
     offer("Move keyframe later",
-          [](DrawingBoard& desk, Document& document) { desk.move_keyframe(1, document); });
+          [](EditedDrawing& drawing, Document& document) { drawing.move_keyframe(1, document); });
     for (std::size_t i = 0; i < board.drawing()->keyframes.size(); ++i)
         choices.push_back({.name = fmt::format("Keyframe {}", i + 1),
-                           .commands = {on_board([i](DrawingBoard& desk, Document& document) {
-                               desk.choose_keyframe(i, document);
+                           .commands = {on_keyframes([i](EditedDrawing& drawing, Document&) {
+                               drawing.choose_keyframe(i);
                            })},
                            .is_present = board.keyframe() == i});
 }

@@ -42,6 +42,10 @@ void DrawingTool::edit(const std::function<void(DrawingBoard&, Document&)>& chan
     change(m_board, *m_document);
 }
 
+void DrawingTool::edit_keyframes(const KeyframeChange& change) {
+    edit([&](DrawingBoard& board, Document& document) { board.edit_keyframes(change, document); });
+}
+
 void DrawingTool::take_pen(bool is_in_hand) {
     if (!m_document)
         return;

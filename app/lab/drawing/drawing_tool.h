@@ -29,6 +29,7 @@ public:
     /// The right button ends a line or deletes a point.
     void other_button(const PicturePixel& pixel);
     void edit(const std::function<void(DrawingBoard&, Document&)>& change);
+    void edit_keyframes(const KeyframeChange& change);
 
     /// Loads an SVG as the drawing. If it has too many points to edit, it plays from its file.
     void load(const std::filesystem::path& file);

@@ -79,8 +79,8 @@ void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
             continue;
         const std::size_t keyframe = first + static_cast<std::size_t>(chosen);
         edits.add([keyframe](Lab& lab) {
-            lab.drawing().edit([keyframe](DrawingBoard& desk, Document& document) {
-                desk.choose_keyframe(keyframe, document);
+            lab.drawing().edit_keyframes([keyframe](EditedDrawing& drawing, Document&) {
+                drawing.choose_keyframe(keyframe);
             });
         });
     }
@@ -92,7 +92,7 @@ struct KeyframeButton {
     const char* id;
     const char* help;
     bool is_enabled;
-    std::function<void(DrawingBoard&, Document&)> act;
+    KeyframeChange act;
 };
 
 void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
@@ -105,7 +105,7 @@ void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
         {
             const ScopedDisabled idle(!button.is_enabled);
             if (ImGui::Button(button.label, {width, 0.0f}))
-                edits.add([act = button.act](Lab& lab) { lab.drawing().edit(act); });
+                edits.add([act = button.act](Lab& lab) { lab.drawing().edit_keyframes(act); });
         }
         edits.mark(button.id);
         tooltip(button.help);
@@ -124,16 +124,16 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
     ImGui::EndGroup();
     draw_buttons(
         {{"New", "keyframe_new", "Adds an empty keyframe after this one.", has_room,
-          &DrawingBoard::add_keyframe},
+          &EditedDrawing::add_keyframe},
          {"Copy", "keyframe_copy",
           "Adds a copy of this keyframe after it. Strokes morph into one another in their order.",
-          has_room, &DrawingBoard::duplicate_keyframe},
+          has_room, &EditedDrawing::duplicate_keyframe},
          {"Remove", "keyframe_remove", "Removes this keyframe. The last one can't be removed.",
-          keyframes.size() > 1, &DrawingBoard::remove_keyframe}},
+          keyframes.size() > 1, &EditedDrawing::remove_keyframe}},
         edits);
     const auto move = [](int places) {
-        return [places](DrawingBoard& desk, Document& document) {
-            desk.move_keyframe(places, document);
+        return [places](EditedDrawing& drawing, Document& document) {
+            drawing.move_keyframe(places, document);
         };
     };
     draw_buttons({{"Earlier", "keyframe_earlier", "Moves this keyframe one place earlier.",
@@ -141,7 +141,7 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
                   {"Later", "keyframe_later", "Moves this keyframe one place later.",
                    present + 1 < keyframes.size(), move(1)},
                   {"Clear", "keyframe_clear", "Deletes all strokes of this keyframe.",
-                   !keyframes[present].empty(), &DrawingBoard::clear_keyframe}},
+                   !keyframes[present].empty(), &EditedDrawing::clear_keyframe}},
                  edits);
 }
 

@@ -39,6 +39,12 @@ struct Desk {
                        board_pixel, document);
         board.release(board_pixel, document);
     }
+    void edit(const KeyframeChange& change) { board.edit_keyframes(change, document); }
+    void move_keyframe(int places) {
+        edit([places](EditedDrawing& drawing, Document& edited) {
+            drawing.move_keyframe(places, edited);
+        });
+    }
     void undo() {
         document.undo();
         board.follow(document);
@@ -216,24 +222,24 @@ TEST_CASE("the secondary button deletes a point, and a two-point stroke with it"
 TEST_CASE("keyframes are added, removed and reordered in one step each") {
     Desk desk;
     desk.pull({0.0, 0.0}, {0.5, 0.0});
-    desk.board.duplicate_keyframe(desk.document);
+    desk.edit(&EditedDrawing::duplicate_keyframe);
     CHECK(desk.board.keyframe() == 1);
     CHECK(desk.strokes() == "[L0 0 0.5 0][L0 0 0.5 0]");
-    desk.board.clear_keyframe(desk.document);
+    desk.edit(&EditedDrawing::clear_keyframe);
     desk.pull({0.0, 0.1}, {0.5, 0.1});
-    desk.board.add_keyframe(desk.document);
+    desk.edit(&EditedDrawing::add_keyframe);
     desk.pull({0.0, 0.2}, {0.5, 0.2});
     CHECK(desk.strokes() == "[L0 0 0.5 0][L0 0.1 0.5 0.1][L0 0.2 0.5 0.2]");
-    desk.board.move_keyframe(-1, desk.document);
+    desk.move_keyframe(-1);
     CHECK(desk.board.keyframe() == 1);
     CHECK(desk.strokes() == "[L0 0 0.5 0][L0 0.2 0.5 0.2][L0 0.1 0.5 0.1]");
-    desk.board.move_keyframe(-5, desk.document);
+    desk.move_keyframe(-5);
     CHECK(desk.strokes() == "[L0 0.2 0.5 0.2][L0 0 0.5 0][L0 0.1 0.5 0.1]");
-    desk.board.choose_keyframe(2, desk.document);
-    desk.board.remove_keyframe(desk.document);
+    desk.edit([](EditedDrawing& drawing, Document&) { drawing.choose_keyframe(2); });
+    desk.edit(&EditedDrawing::remove_keyframe);
     CHECK(desk.board.keyframe() == 1);
-    desk.board.remove_keyframe(desk.document);
-    desk.board.remove_keyframe(desk.document);  // the last keyframe stays
+    desk.edit(&EditedDrawing::remove_keyframe);
+    desk.edit(&EditedDrawing::remove_keyframe);  // the last keyframe stays
     CHECK(desk.strokes() == "[L0 0.2 0.5 0.2]");
     desk.undo();
     CHECK(desk.strokes() == "[L0 0.2 0.5 0.2][L0 0 0.5 0]");
@@ -242,7 +248,7 @@ TEST_CASE("keyframes are added, removed and reordered in one step each") {
 TEST_CASE("an active pen freezes the shown keyframe, but not that of the document") {
     Desk desk;
     desk.pull({0.0, 0.0}, {0.5, 0.0});
-    desk.board.add_keyframe(desk.document);
+    desk.edit(&EditedDrawing::add_keyframe);
     const Spec shown = desk.board.shown(desk.document.state().signal);
     CHECK(std::get<std::string>(shown.settings.at("play")) == "still");
     CHECK(std::get<double>(shown.settings.at("keyframe")) == 2.0);
@@ -260,6 +266,6 @@ TEST_CASE("a full drawing accepts no more points") {
     desk.board.replace(full, "Load drawing", desk.document);
     desk.pull({-0.5, 0.0}, {-0.5, 0.5});
     CHECK(desk.keyframe().size() == 1);
-    desk.board.duplicate_keyframe(desk.document);
+    desk.edit(&EditedDrawing::duplicate_keyframe);
     CHECK(desk.board.drawing()->keyframes.size() == 1);
 }

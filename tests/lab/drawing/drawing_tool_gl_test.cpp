@@ -46,8 +46,7 @@ TEST_CASE("an active pen shows a still keyframe, and without it the keyframes pl
     lab.drawing().take_pen(true);
     CHECK(strokes_of(lab) == "[]");
     pull(lab, {-0.5, -0.5}, {0.5, -0.5});
-    lab.drawing().edit(
-        [](DrawingBoard& board, Document& document) { board.add_keyframe(document); });
+    lab.drawing().edit_keyframes(&EditedDrawing::add_keyframe);
     pull(lab, {-0.5, 0.5}, {0.5, 0.5});
     CHECK(strokes_of(lab) == "[S-0.5 -0.5 0.5 -0.5][S-0.5 0.5 0.5 0.5]");
     REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
@@ -69,8 +68,7 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     lab.drawing().save(small.folder() / "mine");
     CHECK(lab.messages().notice()->text == "Saved \"mine.svg\"");
     const std::string drawn = strokes_of(lab);
-    lab.drawing().edit(
-        [](DrawingBoard& board, Document& document) { board.clear_keyframe(document); });
+    lab.drawing().edit_keyframes(&EditedDrawing::clear_keyframe);
     write(small.folder() / "broken.svg", "<svg>\n<path d='M0 0 L'");
     lab.looks().open_file(small.folder() / "broken.svg");
     CHECK(lab.messages().notice()->text.find("broken.svg:2: ") == 0);
