@@ -24,7 +24,6 @@ EXCEPTIONS = {
     "Application": ("members", "to be divided: the parts of the window, and when it wakes and rests"),
     "ComparedPictures": ("members", "to be divided: each measurement with its pace"),
     "Document": ("functions", "to be divided: the open preset and what is saved of it"),
-    "MediaInput": ("functions", "to be divided: the file that the user chose, while it is read"),
     "FrameStream": ("members", "to be divided: the queue that it shares with its thread"),
     "Offline": ("functions", "to be divided: the pictures and the sound of a frame"),
     "WindowState": ("members", "to be divided: the layout, the inspection and the lists"),

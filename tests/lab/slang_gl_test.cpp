@@ -376,13 +376,12 @@ TEST_CASE("a chain keeps its source's shape in the view until another shape is c
     SlangLab slang;
     slang.lab().work().size.set_view({100, 60});
     slang.lab().work().size.choose({});
-    REQUIRE(slang.turn_until([&] { return slang.lab().work().media.source().has_value(); }));
+    const FittedSource& source = slang.lab().work().media.source();
+    REQUIRE(slang.turn_until([&] { return source.get() != nullptr; }));
     CHECK(slang.lab().work().size.extent() == Extent{80, 60});  // of 320 x 240
     slang.lab().edit(
         [](Document& document) { document.set_source("pattern:harbour,size=16x16,aspect=1.25"); });
-    REQUIRE(slang.turn_until([&] {
-        return slang.lab().work().media.source()->extent() == Extent{16, 16};
-    }));
+    REQUIRE(slang.turn_until([&] { return source.get()->extent() == Extent{16, 16}; }));
     CHECK(slang.lab().work().size.extent() == Extent{75, 60});
     PictureSize size;
     size.shape = ViewShape::whole_pixels;

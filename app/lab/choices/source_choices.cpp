@@ -52,7 +52,7 @@ void add_ends(SourceSpec source, std::vector<Choice>& choices) {
 }  // namespace
 
 OpenSource open_source(const MediaInput& media) {
-    const auto& source = media.source();
+    const Source* source = media.source().get();
     if (!source)
         return {};
     return {source->extent(), source->prescale(),

@@ -220,7 +220,8 @@ void ComparisonView::start_variant() {
     update_constants();
     m_work.messages.succeeded(
         m_work.pictures.show_new_variant(look, m_variant->values, m_work.renderer->executors()));
-    m_work.messages.succeeded(m_work.media.show_anew(m_work.player, m_work.renderer->executors()));
+    m_work.messages.succeeded(m_work.media.source().show_again(m_work.player.transport().time(),
+                                                               m_work.renderer->executors()));
     constexpr double patience_seconds = 1.0;
     constexpr double fewest = 4;
     const double all = std::max(look.settle_frames, 1);

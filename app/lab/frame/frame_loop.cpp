@@ -245,7 +245,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
 }
 
 bool FrameLoop::has_converged() const {
-    const auto& source = m_work.media.source();
+    const Source* source = m_work.media.source().get();
     const bool moves =
         (source && source->moves()) || (m_applied && !m_applied->modulations.empty());
     return m_work.renderer && !moves && m_work.renderer->has_converged();
@@ -256,7 +256,7 @@ bool FrameLoop::is_moving() const {
     return (m_work.player.transport().is_playing() && !has_converged()) ||
            !m_work.redraw.is_empty() || m_previews.is_busy() ||
            m_work.pictures.chosen().is_reading() || !m_work.media.loading().empty() ||
-           m_work.media.is_source_late() ||
+           m_work.media.source().is_late() ||
            (renderer &&
             (renderer->is_amid_frame() || renderer->replay().is_running() || m_guard.is_waiting()));
 }
@@ -320,7 +320,7 @@ void FrameLoop::update_source() {
         m_work.messages.say(problem);
     if (!problems.empty())
         report_content_problems(m_work);
-    if (m_work.media.is_source_late())
+    if (m_work.media.source().is_late())
         show_source(m_work.player.transport().time());
     const auto taken =
         m_work.media.update(*m_work.document, m_work.player, m_work.renderer->executors());
@@ -335,7 +335,7 @@ void FrameLoop::update_source() {
 
 // Redraws a paused picture with the new source.
 void FrameLoop::show_source(double seconds) {
-    const auto is_new = m_work.media.show_source(seconds, m_work.renderer->executors());
+    const auto is_new = m_work.media.source().show(seconds, m_work.renderer->executors());
     if (m_work.messages.succeeded(is_new) && *is_new && !m_work.player.transport().is_playing())
         m_work.redraw.add_replay();
 }
@@ -346,10 +346,10 @@ void FrameLoop::resize_picture() {
         return;
     m_drawn_extent = extent;
     m_loader.worker().builder().set_picture(extent);
-    m_work.media.set_viewport(extent);
+    m_work.media.source().set_viewport(extent);
     show_source(m_work.player.transport().time());
     const Plan before = m_work.renderer->executor().plan();
-    const Extent source = m_work.media.source_extent();
+    const Extent source = m_work.media.source().extent();
     const bool is_resized =
         m_work.messages.succeeded(m_work.renderer->executors().for_both([&](Executor& executor) {
             return executor.resize(extent, source.is_empty() ? extent : source);
@@ -375,7 +375,7 @@ void FrameLoop::limit_frame(double wall_seconds) {
 // Without the source, the first frames would be empty and have wrong sizes.
 bool FrameLoop::awaits_source() const {
     return m_work.document && m_work.document->look().driven_by == Driver::picture &&
-           !m_work.media.source() && !m_work.media.loading().empty();
+           !m_work.media.source().get() && !m_work.media.loading().empty();
 }
 
 void FrameLoop::draw_picture(double wall_seconds) {
@@ -398,7 +398,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.redraw.clear();
         m_work.renderer->replay().cancel();
         m_work.messages.succeeded(
-            m_work.media.show_source(frame->span.end, m_work.renderer->executors()));
+            m_work.media.source().show(frame->span.end, m_work.renderer->executors()));
         modulate_values(frame->span.end);
         m_work.renderer->draw(*frame, m_work.player.signal().trace(frame->span));
         return;
@@ -409,7 +409,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.renderer->replay().update(
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
                 m_work.messages.succeeded(
-                    m_work.media.show_past_source(past.span.end, m_work.renderer->executors()));
+                    m_work.media.source().show_past(past.span.end, m_work.renderer->executors()));
                 modulate_values(past.span.end);
             });
     else if (m_work.redraw.needs_replay() && !comes_next)

@@ -1,7 +1,6 @@
 #include "lab/media/media_input.h"
 
 #include "base/text.h"
-#include "model/picture/placing.h"
 #include "signals/signal_table.h"
 
 #include <utility>
@@ -31,8 +30,7 @@ std::string driving_file(const Document& document) {
 
 void MediaInput::forget() {
     m_loader.cancel();
-    m_source.reset();
-    m_shown.reset();
+    m_source.set(std::nullopt);
     note({}, {});
 }
 
@@ -93,7 +91,7 @@ std::optional<Result<ChosenContent>> MediaInput::take_chosen(const Look& look, P
     const bool is_shown =
         look.driven_by == chosen.driver;  // otherwise another look has been opened
     if (is_shown && loaded->source)
-        m_source = std::move(loaded->source);
+        m_source.set(std::move(loaded->source));
     else if (is_shown)
         if (auto set = player.set_signal(
                 chosen.signal, {loaded->name, loaded->sound, loaded->scene, loaded->drawing});
@@ -155,73 +153,23 @@ Result<void> MediaInput::follow_source(const Document& document, const Player& p
     const auto spec = parse_source(name);
     if (!spec)
         return fail(spec.error());
-    if (m_source && m_source->spec().picture == spec->picture) {
+    if (Source* source = m_source.get(); source && source->spec().picture == spec->picture) {
         m_loader.cancel();
-        m_source->set_spec(*spec);
-        return show_anew(player, executors);
+        source->set_spec(*spec);
+        return m_source.show_again(player.transport().time(), executors);
     }
     if (name != m_loader.name())
         m_loader.load(MediaLoader::Kind::source, name);
     return {};
 }
 
-Result<void> MediaInput::show_anew(const Player& player, Executors& executors) {
-    m_shown.reset();
-    const auto shown = show_source(player.transport().time(), executors);
-    return shown ? Result<void>() : fail(shown.error());
-}
-
-Extent MediaInput::source_extent() const {
-    return source_extent(m_viewport);
-}
-
-Extent MediaInput::source_extent(Extent viewport) const {
-    return m_source ? placed_extent(m_source->extent(), m_source->spec(), viewport) : Extent{};
-}
-
-Result<bool> MediaInput::show_source(double seconds, Executors& executors) {
-    if (!m_source)
-        return false;
-    m_source->expect(executors.picture().look().source_encoding);
-    SharedPicture picture = m_source->picture_at(seconds);
-    const Extent extent = source_extent();
-    if (picture == m_shown && extent == m_shown_extent)
-        return false;
-    const auto set = show_placed(*picture, m_source->spec(), m_viewport, executors);
-    m_shown = std::move(picture);
-    m_shown_extent = extent;
-    return set ? Result<bool>(true) : fail(set.error());
-}
-
-Result<void> MediaInput::show_past_source(double seconds, Executors& executors) {
-    if (!m_source || m_source->is_film())
-        return {};
-    const auto shown = show_source(seconds, executors);
-    return shown ? Result<void>() : fail(shown.error());
-}
-
-Result<void> MediaInput::show_beside(double seconds, const Beside& beside) {
-    if (!m_source)
-        return {};
-    SharedPicture picture = m_source->picture_at(seconds);
-    if (picture == beside.shown)
-        return {};
-    beside.shown = std::move(picture);
-    return show_placed(*beside.shown, m_source->spec(), beside.viewport, beside.executors);
-}
-
-Result<void> MediaInput::show_past_beside(double seconds, const Beside& beside) {
-    if (!m_source || m_source->is_film())
-        return {};
-    return show_beside(seconds, beside);
-}
-
 Diagnostics MediaInput::take_problems() {
     constexpr std::size_t most_kept = 4;  // fits into a panel
-    Diagnostics problems = m_source ? m_source->take_problems() : Diagnostics();
+    Source* source = m_source.get();
+    Diagnostics problems = source ? source->take_problems() : Diagnostics();
     for (Diagnostic& problem : problems) {
         problem.severity = Severity::warning;
-        if (m_source->spec().picture == m_problem_file && m_problems.size() < most_kept)
+        if (source->spec().picture == m_problem_file && m_problems.size() < most_kept)
             m_problems.push_back(problem);
     }
     return problems;
@@ -252,11 +200,10 @@ Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Play
     if (!loaded.source || !loaded.source->spec().is_pattern())
         m_recent.remember(file, loaded.digest);
     if (loaded.source) {
-        m_source = std::move(loaded.source);
+        m_source.set(std::move(loaded.source));
         if (player.transport().frame_number() > 0)
-            return show_anew(player, executors);
-        m_shown.reset();  // the first frame shows its own picture
-        return {};
+            return m_source.show_again(player.transport().time(), executors);
+        return {};  // the first frame shows its own picture
     }
     if (auto set = player.set_signal(document.state().signal,
                                      {loaded.name, std::move(loaded.sound), std::move(loaded.scene),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
+#include "lab/media/fitted_source.h"
 #include "lab/media/media_loader.h"
 #include "lab/playback/player.h"
 #include "lab/rendering/executors.h"
@@ -57,29 +58,8 @@ public:
     /// look itself runs.
     const Diagnostics& problems() const { return m_problems; }
 
-    /// The render size into which the source is fitted.
-    void set_viewport(Extent viewport) { m_viewport = viewport; }
-    /// The size of the source as the look reads it; empty: no source.
-    Extent source_extent() const;
-    /// Sets the source for the end time of a frame; true if the picture changed. A
-    /// picture that is still being read is late.
-    Result<bool> show_source(double seconds, Executors& executors);
-    /// The same for a replayed frame. A film keeps its current picture.
-    Result<void> show_past_source(double seconds, Executors& executors);
-    /// Sets the source again, for executors that have lost it.
-    Result<void> show_anew(const Player& player, Executors& executors);
-    /// Other executors, such as those of previews: its picture size and its current source picture.
-    struct Beside {
-        Executors& executors;
-        Extent viewport;
-        SharedPicture& shown;
-    };
-    Extent source_extent(Extent viewport) const;
-    /// As show_source() and show_past_source().
-    Result<void> show_beside(double seconds, const Beside& beside);
-    Result<void> show_past_beside(double seconds, const Beside& beside);
-    bool is_source_late() const { return m_source && m_source->is_late(); }
-    const std::optional<Source>& source() const { return m_source; }
+    FittedSource& source() { return m_source; }
+    const FittedSource& source() const { return m_source; }
     /// The new read errors of the source since the last call; problems() keeps them.
     Diagnostics take_problems();
 
@@ -99,8 +79,5 @@ private:
     MediaLoader m_loader;  // for the document's file
     std::optional<ChosenContent> m_chosen;
     MediaLoader m_chosen_loader;
-    std::optional<Source> m_source;
-    Extent m_viewport;
-    SharedPicture m_shown;  // the source picture of the executors
-    Extent m_shown_extent;
+    FittedSource m_source;
 };

@@ -11,9 +11,8 @@ ViewShape RenderSize::shape() const {
 }
 
 Extent RenderSize::extent() const {
-    const auto& source = m_media.source();
-    const bool has_source =
-        m_document && m_document->look().driven_by == Driver::picture && source.has_value();
+    const Source* source = m_media.source().get();
+    const bool has_source = m_document && m_document->look().driven_by == Driver::picture && source;
     const Extent room = m_chosen.room(m_view);
     if (!has_source || !m_chosen.has_shape())
         return m_chosen.scaled(room);

@@ -30,7 +30,7 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
     inputs.patience_seconds = patience_seconds;
     inputs.hand.move(subject.shown.executors().inputs().hand.place());
     executors.picture().set_values(values);
-    const Extent source = subject.media.source_extent(subject.picture);
+    const Extent source = subject.media.source().extent(subject.picture);
     if (auto sized = executors.picture().resize(subject.picture,
                                                 source.is_empty() ? subject.picture : source);
         !sized)
@@ -57,8 +57,8 @@ Result<void> PreviewRenderer::show_pictures(const PreviewSubject& subject, const
     static_cast<void>(m_chosen_images.show(look, values, m_executors.picture()));
     if (others)
         static_cast<void>(m_other_images.show(look, *others, *m_executors.variant()));
-    return subject.media.show_beside(subject.player.transport().time(),
-                                     {m_executors, subject.picture, m_source});
+    return subject.media.source().show_in(subject.player.transport().time(),
+                                          {m_executors, subject.picture, m_source});
 }
 
 Result<void> PreviewRenderer::start_again(const Values& values) {
@@ -87,8 +87,8 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
     const PlayedFrame& frame = m_frames[std::min(m_done, m_frames.size() - 1)];
     m_done = std::min(m_done + 1, m_frames.size());
     // Errors are ignored, because a missing film picture affects all compared pictures.
-    static_cast<void>(
-        subject.media.show_past_beside(frame.span.end, {m_executors, subject.picture, m_source}));
+    static_cast<void>(subject.media.source().show_past_in(
+        frame.span.end, {m_executors, subject.picture, m_source}));
     modulate(m_executors, {m_values, m_other_values, subject.document.state().modulations},
              frame.span.end, subject.player.signal().loudness().get());
     const Beam beam = subject.player.signal().trace(frame.span);

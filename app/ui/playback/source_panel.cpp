@@ -201,7 +201,7 @@ void draw_source(const Scene& scene, Edits& edits) {
                  "4:3 CRT."},
         source_shapes(source, open.extent), source, edits);
     draw_own_aspect(source, scene, edits);
-    const auto& read = scene.lab.work().media.source();
+    const Source* read = scene.lab.work().media.source().get();
     if (read && read->is_film())
         draw_film_settings(*read, source, scene, edits);
 }
