@@ -107,8 +107,9 @@ int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSte
     line.clear();
     if (!offline)
         return report(offline.error());
-    if (offline->document().state().signal.kind == "socket")
-        std::cerr << fmt::format("{}. Press Ctrl+C to stop.\n", offline->sender_state());
+    const BeamFeed* feed = offline->signal().feed();
+    if (feed && feed->spec().kind == "socket")
+        std::cerr << fmt::format("{}. Press Ctrl+C to stop.\n", feed->state());
     const auto done = steps.draw(*offline, *library);
     const Diagnostics problems = offline->take_problems();
     warn(problems);

@@ -148,7 +148,7 @@ Result<bool> export_frames(Offline& offline, const ExportJob& job) {
 }
 
 FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
-    const auto stream = offline.sound();
+    const auto stream = offline.signal().sound_stream();
     if (!stream)
         return {};
     const auto sample_at = [&](std::int64_t frame) {
@@ -171,7 +171,7 @@ bool is_film_output(const std::string& output) {
 }
 
 Result<double> usual_film_seconds(const Offline& offline, double start_seconds) {
-    const double sound = offline.sound_seconds();
+    const double sound = offline.signal().sound_seconds();
     if (sound <= 0.0)
         return film_seconds_without_sound;
     if (start_seconds >= sound)

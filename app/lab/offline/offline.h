@@ -110,24 +110,16 @@ public:
     void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_executors.picture(); }
     const Document& document() const { return m_document; }
+    const PlayedSignal& signal() const { return m_player->signal(); }
     const gpu::Context& context() const { return *m_context; }
     /// Called by create(). With several instances, call it before using another one.
     void make_current() { m_context->make_current(); }
     /// The problems of the source and of another program's beam. Call it once, at the end.
     Diagnostics take_problems();
-    /// What drawing waits for: "Waiting for a program at /run/…"; "": not waiting.
-    std::string sender_state() const {
-        const BeamFeed* feed = m_player->signal().feed();
-        return feed ? feed->state() : std::string();
-    }
     /// The picture of a pass, row 0 at the top, in the encoding of its values.
     Picture picture(int pass) const;
     /// The same in the target's stored format, for another thread.
     void read(int pass, RawPicture& raw) const;
-    /// The sound of the signal; null: no sound.
-    std::shared_ptr<const SampleStream> sound() const { return m_player->signal().sound_stream(); }
-    /// Its duration; 0: no sound.
-    double sound_seconds() const { return m_player->signal().sound_seconds(); }
     Picture picture() const {
         return picture(static_cast<int>(executor().look().passes.size()) - 1);
     }
