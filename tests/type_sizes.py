@@ -24,7 +24,6 @@ EXCEPTIONS = {
     "Application": ("members", "to be divided: the parts of the window, and when it wakes and rests"),
     "ComparedPictures": ("members", "to be divided: each measurement with its pace"),
     "Document": ("functions", "to be divided: the open preset and what is saved of it"),
-    "FrameStream": ("members", "to be divided: the queue that it shares with its thread"),
     "WindowState": ("members", "to be divided: the layout, the inspection and the lists"),
     "gpu::Context": ("files", "to be divided: the context without a window, which needs EGL"),
     "gpu::Window": ("functions, files", "to be divided: the displays, and the events of the window"),

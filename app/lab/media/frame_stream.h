@@ -1,19 +1,16 @@
 #pragma once
 
 #include "io/pictures/picture_reader.h"
+#include "lab/media/read_ahead.h"
 
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
-
-/// Immutable, so that the drawing and the reading thread can share it.
-using SharedPicture = std::shared_ptr<const Picture>;
 
 /// Reads pictures of a sequence or video ahead on a background thread, a few at a time.
 class FrameStream {
@@ -36,11 +33,8 @@ public:
     Diagnostics take_problems();
 
 private:
-    std::int64_t resolved(std::int64_t number) const;
-    SharedPicture find(std::int64_t number);
-    std::optional<std::int64_t> next_to_read() const;
-    void tell(Diagnostic problem);
-    void keep(std::int64_t number, Result<std::optional<Picture>> read);
+    void report(Diagnostic problem);
+    void add(std::int64_t number, Result<std::optional<Picture>> read);
     void run();
 
     std::unique_ptr<PictureReader> m_reader;  // used by the thread
@@ -48,14 +42,9 @@ private:
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;   // wakes the thread
     std::condition_variable m_ready;  // wakes the waiting reader
-    std::map<std::int64_t, SharedPicture> m_pictures;
-    SharedPicture m_latest;
+    ReadAhead m_pictures;
     Diagnostics m_problems;
-    Diagnostics m_told;
-    std::optional<std::int64_t> m_count;
-    std::int64_t m_wanted = 0;
-    std::size_t m_most = 4;  // maximum number kept
-    bool m_loops;
+    Diagnostics m_reported;
     std::atomic<std::optional<Encoding>> m_encoding{std::nullopt};  // nullopt: unchanged
     bool m_is_ending = false;
     std::thread m_thread;
