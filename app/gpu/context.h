@@ -35,9 +35,6 @@ public:
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
 
-    /// A context without a window or display server, through EGL, current on this thread. Tries
-    /// hardware devices first, then software; only software if LIBGL_ALWAYS_SOFTWARE is set.
-    static Result<std::unique_ptr<Context>> headless();
     /// A context for a worker thread that shares the textures, buffers and programs of `context`.
     /// Call it on the thread of `context`. The new context is not current on any thread.
     static Result<std::unique_ptr<Context>> shared_with(const Context& context) {

@@ -4,6 +4,7 @@
 #include "bench/plain_beam.h"
 #include "bench/side_by_side.h"
 #include "bench/wanted.h"
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "graph/beam/merge_segments.h"
 #include "graph/programs/specialized_look.h"
@@ -171,7 +172,7 @@ void tell_growth(int few, int many, double most) {
 }  // namespace
 
 int main() {
-    const auto context = wanted(gpu::Context::headless());
+    const auto context = wanted(gpu::create_headless_context());
     bench::tell_driver(context->facts());
     for (const int samples : {4096, 16384, 65536})
         compare_with_plain(samples, {});

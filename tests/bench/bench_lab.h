@@ -2,6 +2,7 @@
 
 #include "bench/figure.h"
 #include "bench/wanted.h"
+#include "gpu/headless_context.h"
 #include "lab/lab.h"
 
 #include <chrono>
@@ -14,7 +15,7 @@ namespace bench {
 class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {
-        m_context = wanted(gpu::Context::headless());
+        m_context = wanted(gpu::create_headless_context());
         tell_driver(m_context->facts());
         auto worker = wanted(gpu::Context::shared_with(*m_context));
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};

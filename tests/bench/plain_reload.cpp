@@ -1,6 +1,7 @@
 #include "bench/plain_reload.h"
 
 #include "bench/side_by_side.h"
+#include "gpu/headless_context.h"
 
 #include <fmt/format.h>
 #include <glslang/Public/ResourceLimits.h>
@@ -46,7 +47,7 @@ GLuint new_texture(GLint format, Extent extent) {
 
 PlainReload::PlainReload(const Executor& of, const ReloadLook& look)
     : m_look(look),
-      m_context(gpu::Context::headless().value()),
+      m_context(gpu::create_headless_context().value()),
       m_vertex(of.programs().generic().passes.back().vertex),
       m_fragment(of.programs().generic().passes.back().fragment),
       m_picture(of.plan().targets.back().extent) {

@@ -9,6 +9,7 @@
 #include "bench/plain_reload.h"
 #include "bench/reload_looks.h"
 #include "bench/side_by_side.h"
+#include "gpu/headless_context.h"
 #include "io/files/atomic_file.h"
 #include "lab/lab.h"
 
@@ -77,7 +78,7 @@ struct Folders {
 class ReloadBench {
 public:
     ReloadBench(const fs::path& folder, const Folders& folders) : m_folders(folders) {
-        auto context = gpu::Context::headless();
+        auto context = gpu::create_headless_context();
         auto worker = context ? gpu::Context::shared_with(**context) : fail(context.error());
         if (!worker) {
             fmt::print(stderr, "{}", to_string(worker.error()));
@@ -182,7 +183,7 @@ private:
 class LinkBench {
 public:
     LinkBench(const fs::path& folder, const Folders& folders)
-        : m_folders(folders), m_context(gpu::Context::headless().value()) {
+        : m_folders(folders), m_context(gpu::create_headless_context().value()) {
         const Roots roots{folder, folder / "user", folder / "state", folder / "cache"};
         m_loader = std::make_unique<LookLoader>(gpu::Context::shared_with(*m_context).value(),
                                                 *m_context, roots, m_messages);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "gpu/context.h"
 #include "gpu/error_log.h"
+#include "gpu/headless_context.h"
 
 #include <doctest/doctest.h>
 
@@ -18,6 +18,6 @@ struct Headless {
     Headless(const Headless&) = delete;
     Headless& operator=(const Headless&) = delete;
 
-    Result<std::unique_ptr<gpu::Context>> context = gpu::Context::headless();
+    Result<std::unique_ptr<gpu::Context>> context = gpu::create_headless_context();
     std::unique_ptr<gpu::ErrorLog> log;
 };

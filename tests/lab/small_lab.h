@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "io/files/atomic_file.h"
 #include "io/temporary_folder.h"
@@ -49,7 +50,7 @@ public:
         write("sum.frag", small_look::sum);
         write("show.frag", small_look::show);
         write("gain.glsl", small_look::gain);
-        auto context = gpu::Context::headless();
+        auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         start();

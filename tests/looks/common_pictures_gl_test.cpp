@@ -1,4 +1,5 @@
 // Each built-in look gives identical pictures with and without shared pictures.
+#include "gpu/headless_context.h"
 #include "looks/drawn_look.h"
 
 #include <cmath>
@@ -56,7 +57,7 @@ double check_bits(const std::string& name, const Values& values) {
     const std::filesystem::path shaders = std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders";
     const LoadedLook loaded = load_look(shaders / name, shaders / "include");
     REQUIRE(loaded.look.has_value());
-    const auto context = gpu::Context::headless();
+    const auto context = gpu::create_headless_context();
     REQUIRE(context.has_value());
     const auto programs = build_programs(*loaded.look);
     REQUIRE(programs.has_value());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
@@ -15,7 +16,7 @@ class DrawnLook {
 public:
     DrawnLook(const std::filesystem::path& folder, Extent extent, const Values& values = {}) {
         const std::filesystem::path tree(AFTERGLOW_SOURCE_DIR);
-        auto context = gpu::Context::headless();
+        auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         LoadedLook loaded = load_look(tree / folder, tree / "shaders" / "include");

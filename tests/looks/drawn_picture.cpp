@@ -1,7 +1,7 @@
 #include "looks/drawn_picture.h"
 
 #include "formats/look_format.h"
-#include "gpu/context.h"
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "lab/rendering/executors.h"
 #include "problems_of.h"
@@ -23,7 +23,7 @@ ReadyLook make_ready(const std::string& id) {
     REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
     for (Pass& target : loaded.look->passes)
         target.format = Format::rgba32f;
-    auto context = gpu::Context::headless();
+    auto context = gpu::create_headless_context();
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
     REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));

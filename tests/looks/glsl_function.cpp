@@ -1,7 +1,7 @@
 #include "looks/glsl_function.h"
 
 #include "formats/look_format.h"
-#include "gpu/context.h"
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "io/temporary_folder.h"
 #include "lab/rendering/executors.h"
@@ -44,7 +44,7 @@ std::vector<Vec4> run_glsl(const std::string& body, const std::vector<Vec4>& inp
         folder / "function", std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
     REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
 
-    const auto context = gpu::Context::headless();
+    const auto context = gpu::create_headless_context();
     REQUIRE(context.has_value());
     auto programs = build_programs(*loaded.look);
     REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));

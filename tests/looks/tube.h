@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/text.h"
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
@@ -13,7 +14,7 @@
 class Tube {
 public:
     explicit Tube(const Values& values, Extent extent = {128, 128}) {
-        auto context = gpu::Context::headless();
+        auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         LoadedLook loaded =

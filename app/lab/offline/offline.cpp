@@ -6,6 +6,7 @@
 #include "formats/preset/preset_format.h"
 #include "formats/stack/stack_format.h"
 #include "glsl/cache/check_cache.h"
+#include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "graph/programs/specialized_look.h"
 #include "lab/document/moves_file.h"
@@ -217,7 +218,7 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
       m_moves(std::move(prepared.moves)) {}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
-    auto context = gpu::Context::headless();
+    auto context = gpu::create_headless_context();
     if (!context)
         return fail(context.error());
     if (auto done = turn_texts(prepared.document); !done)

@@ -1,4 +1,5 @@
 // The wipe between the original article's picture and the look's own, in the window.
+#include "gpu/headless_context.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "lab/views/views.h"
@@ -190,7 +191,7 @@ namespace {
 class RealLab {
 public:
     explicit RealLab(const std::string& look) {
-        auto context = gpu::Context::headless();
+        auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         auto worker = gpu::Context::shared_with(*m_context);

@@ -1,4 +1,5 @@
 #include "formats/look_format.h"
+#include "gpu/headless_context.h"
 #include "io/pictures/picture_file.h"
 #include "lab/media/chosen_images.h"
 #include "lab/small_lab.h"
@@ -50,7 +51,7 @@ TEST_CASE("a chosen picture is loaded only when it is chosen and when its file c
     folder.write("shaders/small/sum.frag", picker);
     folder.write("shaders/small/show.frag", small_look::show);
     folder.write("shaders/small/gain.glsl", small_look::gain);
-    const auto context = gpu::Context::headless();
+    const auto context = gpu::create_headless_context();
     REQUIRE(context.has_value());
     const LoadedLook loaded = load_look(folder / "shaders/small", folder / "shaders/include");
     REQUIRE(loaded.look.has_value());
@@ -169,7 +170,7 @@ TEST_CASE("a preset that is broken and repaired on disk leaves no notice") {
 
 TEST_CASE("a sampler reads its default pattern, and again after a choice is removed") {
     const TemporaryFolder folder;
-    const auto context = gpu::Context::headless();
+    const auto context = gpu::create_headless_context();
     REQUIRE(context.has_value());
     folder.write("a.fs",
                  "/*{\"INPUTS\": [{\"NAME\": \"picked\", \"TYPE\": \"image\"}]}*/\n"

@@ -1,6 +1,5 @@
-// Context::headless: OpenGL without a display server, through EGL's device and surfaceless
-// platforms.
-#include "gpu/context.h"
+#include "gpu/headless_context.h"
+
 #include "gpu/driver_cache.h"
 
 #include <epoxy/egl.h>
@@ -165,7 +164,7 @@ std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
 }
 }  // namespace
 
-Result<std::unique_ptr<Context>> Context::headless() {
+Result<std::unique_ptr<Context>> create_headless_context() {
     check_driver_cache();
     const std::vector<EGLDisplay> tried = displays();
     for (const EGLDisplay display : tried)

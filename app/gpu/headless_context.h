@@ -1,0 +1,13 @@
+#pragma once
+
+#include "gpu/context.h"
+
+#include <memory>
+
+namespace gpu {
+
+/// A context without a window or display server, through EGL, current on this thread. Tries
+/// hardware devices first, then software; only software if LIBGL_ALWAYS_SOFTWARE is set.
+Result<std::unique_ptr<Context>> create_headless_context();
+
+}  // namespace gpu
