@@ -25,7 +25,6 @@ EXCEPTIONS = {
     "ComparedPictures": ("members", "to be divided: each measurement with its pace"),
     "Document": ("functions", "to be divided: the open preset and what is saved of it"),
     "WindowState": ("members", "to be divided: the layout, the inspection and the lists"),
-    "gpu::Window": ("functions, files", "to be divided: the displays, and the events of the window"),
 }
 
 

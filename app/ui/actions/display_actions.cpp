@@ -1,7 +1,7 @@
 #include "ui/actions/display_actions.h"
 
+#include "gpu/displays.h"
 #include "gpu/input_event.h"
-#include "gpu/window.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
@@ -20,11 +20,11 @@ void toggle_output(const Scene&, Edits& edits) {
 }
 
 bool has_displays(const Scene&) {
-    return gpu::Window::monitors().size() > 1;
+    return gpu::Displays().count() > 1;
 }
 
 void next_output(const Scene& scene, Edits& edits) {
-    const std::size_t count = gpu::Window::monitors().size();
+    const std::size_t count = gpu::Displays().count();
     const std::size_t next = (scene.output_monitor + 1) % count;
     edits.arrange([next](WindowState& window) { window.output = {true, false, next}; });
 }

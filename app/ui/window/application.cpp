@@ -90,7 +90,7 @@ public:
           m_first_file(std::move(start.first_file)),
           m_views(std::move(views)),
           m_state(std::move(start.state)),
-          m_waker(m_lab.loader().files().descriptor(), [] { gpu::Window::wake(); }) {}
+          m_waker(m_lab.loader().files().descriptor(), [] { gpu::WindowEvents::wake(); }) {}
 
     /// False if the driver has lost the window's context.
     bool run() {
@@ -140,13 +140,13 @@ private:
     FirstFile m_first_file;
     Views m_views;
     HistoryPictures m_history_pictures;
-    PresetPictures m_preset_pictures{[] { gpu::Window::wake(); }};
+    PresetPictures m_preset_pictures{[] { gpu::WindowEvents::wake(); }};
     KeptPictures m_kept_pictures;
     WindowState m_state;
     LibraryView m_library_view;
     Pace m_pace;
     EventWaker m_waker;
-    EventWaker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::Window::wake(); }};
+    EventWaker m_midi_waker{m_lab.remote().midi().descriptor(), [] { gpu::WindowEvents::wake(); }};
     std::optional<EventWaker> m_remote_waker;  // while other programs can set parameters
     int m_remote_port = 0;
     std::string m_title;
@@ -173,7 +173,7 @@ bool Application::wait() {
         is_owing(m_lab, m_views) || m_views.is_specializing() || m_state.pending.is_any();
     const auto longer = std::chrono::seconds(owes ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
-        m_window.wait_events(rest_seconds);
+        gpu::WindowEvents::wait(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)
             return false;
         m_awake_until = Clock::now() + awake;
@@ -183,9 +183,9 @@ bool Application::wait() {
     const double left = frame - seconds_between(m_last, start);
     constexpr double slack = 0.001;
     if (left > slack && !m_lab.frames().is_amid_frame())
-        m_window.wait_events(left - slack);
+        gpu::WindowEvents::wait(left - slack);
     else
-        m_window.poll_events();
+        gpu::WindowEvents::poll();
     return true;
 }
 
@@ -283,7 +283,7 @@ bool Application::is_before_panels(Clock::time_point now) {
 // Whether the panels need a new frame now. Otherwise they are drawn ten times a second.
 bool Application::is_attended(Clock::time_point now) {
     constexpr double now_and_then = 0.1;
-    if (m_turn == 0 || m_window.has_input() || m_toolkit.is_behind() ||
+    if (m_turn == 0 || m_window.events().has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, now) > now_and_then)
         return true;
     return !awaits_picture() && (now < m_attended_until || m_lab.loader().is_loading());
@@ -294,7 +294,7 @@ void Application::follow_remote() {
     if (port == m_remote_port)
         return;
     m_remote_port = port;  // another port can have the same descriptor
-    m_remote_waker.emplace(m_lab.remote().osc().descriptor(), [] { gpu::Window::wake(); });
+    m_remote_waker.emplace(m_lab.remote().osc().descriptor(), [] { gpu::WindowEvents::wake(); });
 }
 
 void Application::draw() {
@@ -328,7 +328,7 @@ void Application::draw() {
         state.scan_place.reset();
     });
     draw_window(scene, edits);
-    for (const std::filesystem::path& file : m_window.take_dropped_files())
+    for (const std::filesystem::path& file : m_window.events().take_dropped_files())
         edits.open_file(file);
     m_toolkit.end();
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
@@ -402,8 +402,8 @@ Result<bool> run_once(const WindowOptions& options) {
     auto window = gpu::Window::open(geometry_of(start.state));
     if (!window)
         return fail(window.error());
-    Lab lab(Library(options.roots), **window, nullptr);
-    lab.loader().worker().set_wake([] { gpu::Window::wake(); });
+    Lab lab(Library(options.roots), (*window)->context(), nullptr);
+    lab.loader().worker().set_wake([] { gpu::WindowEvents::wake(); });
     if (!start.state.views.picture.is_empty())
         lab.work().size.set_view(
             start.state.views.picture);  // the last size, until the panels report theirs

@@ -8,11 +8,11 @@ std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
     if (m_window && (m_is_left || m_window->is_close_requested()))
         state.output.is_open = false;
     m_is_left = false;
-    const std::size_t own = panels.monitor();
-    const std::size_t wanted = state.output.monitor_for(panels.monitor_count(), own);
+    const std::size_t own = panels.display();
+    const std::size_t wanted = state.output.monitor_for(panels.displays().count(), own);
     if (m_window && (!state.output.is_open || wanted != m_monitor)) {
         m_window.reset();
-        panels.make_current();
+        panels.context().make_current();
         panels.focus();
     }
     std::string problem;
@@ -36,14 +36,14 @@ void OutputWindow::show(const gpu::Texture* picture, gpu::Window& panels) {
     if (!m_window)
         return;
     m_window->show(picture);
-    panels.make_current();
+    panels.context().make_current();
 }
 
 std::vector<gpu::InputEvent> OutputWindow::take_keys() {
     if (!m_window)
         return {};
     std::vector<gpu::InputEvent> keys;
-    for (const gpu::InputEvent& event : m_window->take_input())
+    for (const gpu::InputEvent& event : m_window->events().take_input())
         if (const auto* key = std::get_if<gpu::KeyEvent>(&event)) {
             if (key->key == gpu::key::escape)
                 m_is_left = m_is_left || key->is_down;

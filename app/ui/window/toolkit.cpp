@@ -106,7 +106,7 @@ void Toolkit::take_input() {
     ImGui_ImplGlfw_NewFrame();
     io.MousePos = place;
     std::copy(buttons.begin(), buttons.end(), std::begin(io.MouseDown));
-    m_input.add(m_window.take_input());
+    m_input.add(m_window.events().take_input());
     m_pointer_path.clear();
     const std::vector<gpu::InputEvent> events = m_input.take_frame(io.WantTextInput);
     m_has_input = !events.empty();
