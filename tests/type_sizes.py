@@ -23,7 +23,6 @@ MOST_MEMBERS = 15
 EXCEPTIONS = {
     "Application": ("members", "to be divided: the parts of the window, and when it wakes and rests"),
     "ComparedPictures": ("members", "to be divided: each measurement with its pace"),
-    "Document": ("functions", "to be divided: the open preset and what is saved of it"),
     "WindowState": ("members", "to be divided: the layout, the inspection and the lists"),
 }
 

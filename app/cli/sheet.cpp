@@ -4,6 +4,7 @@
 #include "cli/common.h"
 #include "cli/progress.h"
 #include "io/pictures/picture_file.h"
+#include "lab/document/opened_preset.h"
 
 #include <array>
 
@@ -59,7 +60,7 @@ Result<SheetCell> drawn(const RenderRequest& request, const Library& library) {
     if (!offline)
         return fail(offline.error());
     const Document& document = offline->document();
-    const std::string& preset = document.preset_name();
+    const std::string& preset = preset_name(document);
     return SheetCell{document.look().name + (preset.empty() ? "" : ": " + preset),
                      offline->picture_after(document.look().settle_frames)};
 }

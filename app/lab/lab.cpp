@@ -3,6 +3,8 @@
 #include "base/elapsed.h"
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
 #include "lab/offline/small_picture.h"
 #include "lab/session.h"
@@ -83,9 +85,9 @@ void Lab::open_document(BuiltLook& built) {
     OpenDocument& document = m_work.document;
     const OpenRequest& request = built.request;
     const bool is_same = document && document->look().manifest == built.look->manifest;
-    const bool had_changes = document && document->is_modified();
-    const bool loses_changes = had_changes && document->has_unlocked_changes();
-    const Content content = document ? document->content() : m_content.initial();
+    const bool had_changes = document && is_modified(*document);
+    const bool loses_changes = had_changes && has_unlocked_changes(*document);
+    const Content content = document ? content_of(*document) : m_content.initial();
     std::optional<Session> left;
     std::optional<Picture> left_picture;
     if (!is_same && had_changes) {
@@ -98,14 +100,14 @@ void Lab::open_document(BuiltLook& built) {
         m_parameters.store();
         document.emplace(std::move(*built.look));
     }
-    document->keep_content(content);
+    keep_content(*document, content);
     remember_files(*document, m_work.media.recent());
     m_frames.open(built, is_same);
     open_values(request);
     if (!is_same)
         m_parameters.load();
     if (!is_same && (!request.preset || !request.preset_file.empty()))
-        document->forget_past();
+        forget_past(*document);
     m_presets.navigation().note_opened(request, is_same && loses_changes && !built.then);
     if (left)
         m_looks.keep_unsaved(*left, [&] { return left_picture; });
@@ -116,10 +118,9 @@ void Lab::open_document(BuiltLook& built) {
 }
 
 void Lab::open_values(const OpenRequest& request) {
-    const auto content = request.brings_content ? Document::OpenedWith::own_content
-                                                : Document::OpenedWith::locked_content;
+    const auto content = request.brings_content ? OpenedContent::own : OpenedContent::locked;
     if (!request.preset) {
-        m_work.document->open_defaults(content);
+        open_defaults(*m_work.document, content);
         return;
     }
     const fs::path folder = media_folder(request.preset_file);
@@ -141,10 +142,11 @@ void Lab::open_values(const OpenRequest& request) {
     else
         warn(fitted.error());
     if (request.preset_file.empty()) {  // a line of text: stored nowhere yet
-        m_work.document->set_identity(preset, {});
-        m_work.document->take(preset, "Open preset");
+        m_work.document->opened_preset().identity = preset;
+        m_work.document->opened_preset().file.clear();
+        apply_preset(*m_work.document, preset, "Open preset");
     } else {
-        m_work.document->open_preset(preset, request.preset_file, content);
+        open_preset(*m_work.document, preset, request.preset_file, content);
     }
     m_work.messages.add_look_problems(
         compare_with_look(*request.preset, m_work.document->look(), request.preset_file));
@@ -157,7 +159,7 @@ void Lab::watch_extra_files() {
             files.push_back(file);
     };
     add(m_frames.comparison().selection().reference().file());
-    add(m_work.document->preset_file());
+    add(preset_file(*m_work.document));
     if (const fs::path file = driving_file(*m_work.document); file.is_absolute())
         add(file);
     m_loader.files().watch_extra(std::move(files));
@@ -166,7 +168,7 @@ void Lab::watch_extra_files() {
 void Lab::file_changed(const fs::path& file) {
     if (!m_work.document)
         return;
-    if (file == m_work.document->preset_file())
+    if (file == preset_file(*m_work.document))
         m_presets.sharing().file_changed(file);
     if (m_work.pictures.forget(file))
         m_frames.reapply();  // reads it again, and draws a paused picture again

@@ -2,6 +2,8 @@
 
 #include "base/file.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/opened_preset.h"
 #include "lab/offline/small_picture.h"
 #include "model/look/stack_size.h"
 
@@ -94,11 +96,11 @@ HistorySteps document_steps(const std::vector<SessionState>& states, const Groun
 void restore_document(Document& document, const Session& session) {
     const Look look = document.look();
     const Ground ground{look, session.looks};
-    document.restore_history(Undo<DocumentState>::restored(document_steps(session.past, ground),
+    document.replace_history(Undo<DocumentState>::restored(document_steps(session.past, ground),
                                                            document_state(session.current, ground),
                                                            document_steps(session.future, ground)));
-    document.set_identity(session.saved.preset, session.preset_file);
-    document.mark_saved(document_state(session.saved, ground));
+    document.opened_preset() = {session.saved.preset, session.preset_file,
+                                document_state(session.saved, ground)};
 }
 
 void note_places(const DocumentState& state, Places& places) {
@@ -108,7 +110,7 @@ void note_places(const DocumentState& state, Places& places) {
 
 Places places_of(const Document& document) {
     Places places;
-    note_places(document.saved(), places);
+    note_places(document.opened_preset().saved, places);
     for (const auto* steps : {&document.history().past(), &document.history().future()})
         for (const auto& step : *steps)
             note_places(step.state, places);
@@ -171,11 +173,12 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     const Look& look = document->look();
     session.look = look.manifest.string();
     session.looks = places_of(*document);
-    session.preset_file = document->preset_file().string();
-    session.saved = session_state(document->saved(), look, {});
-    session.saved.preset.name = document->identity().name;
-    session.saved.preset.about = document->identity().about;
-    session.saved.preset.author = document->identity().author;
+    session.preset_file = preset_file(*document).string();
+    session.saved = session_state(document->opened_preset().saved, look, {});
+    const Preset& identity = document->opened_preset().identity;
+    session.saved.preset.name = identity.name;
+    session.saved.preset.about = identity.about;
+    session.saved.preset.author = identity.author;
     session.current = session_state(document->state(), look, {});
     session.past = session_states(document->history().past(), look);
     session.future = session_states(document->history().future(), look);
@@ -197,14 +200,14 @@ void rest_at(double seconds, Lab& lab) {
 namespace {
 // Content that is locked now stays when unsaved changes are restored.
 void keep_locked(const Content& present, Document& document) {
-    Content content = document.content();
+    Content content = content_of(document);
     if (present.locks.signal)
         content.signal = present.signal;
     if (present.locks.source)
         content.source = present.source;
     content.locks.signal |= present.locks.signal;
     content.locks.source |= present.locks.source;
-    document.keep_content(content);
+    keep_content(document, content);
 }
 }  // namespace
 
@@ -217,7 +220,7 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
         return;
     if (const PlayedSignal& signal = lab.player().signal(); !signal.live_input().is_open())
         (void)lab.player().mute_input(true);  // the user has not enabled it yet
-    const Content present = lab.document() ? lab.document()->content() : Content{};
+    const Content present = lab.document() ? content_of(*lab.document()) : Content{};
     const auto restore_rest = [&lab, session, then, present] {
         Document& document = *lab.work().document;
         restore_document(document, session);

@@ -1,4 +1,5 @@
 // Accumulating looks in the window.
+#include "lab/document/parameter_edits.h"
 #include "lab/small_lab.h"
 
 namespace {
@@ -58,7 +59,7 @@ TEST_CASE("changes to the accumulated picture restart the samples") {
     }
     SUBCASE("the camera") {
         small.lab().edit([](Document& document) {
-            document.set_orbit([](const Orbit& orbit) { return with_distance_scaled(orbit, 2); });
+            set_orbit(document, [](const Orbit& orbit) { return with_distance_scaled(orbit, 2); });
         });
         shown = 12;
     }

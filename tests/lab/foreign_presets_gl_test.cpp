@@ -1,4 +1,5 @@
 // Presets of looks from other programs or outside the library.
+#include "lab/document/opened_preset.h"
 #include "lab/library/library_view.h"
 #include "lab/small_lab.h"
 
@@ -19,7 +20,7 @@ public:
     }
     bool is_open(const std::string& preset) {
         return !lab().loader().is_loading() && document().look().id == "level.frag" &&
-               document().preset_name() == preset;
+               preset_name(document()) == preset;
     }
     double level() { return document().value(document().look().parameters.front()).number(); }
     void set_level(double value) {

@@ -1,4 +1,5 @@
 #include "lab/choices/looking_choices.h"
+#include "lab/document/opened_preset.h"
 #include "lab/small_lab.h"
 
 TEST_CASE("an open look draws every frame of the clock") {
@@ -183,16 +184,16 @@ TEST_CASE("a saved preset restores its values when it is opened again") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(4.0)); });
     small.lab().presets().save_as("four");
-    CHECK_FALSE(small.lab().document()->is_modified());
+    CHECK_FALSE(is_modified(*small.lab().document()));
     small.lab().edit([](Document& document) { document.set_value("gain", Value(1.5)); });
-    CHECK(small.lab().document()->is_modified());
+    CHECK(is_modified(*small.lab().document()));
     const auto preset = small.lab().work().library.find_preset("small", "four");
     REQUIRE(preset.has_value());
     small.lab().looks().open(preset->file.string());
     REQUIRE(small.turn_until([&] {
         return !small.lab().loader().is_loading() &&
-               small.lab().document()->preset_name() == "four" &&
-               !small.lab().document()->is_modified();
+               preset_name(*small.lab().document()) == "four" &&
+               !is_modified(*small.lab().document());
     }));
     CHECK(small.lab().document()->values().at("gain") == Value(4.0));
 }
@@ -209,7 +210,7 @@ TEST_CASE("a preset may contain list items by label") {
     REQUIRE(write_atomically(file, R"({"format": "afterglow-preset", "version": 1,
         "look": "small", "name": "Third", "values": {"gain": "Three"}})"));
     small.lab().looks().open(file.string());
-    REQUIRE(small.turn_until([&] { return small.document().preset_name() == "Third"; }));
+    REQUIRE(small.turn_until([&] { return preset_name(small.document()) == "Third"; }));
     CHECK(small.document().values().at("gain") == Value(2.0));
 }
 

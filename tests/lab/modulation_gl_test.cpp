@@ -1,5 +1,7 @@
 #include "formats/preset/preset_format.h"
 #include "lab/document/changes.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
@@ -16,7 +18,7 @@ double gain_at(double seconds) {
 }
 
 void move_gain(SmallLab& small) {
-    small.lab().edit([](Document& document) { document.set_modulation("gain", once_a_second); });
+    small.lab().edit([](Document& document) { set_modulation(document, "gain", once_a_second); });
 }
 
 bool is_close(double number, double expected) {
@@ -38,14 +40,14 @@ TEST_CASE("setting a modulation can be undone, and running it is not a change") 
     move_gain(small);
     const Document& document = small.document();
     CHECK(document.history().undo_name() == "Modulation of Gain");
-    CHECK(document.is_modified());
-    small.lab().edit([](Document& changed) { changed.mark_saved(); });
+    CHECK(is_modified(document));
+    small.lab().edit([](Document& changed) { changed.opened_preset().saved = changed.state(); });
     for (int i = 0; i < 20; ++i) {
         small.turn(1);
         CHECK(is_close(small.shown(), small.frames() * gain_at(small.player().transport().time())));
     }
     CHECK(document.values().empty());
-    CHECK_FALSE(document.is_modified());
+    CHECK_FALSE(is_modified(document));
     CHECK(document.history().past().size() == 1);
     small.lab().edit([](Document& changed) { changed.undo(); });
     small.turn(1);
@@ -76,7 +78,7 @@ TEST_CASE("a replay uses the modulated values of each frame's time") {
     small.lab().player().pause();
     Modulation moving = once_a_second;
     moving.depth = 0.25;  // of 0 .. 4
-    small.lab().edit([&](Document& document) { document.set_modulation("step_size", moving); });
+    small.lab().edit([&](Document& document) { set_modulation(document, "step_size", moving); });
     small.turn_until([&] {
         return !small.lab().renderer()->replay().is_running() &&
                small.lab().renderer()->replay().total() > 0;
@@ -92,14 +94,14 @@ TEST_CASE("a preset moves identically in the window and offline, at any frame ra
     SmallLab small;
     move_gain(small);
     small.lab().presets().save_as("moving");
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
     for (const double fps : {30.0, 60.0}) {
         Offline offline = drawn_offline(small, fps);
         const int frames = static_cast<int>(std::lround(0.3 * fps));
         const Picture picture = offline.picture_after(frames);
         CHECK(is_close(picture.pixels[0], frames * gain_at(0.3)));
         Document still = offline.document();
-        still.set_modulation("gain", std::nullopt);
+        set_modulation(still, "gain", std::nullopt);
         REQUIRE(offline.start_again(still).has_value());
         CHECK(offline.picture_after(4).pixels[0] == 4.0f);
     }
@@ -128,9 +130,9 @@ TEST_CASE("a locked parameter keeps its modulation when everything is reset") {
     SmallLab small;
     move_gain(small);
     small.lab().edit([](Document& document) {
-        document.set_modulation("step_size", once_a_second);
-        document.set_knob("gain", {.is_locked = true});
-        document.reset_all();
+        set_modulation(document, "step_size", once_a_second);
+        set_knob(document, "gain", {.is_locked = true});
+        reset_all_parameters(document);
     });
     CHECK(small.document().state().modulations == Modulations{{"gain", once_a_second}});
 }

@@ -1,6 +1,8 @@
 // Output of libretro shader chains, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/opened_preset.h"
 #include "lab/offline/offline.h"
 #include "lab/small_lab.h"
 #include "problems_of.h"
@@ -356,7 +358,7 @@ TEST_CASE("changed parameters are saved as a .slangp that references the open on
         slang.file("a.slangp"));  // would be a circular reference
     CHECK(slang.lab().messages().notice()->text ==
           "The open look uses this file. Choose another name.");
-    CHECK_FALSE(slang.document().is_modified());
+    CHECK_FALSE(is_modified(slang.document()));
     slang.lab().looks().open("small");
     REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
     CHECK_FALSE(slang.lab().presets().sharing().can_save_slang());
@@ -380,7 +382,7 @@ TEST_CASE("a chain keeps its source's shape in the view until another shape is c
     REQUIRE(slang.turn_until([&] { return source.get() != nullptr; }));
     CHECK(slang.lab().work().size.extent() == Extent{80, 60});  // of 320 x 240
     slang.lab().edit(
-        [](Document& document) { document.set_source("pattern:harbour,size=16x16,aspect=1.25"); });
+        [](Document& document) { set_source(document, "pattern:harbour,size=16x16,aspect=1.25"); });
     REQUIRE(slang.turn_until([&] { return source.get()->extent() == Extent{16, 16}; }));
     CHECK(slang.lab().work().size.extent() == Extent{75, 60});
     PictureSize size;

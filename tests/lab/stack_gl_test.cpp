@@ -1,3 +1,5 @@
+#include "lab/document/opened_preset.h"
+#include "lab/document/stack_edits.h"
 #include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
@@ -182,7 +184,7 @@ TEST_CASE("looks are added, bypassed and removed in one undo step each and keep 
     small.lab().edit([&](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back(other);
-        document.set_stack(std::move(stack), "Add Gain");
+        set_stack(document, std::move(stack), "Add Gain");
     });
     CHECK(small.value("step_size") == 2.0);  // the displayed picture keeps its values
     REQUIRE(small.shows("small+gain"));
@@ -190,16 +192,16 @@ TEST_CASE("looks are added, bypassed and removed in one undo step each and keep 
     small.lab().edit([](Document& document) { document.set_value("gain/offset", 1.0); });
 
     small.lab().edit([](Document& document) {
-        document.set_stack(with_bypass(document.state().stack, {"gain"}), "Bypass");
+        set_stack(document, with_bypass(document.state().stack, {"gain"}), "Bypass");
     });
     REQUIRE(small.turn_until([&] { return small.document().look().passes.size() == 2; }));
     CHECK(small.value("gain/offset") == 1.0);
-    CHECK(small.document().preset().bypass == std::vector<std::string>{"gain"});
+    CHECK(preset_of(small.document()).bypass == std::vector<std::string>{"gain"});
 
     small.lab().edit([](Document& document) {
         Stack stack = document.state().stack;
         stack.erase(stack.begin());
-        document.set_stack(with_bypass(stack, {}), "Remove Small");
+        set_stack(document, with_bypass(stack, {}), "Remove Small");
     });
     REQUIRE(small.shows("gain"));
     CHECK(small.value("offset") == 1.0);
@@ -224,7 +226,7 @@ TEST_CASE("a stack that begins with the open look opens in one undo step, and so
                 .has_value());
     small.lab().edit([](Document& document) { document.set_value("step_size", 2.0); });
     small.lab().edit([](Document& document) {
-        document.set_override("show", {Format::rgba16f, {}, {}});
+        set_override(document, "show", {Format::rgba16f, {}, {}});
     });
     const auto has_opened = [&small](const char* id, const char* step) {
         return small.turn_until([&] { return small.document().history().undo_name() == step; }) &&
@@ -235,7 +237,7 @@ TEST_CASE("a stack that begins with the open look opens in one undo step, and so
     CHECK(small.value("small/step_size") == 4.0);
     CHECK(small.value("gain/offset") == 3.0);
     CHECK(small.document().state().overrides.contains("small/show"));
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
 
     small.lab().looks().open("small");
     REQUIRE(has_opened("small", "Open Small"));
@@ -273,7 +275,7 @@ TEST_CASE("a stack with its order, bypass and undo is restored at the next start
         Stack stack = document.state().stack;
         stack.push_back(other);
         stack.push_back({"gain", other.place, "gain#2", true});
-        document.set_stack(std::move(stack), "Add");
+        set_stack(document, std::move(stack), "Add");
     });
     REQUIRE(small.shows("small+gain+gain"));
     small.lab().edit([](Document& document) { document.set_value("gain/offset", 1.0); });

@@ -1,4 +1,5 @@
 #include "lab/choices/looking_choices.h"
+#include "lab/document/stack_edits.h"
 
 #include <fmt/format.h>
 
@@ -87,7 +88,7 @@ ChoiceList level_choices(const PassView& view) {
 }
 
 MenuCommand override_pass(const std::string& pass, const PassOverride& changed) {
-    return [=](Document& document) { document.set_override(pass, changed); };
+    return [=](Document& document) { set_override(document, pass, changed); };
 }
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include "lab/choices/source_choices.h"
 #include "lab/choices/stack_choices.h"
 #include "lab/choices/tuning_choices.h"
+#include "lab/document/opened_preset.h"
 #include "lab/previews/previews.h"
 #include "lab/session.h"
 #include "lab/storage/include_store.h"
@@ -192,7 +193,7 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Li
     add_lists(
         all, preset_choices(listed_presets(document, looks, lab.presets().navigation().stars(), {}),
                             window.presets));
-    if (!document.preset_file().empty() && lab.presets().has_source_checkout())
+    if (!preset_file(document).empty() && lab.presets().has_source_checkout())
         all.push_back(shipped_preset_choices());
 }
 

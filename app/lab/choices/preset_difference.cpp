@@ -2,11 +2,12 @@
 
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
+#include "lab/document/opened_preset.h"
 #include "lab/lab.h"
 
 std::vector<Change> difference_from(const Preset& preset, const Document& open) {
     Document other = open;
-    other.open_preset(preset, {});
+    open_preset(other, preset, {});
     return changes_between(open.look(), other.state(), open.state());
 }
 

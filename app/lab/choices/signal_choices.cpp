@@ -2,6 +2,8 @@
 
 #include "base/text.h"
 #include "lab/choices/scope_graticule.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/lab.h"
 #include "lab/window/window_state.h"
@@ -18,7 +20,7 @@ MenuCommand set_signal_setting(const std::string& key, Spec::Setting value) {
         if (!spec)
             return;
         spec->settings[key] = value;
-        document.set_signal(std::move(*spec));
+        set_signal(document, std::move(*spec));
     };
 }
 
@@ -95,7 +97,7 @@ ChoiceList setting_choices(const Document& document) {
     if (!graticule.empty())
         list.choices.push_back(
             {.name = "Show 10 × 8 divisions", .commands = {[graticule](Document& changed) {
-                                                  changed.set_values(graticule, "Graticule");
+                                                  set_values(changed, graticule, "Graticule");
                                               }}});
     return list;
 }
@@ -120,19 +122,19 @@ MenuCommand command_for(const SignalKind& kind) {
         return [name = kind.kind](Lab& lab) {
             (void)lab.player().mute_input(false);  // the user asked for live input
             lab.edit([&](Document& document) {
-                document.set_signal(with_round_circles(Spec{name, {}}));
+                set_signal(document, with_round_circles(Spec{name, {}}));
             });
         };
     return [name = kind.kind](Document& document) {
         if (auto spec = completed(with_round_circles(Spec{name, {}})))
-            document.set_signal(std::move(*spec));
+            set_signal(document, std::move(*spec));
     };
 }
 
 Choice content_lock_choice(const Document& document) {
-    const bool is_locked = document.is_content_locked();
+    const bool is_locked = is_content_locked(document);
     return {.name = keep_content_words(document.look()),
-            .commands = {[is_locked](Document& changed) { changed.lock_content(!is_locked); }},
+            .commands = {[is_locked](Document& changed) { lock_content(changed, !is_locked); }},
             .is_present = is_locked};
 }
 

@@ -1,6 +1,7 @@
 #include "lab/choices/source_choices.h"
 
 #include "lab/choices/signal_choices.h"
+#include "lab/document/content_edits.h"
 #include "lab/media/media_input.h"
 #include "lab/window/window_state.h"
 #include "model/picture/source_spec.h"
@@ -13,7 +14,7 @@
 
 namespace {
 MenuCommand set_source_to(const SourceSpec& source) {
-    return [text = to_string(source)](Document& document) { document.set_source(text); };
+    return [text = to_string(source)](Document& document) { set_source(document, text); };
 }
 
 AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, Limit limit,

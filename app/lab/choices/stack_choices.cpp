@@ -1,5 +1,7 @@
 #include "lab/choices/stack_choices.h"
 
+#include "lab/document/stack_edits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +17,7 @@ MenuCommand change_of_stack(const std::string& tag, const std::string& step,
         if (part == stack.end())
             return;
         change(stack, static_cast<std::size_t>(part - stack.begin()));
-        document.set_stack(std::move(stack), step);
+        set_stack(document, std::move(stack), step);
     };
 }
 }  // namespace
@@ -48,7 +50,7 @@ MenuCommand add_part(const ListedLook& look) {
     return [entry = look.entry, name = look.name](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
-        document.set_stack(std::move(stack), fmt::format("Add {}", name));
+        set_stack(document, std::move(stack), fmt::format("Add {}", name));
     };
 }
 

@@ -1,5 +1,6 @@
 #include "lab/choices/tuning_choices.h"
 
+#include "lab/document/parameter_edits.h"
 #include "lab/lab.h"
 #include "lab/window/parameter_list.h"
 #include "model/look/value_text.h"
@@ -17,10 +18,11 @@ Choice mark_choice(const char* name, const std::string& parameter, const KnobSet
                    KnobMark mark) {
     KnobSetting next = setting;
     next.*mark = !(next.*mark);
-    return {
-        .name = name,
-        .commands = {[parameter, next](Document& document) { document.set_knob(parameter, next); }},
-        .is_present = setting.*mark};
+    return {.name = name,
+            .commands = {[parameter, next](Document& document) {
+                set_knob(document, parameter, next);
+            }},
+            .is_present = setting.*mark};
 }
 
 // Angles are typed in degrees.
@@ -120,14 +122,14 @@ ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
 }
 
 MenuCommand modulate(const std::string& name, const std::optional<Modulation>& next) {
-    return [name, next](Document& document) { document.set_modulation(name, next); };
+    return [name, next](Document& document) { set_modulation(document, name, next); };
 }
 
 ChoiceList move_choices(const Document& document, const Parameter& parameter) {
     ChoiceList list{parameter.label};
     if (!why_unmodulated(document.look(), parameter).empty())
         return list;
-    const Modulation* present = document.modulation(parameter);
+    const Modulation* present = modulation_of(document, parameter);
     const auto offer = [&](std::string name, const std::optional<Modulation>& next, bool is_it) {
         list.choices.push_back({.name = std::move(name),
                                 .commands = {modulate(parameter.name, next)},
@@ -203,16 +205,16 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
                                  .is_present = filter == window.filter});
     for (const ParameterGroup& group : listed_parameters(document, {})) {
         std::vector<std::string> names;
-        bool is_changed = false;
+        bool has_changes = false;
         for (const Parameter* parameter : group.parameters) {
             names.push_back(parameter->name);
-            is_changed |= document.is_changed(*parameter);
+            has_changes |= is_changed(document, *parameter);
         }
-        if (is_changed)
+        if (has_changes)
             shown.choices.push_back(
                 {.name = group.name.empty() ? "Reset ungrouped parameters"
                                             : fmt::format("Reset {}", group.name),
-                 .commands = {[names](Document& changed) { changed.reset_group(names); }}});
+                 .commands = {[names](Document& changed) { reset_group(changed, names); }}});
     }
     return {shown};
 }

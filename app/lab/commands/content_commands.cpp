@@ -2,6 +2,8 @@
 
 #include "formats/preset/preset_format.h"
 #include "formats/scene/scene_file.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/frame/frame_loop.h"
 #include "lab/media/source.h"
@@ -106,16 +108,16 @@ void ContentCommands::take_content() {
     m_work.opened_files.add(chosen.file);
     const bool is_signal = chosen.driver == Driver::signal;
     if (m_work.document->look().driven_by != chosen.driver) {
-        Content content = m_work.document->content();  // stored for the next look that uses it
+        Content content = content_of(*m_work.document);  // stored for the next look that uses it
         (is_signal ? content.locks.signal : content.locks.source) = true;
         is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
-        return m_work.document->keep_content(content);
+        return keep_content(*m_work.document, content);
     }
     for (const Diagnostic& note : m_work.media.problems())
         m_work.messages.say(note);
     if (!is_signal)
-        return m_work.document->set_source(chosen.source);
-    m_work.document->set_signal(chosen.signal);
+        return set_source(*m_work.document, chosen.source);
+    set_signal(*m_work.document, chosen.signal);
     m_work.player.restart();
     m_work.player.play();
 }
@@ -126,11 +128,11 @@ void ContentCommands::offer_outside(const OutsideContent& content) {
         if (!m_work.document)
             return;
         if (content.source.empty() && content.signal)
-            m_work.document->set_signal(*content.signal);
+            set_signal(*m_work.document, *content.signal);
         else if (!content.source.empty())
-            m_work.document->set_source(content.source);
+            set_source(*m_work.document, content.source);
         if (!content.files.empty())
-            m_work.document->set_values(content.files, "Use the preset's files");
+            set_values(*m_work.document, content.files, "Use the preset's files");
         for (const auto& [name, value] : content.files)
             m_work.media.recent().remember(value.path, {});
     };
@@ -144,21 +146,21 @@ void ContentCommands::offer_own(const Preset& preset) {
     const Look& look = m_work.document->look();
     const bool is_signal = look.driven_by == Driver::signal;
     const bool names_content = is_signal ? preset.signal.has_value() : !preset.source.empty();
-    if (!m_work.document->is_content_locked() || !names_content)
+    if (!is_content_locked(*m_work.document) || !names_content)
         return;
     const Content own{preset.signal.value_or(Spec{}), preset.source, {}};
-    const Content present = m_work.document->content();
+    const Content present = content_of(*m_work.document);
     if (is_signal ? is_same_content(own.signal, present.signal)
                   : is_same_content(own.source, present.source))
         return;
     const std::string kept = fmt::format("Kept {}", content_name(present, look));
     m_work.messages.append(
         kept, {.name = use_content_words(look),
-               .commands = {[own](Document& document) { document.use_content(own); }}});
+               .commands = {[own](Document& document) { use_content(document, own); }}});
 }
 
 void ContentCommands::offer(const CheckedPreset& checked) {
-    const bool is_locked = m_work.document->is_content_locked();
+    const bool is_locked = is_content_locked(*m_work.document);
     if (checked.outside && (!is_locked || !checked.outside->files.empty())) {
         OutsideContent asked = *checked.outside;
         if (is_locked)

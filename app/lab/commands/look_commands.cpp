@@ -2,6 +2,8 @@
 
 #include "formats/look/manifest_edit.h"
 #include "io/system/file_status.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/stack_edits.h"
 #include "lab/storage/editor.h"
 #include "lab/storage/include_store.h"
 #include "lab/window/window_state.h"
@@ -69,7 +71,7 @@ void LookCommands::duplicate(const std::string& id) {
         m_work.library.duplicate_look(m_work.document->look().manifest.parent_path(), id);
     if (!m_work.messages.succeeded(folder))
         return;
-    Preset present = m_work.document->preset();
+    Preset present = preset_of(*m_work.document);
     present.look = id;
     m_loader.open(OpenRequest{*folder, present, {}});
 }
@@ -95,7 +97,7 @@ void LookCommands::write_overrides() {
             !m_work.messages.succeeded(::write_overrides(manifest_of(stack[i].place), own)))
             return;
     }
-    m_work.document->clear_overrides();
+    clear_overrides(*m_work.document);
     m_work.messages.say("Saved to look.json");
 }
 

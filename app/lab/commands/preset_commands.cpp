@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
 #include "io/system/file_status.h"
+#include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/display_name.h"
 #include "lab/storage/editor.h"
@@ -30,16 +31,16 @@ bool is_json(const fs::path& file) {
 
 bool PresetCommands::can_save_over() const {
     const OpenDocument& document = m_work.document;
-    return document && is_json(document->preset_file()) &&
-           !m_work.library.is_shipped(document->preset_file());
+    return document && is_json(preset_file(*document)) &&
+           !m_work.library.is_shipped(preset_file(*document));
 }
 
 std::string PresetCommands::proposed_name() const {
     const OpenDocument& document = m_work.document;
     if (!document)
         return {};
-    std::string name = without_other_letters(document->preset_name());
-    if (name.empty() || !m_work.library.is_shipped(document->preset_file()))
+    std::string name = without_other_letters(preset_name(*document));
+    if (name.empty() || !m_work.library.is_shipped(preset_file(*document)))
         return name;
     for (int n = 1;; ++n) {
         std::string mine =
@@ -62,7 +63,7 @@ void PresetCommands::save() {
         return;
     if (!can_save_over())
         return m_work.messages.say("Give the preset a name first", true);
-    save_to(document->preset_file(), document->preset_name());
+    save_to(preset_file(*document), preset_name(*document));
 }
 
 void PresetCommands::save_as(const std::string& name) {
@@ -85,12 +86,11 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     Document& document = *m_work.document;
     const RecentMedia& recent = m_work.media.recent();
     remember_files(document, recent);
-    Preset preset = with_portable_media(document.preset(), media_folder(file), recent);
+    Preset preset = with_portable_media(preset_of(document), media_folder(file), recent);
     preset.name = name;
     if (!m_work.messages.succeeded(::save_preset(file, preset, &document.look())))
         return;
-    document.set_identity(preset, file);
-    document.mark_saved();
+    document.opened_preset() = {preset, file, document.state()};
     m_loader.files().add_extra(file);  // it may change before the next update
     m_work.messages.say(saved_words(name));
 }
@@ -103,11 +103,11 @@ bool PresetCommands::has_source_checkout() const {
 
 void PresetCommands::save_into_shipped() {
     const OpenDocument& document = m_work.document;
-    if (!document || document->preset_file().empty())
+    if (!document || preset_file(*document).empty())
         return m_work.messages.say("Open or save a preset first", true);
     const fs::path folder = m_work.library.roots().program / "presets" / document->look().id;
-    save_to(folder / document->preset_file().filename().replace_extension(".json"),
-            document->preset_name());
+    save_to(folder / preset_file(*document).filename().replace_extension(".json"),
+            preset_name(*document));
 }
 
 bool PresetCommands::is_open(const fs::path& file) const {
@@ -134,10 +134,9 @@ void PresetCommands::rename(const fs::path& before, const std::string& name) {
     if (m_navigation.stars().erase(star) > 0)
         m_navigation.stars().insert(star_name(*file));
     if (was_open) {
-        Document& document = *m_work.document;
-        Preset identity = document.identity();
-        identity.name = name;
-        document.set_identity(identity, *file);
+        OpenedPreset& opened = m_work.document->opened_preset();
+        opened.identity.name = name;
+        opened.file = *file;
     }
     m_work.messages.say(fmt::format("Renamed to \"{}\"", name));
 }
@@ -150,10 +149,9 @@ void PresetCommands::duplicate(const fs::path& before) {
         return;
     const auto copy = load_preset(*file);
     if (is_open(before) && copy) {
-        Document& document = *m_work.document;
-        Preset identity = document.identity();
-        identity.name = copy->name;
-        document.set_identity(identity, *file);
+        OpenedPreset& opened = m_work.document->opened_preset();
+        opened.identity.name = copy->name;
+        opened.file = *file;
     }
     m_work.messages.say(
         fmt::format("Duplicated as \"{}\"", copy ? copy->name : file->stem().string()));
@@ -173,16 +171,16 @@ void PresetCommands::remove(const fs::path& file) {
         return;
     if (m_loader.is_opening_preset(file))
         m_loader.cancel();
-    Removal removal{.trashed = *trashed,
-                    .look = document->look().id,
-                    .name = preset ? preset->name : file.stem().string(),
-                    .has_star = m_navigation.stars().erase(star) > 0,
-                    .identity = was_open ? std::optional(document->identity()) : std::nullopt,
-                    .saved = document->saved(),
-                    .steps = document->history().past().size()};
+    Removal removal{
+        .trashed = *trashed,
+        .look = document->look().id,
+        .name = preset ? preset->name : file.stem().string(),
+        .has_star = m_navigation.stars().erase(star) > 0,
+        .identity = was_open ? std::optional(document->opened_preset().identity) : std::nullopt,
+        .saved = document->opened_preset().saved,
+        .steps = document->history().past().size()};
     if (was_open) {
-        document->set_identity({}, {});
-        document->mark_saved(initial_state(document->look()));
+        document->opened_preset() = {.saved = initial_state(document->look())};
     }
     m_work.messages.offer(
         was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
@@ -218,9 +216,8 @@ bool PresetCommands::undo_removal() {
     Document& document = *m_work.document;
     if (removal.has_star)
         m_navigation.stars().insert(star_name(removal.trashed.original));
-    if (removal.identity && document.preset_file().empty()) {
-        document.set_identity(*removal.identity, removal.trashed.original);
-        document.mark_saved(removal.saved);
+    if (removal.identity && preset_file(document).empty()) {
+        document.opened_preset() = {*removal.identity, removal.trashed.original, removal.saved};
     }
     m_work.messages.say(fmt::format("Restored \"{}\"", removal.name));
     return true;
@@ -249,8 +246,7 @@ void PresetCommands::move_to_user_folder() {
             return;
         ++count;
         if (was_open) {
-            Document& document = *m_work.document;
-            document.set_identity(document.identity(), *moved);
+            m_work.document->opened_preset().file = *moved;
         }
     }
     const std::string folder = display_folder(m_work.library.roots().user / "presets");

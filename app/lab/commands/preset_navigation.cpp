@@ -2,6 +2,7 @@
 
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
+#include "lab/document/opened_preset.h"
 #include "lab/library/library_view.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ std::optional<PresetIndex> PresetNavigation::target(int by, bool only_starred) {
     const bool is_stepping = m_step && m_loader.is_opening_preset(m_step->file);
     const fs::path present = is_stepping  ? m_step->file
                              : m_morphing ? m_morphing->file()
-                                          : m_work.document->preset_file();
+                                          : preset_file(*m_work.document);
     if (presets.empty()) {
         m_work.messages.say("This look has no presets yet");
         return std::nullopt;
@@ -73,7 +74,7 @@ void PresetNavigation::note_opened(const OpenRequest& request, bool had_changes)
     if (const auto step = std::exchange(m_step, {}); step && step->file == request.preset_file)
         words = step->number == 0
                     ? "Default"
-                    : fmt::format("{} · preset {} of {}", m_work.document->preset_name(),
+                    : fmt::format("{} · preset {} of {}", preset_name(*m_work.document),
                                   step->number, step->count);
     if (had_changes)
         words = words.empty() ? restore_hint : fmt::format("{} · {}", words, restore_hint);

@@ -5,6 +5,8 @@
 #include "formats/slang/slang_format.h"
 #include "formats/slang/write.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/display_name.h"
 
@@ -25,7 +27,7 @@ void PresetSharing::paste(const std::string& line) {
     if (m_work.document && preset->look == m_work.document->look().id) {
         const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
                                                          fs::current_path(), m_work.media.recent());
-        m_work.document->take(checked.preset, "Paste");
+        apply_preset(*m_work.document, checked.preset, "Paste");
         return m_content.offer(checked);
     }
     const auto request = resolve(line, m_work.library);
@@ -54,9 +56,9 @@ void PresetSharing::save_slang(const fs::path& given) {
     std::map<std::string, double> values;
     std::string left_out;
     for (const Parameter& parameter : look.parameters)
-        if (m_work.document->is_changed(parameter) && parameter.is_constant)
+        if (is_changed(*m_work.document, parameter) && parameter.is_constant)
             left_out += (left_out.empty() ? "" : ", ") + parameter.label;
-        else if (m_work.document->is_changed(parameter))
+        else if (is_changed(*m_work.document, parameter))
             values[parameter.name] = m_work.document->value(parameter).number();
     if (!m_work.messages.succeeded(
             write_atomically(file, simple_slang_preset(look.manifest, values, file))))
@@ -76,22 +78,22 @@ void PresetSharing::file_changed(const fs::path& file) {
     const fs::path folder = media_folder(file);
     remember_files(*m_work.document, m_work.media.recent());
     const Preset present =
-        with_portable_media(m_work.document->preset(), folder, m_work.media.recent());
+        with_portable_media(preset_of(*m_work.document), folder, m_work.media.recent());
     if (is_written_alike(*preset, present, m_work.document->look()))
         return;
-    if (m_work.document->is_modified()) {
+    if (is_modified(*m_work.document)) {
         m_work.messages.say(fmt::format("\"{}\" changed on disk. Your changes are kept.",
-                                        m_work.document->preset_name()),
+                                        preset_name(*m_work.document)),
                             true);
         return;
     }
     const CheckedPreset checked =
         with_checked_media(*preset, m_work.document->look(), folder, m_work.media.recent());
-    m_work.document->take(checked.preset, "Preset changed on disk");
+    apply_preset(*m_work.document, checked.preset, "Preset changed on disk");
     DocumentState saved = m_work.document->state();
     saved.signal = checked.preset.signal.value_or(saved.signal);
     saved.source = checked.preset.source.empty() ? saved.source : checked.preset.source;
-    m_work.document->mark_saved(std::move(saved));
+    m_work.document->opened_preset().saved = std::move(saved);
     if (checked.outside)
         m_content.offer(checked);
 }

@@ -1,5 +1,7 @@
 #include "lab/document/morphing.h"
 
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "model/tuning/morph.h"
 
 #include <algorithm>
@@ -36,10 +38,10 @@ bool Morphing::go_on(Document& document, double seconds) {
         return false;
     m_elapsed = std::min(m_elapsed + seconds, m_seconds);
     if (has_arrived()) {
-        document.arrive_at(m_to, m_file, step_name());
+        arrive_at(document, m_to, m_file, step_name());
         return false;
     }
-    document.set_values(morphed(document.look(), m_from, m_goal, share()), step_name(), true);
+    set_values(document, morphed(document.look(), m_from, m_goal, share()), step_name(), true);
     m_last = document.values();
     return true;
 }

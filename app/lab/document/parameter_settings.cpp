@@ -1,5 +1,7 @@
 #include "lab/document/parameter_settings.h"
 
+#include "lab/document/parameter_edits.h"
+
 LookKnobs ParameterSettings::all() const {
     LookKnobs settings = m_stored;
     if (m_document)
@@ -32,5 +34,5 @@ void ParameterSettings::set_slider_ends(const std::string& parameter,
         if (*fitted != declared)
             setting.ends = *fitted;
     }
-    m_document->set_knob(parameter, setting);
+    set_knob(*m_document, parameter, setting);
 }

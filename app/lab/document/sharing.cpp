@@ -8,6 +8,7 @@
 #include "io/files/atomic_file.h"
 #include "io/pictures/picture_file.h"
 #include "io/pictures/png_encoder.h"
+#include "lab/document/opened_preset.h"
 #include "model/picture/display_bytes.h"
 
 namespace fs = std::filesystem;
@@ -30,14 +31,15 @@ Preset portable(Preset preset, const Document& document, const fs::path& folder,
 }  // namespace
 
 std::string share_line_of(const Document& document, const RecentMedia& recent) {
-    return share_line(portable(document.complete_preset(), document, {}, recent), &document.look());
+    return share_line(portable(complete_preset_of(document), document, {}, recent),
+                      &document.look());
 }
 
 Result<void> write_preset(const Document& document, const std::string& name, const fs::path& file,
                           const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".json")
         return fail({file, 0, "preset files must end in .json"});
-    Preset preset = portable(document.preset(), document, media_folder(file), recent);
+    Preset preset = portable(preset_of(document), document, media_folder(file), recent);
     if (!name.empty())
         preset.name = name;
     if (preset.name.empty())
@@ -55,7 +57,7 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
     if (!png)
         return fail(png.error());
     const auto whole =
-        with_preset(std::move(*png), portable(document.complete_preset(), document, {}, recent),
+        with_preset(std::move(*png), portable(complete_preset_of(document), document, {}, recent),
                     &document.look());
     if (!whole)
         return fail(whole.error());

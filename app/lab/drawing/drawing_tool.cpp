@@ -2,6 +2,7 @@
 
 #include "formats/svg/svg_file.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/content_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/storage/display_name.h"
 #include "signals/drawing/stroke_line.h"
@@ -110,7 +111,7 @@ void DrawingTool::load(const fs::path& file) {
     played.settings.erase("");
     played.settings.erase("strokes");
     played.settings["file"] = fs::absolute(file).string();
-    m_document->set_signal(with_round_circles(std::move(played)), false, "Load drawing");
+    set_signal(*m_document, with_round_circles(std::move(played)), false, "Load drawing");
     m_messages.say(fmt::format("\"{}\" plays from its file. Its {} points are too many to edit.",
                                file.filename().string(), point_count(drawing)));
 }

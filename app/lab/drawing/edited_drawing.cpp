@@ -1,5 +1,6 @@
 #include "lab/drawing/edited_drawing.h"
 
+#include "lab/document/content_edits.h"
 #include "lab/document/users_content.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ void EditedDrawing::set(const Drawing& drawing, const std::string& step, Documen
                         bool goes_on) {
     Spec signal = document.state().signal;
     signal.settings["strokes"] = to_text(drawing);
-    document.set_signal(std::move(signal), goes_on, step);
+    set_signal(document, std::move(signal), goes_on, step);
     update(document);
 }
 
@@ -50,7 +51,7 @@ void EditedDrawing::replace(const Drawing& drawing, const std::string& step, Doc
     signal.settings["strokes"] = to_text(drawing);
     if (is_new)
         signal = with_round_circles(std::move(signal));
-    document.set_signal(std::move(signal), false, step);
+    set_signal(document, std::move(signal), false, step);
     m_keyframe = 0;
     update(document);
 }

@@ -1,5 +1,6 @@
 #include "lab/frame/comparison_view.h"
 
+#include "lab/document/opened_preset.h"
 #include "model/look/value_changes.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ void ComparisonView::store(std::size_t number) {
     const Look& look = m_work.document->look();
     m_selection.set_slot(
         look.id, number,
-        Slot{m_work.document->preset_name(), changed_values(look, m_work.document->values())});
+        Slot{preset_name(*m_work.document), changed_values(look, m_work.document->values())});
     m_work.messages.say(fmt::format("Stored in slot {}", slot_name(number)));
 }
 
@@ -36,9 +37,9 @@ void ComparisonView::recall(std::size_t number) {
     const std::optional<Slot>& slot = slots().at(number);
     if (!slot)
         return m_work.messages.say(fmt::format("Slot {} is empty", slot_name(number)));
-    Preset preset = m_work.document->preset();
+    Preset preset = preset_of(*m_work.document);
     preset.values = values_of(*slot, m_work.document->look());
-    m_work.document->take(preset, fmt::format("Recall slot {}", slot_name(number)));
+    apply_preset(*m_work.document, preset, fmt::format("Recall slot {}", slot_name(number)));
 }
 
 void ComparisonView::clear_slot(std::size_t number) {

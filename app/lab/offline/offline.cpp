@@ -9,8 +9,11 @@
 #include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "graph/programs/specialized_look.h"
+#include "lab/document/content_edits.h"
 #include "lab/document/moves_file.h"
 #include "lab/document/naming.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/media/image_budget.h"
 #include "lab/media/look_media.h"
@@ -53,12 +56,12 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
         auto signal = parse_signal(request.signal);
         if (!signal)
             return fail(signal.error());
-        document.set_signal(with_round_circles(std::move(*signal)));
+        set_signal(document, with_round_circles(std::move(*signal)));
     }
     if (!request.source.empty()) {
         if (document.look().driven_by != Driver::picture)
             return fail({{}, 0, fmt::format("'{}' doesn't use a picture", document.look().id)});
-        document.set_source(with_users_defaults(request.source, document.look()));
+        set_source(document, with_users_defaults(request.source, document.look()));
     }
     return {};
 }
@@ -98,7 +101,7 @@ Result<void> open_preset(OpenRequest request, const Library& library, Prepared& 
     prepared.outside = std::move(checked.outside);
     const auto notes = compare_with_media(preset);
     prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
-    prepared.document.open_preset(preset, file);
+    open_preset(prepared.document, preset, file);
     return {};
 }
 
@@ -441,8 +444,8 @@ void Offline::make_moves(double seconds) {
     const Values turned = m_moves.take(seconds);
     if (turned.empty())
         return;
-    m_document.set_values(turned, "Automation");
-    m_document.forget_past();
+    set_values(m_document, turned, "Automation");
+    forget_past(m_document);
     if (auto done = follow_constants(); !done)
         m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());
     take_values();

@@ -6,6 +6,7 @@
 #include "formats/preset/preset_format.h"
 #include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
+#include "lab/document/content_edits.h"
 #include "lab/media/media_input.h"
 #include "lab/offline/small_picture.h"
 #include "lab/storage/file_stamp.h"
@@ -45,11 +46,11 @@ void stand_in(Document& document) {
         const SignalKind* kind = find_kind(document.state().signal.kind);
         const bool is_live = kind && (kind->is_live || kind->is_sent);
         if ((is_live || is_lost(driving_file(document))) && look.default_signal)
-            document.set_signal(*look.default_signal);
+            set_signal(document, *look.default_signal);
     } else if (look.driven_by == Driver::picture) {
         const auto source = parse_source(document.state().source);
         if (source && !source->is_pattern() && is_lost(source->picture))
-            document.set_source(look.default_source);
+            set_source(document, look.default_source);
     }
 }
 
@@ -176,7 +177,7 @@ Result<Picture> PresetPainter::paint(const fs::path& preset, const Work& work) {
     if (!made)
         return fail(made.error());
     if (m_content)
-        made->document.use_content(*m_content);
+        use_content(made->document, *m_content);
     m_named = files_named_in(made->document);
     m_stamp = stamp_of(m_named);
     const fs::path file = kept_file(preset);

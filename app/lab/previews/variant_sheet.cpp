@@ -1,5 +1,6 @@
 #include "lab/previews/variant_sheet.h"
 
+#include "lab/document/parameter_edits.h"
 #include "lab/offline/small_picture.h"
 #include "model/tuning/slider_range.h"
 
@@ -187,7 +188,7 @@ void VariantSheet::apply(std::size_t number, Document& document) const {
     if (number >= cells().size())
         return;
     const SweepCell& cell = cells()[number].values;
-    document.set_values({cell.values.begin(), cell.values.end()},
-                        fmt::format("Apply {}", cell.caption));
+    set_values(document, {cell.values.begin(), cell.values.end()},
+               fmt::format("Apply {}", cell.caption));
     document.finish();
 }

@@ -1,5 +1,7 @@
 #include "lab/remote/remote_edits.h"
 
+#include "lab/document/parameter_edits.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -32,7 +34,7 @@ Result<void> RemoteEdits::turn(Document& document, const RemoteChange& turn, dou
         return fail({{}, 0, fmt::format("'{}' is locked", turn.parameter)});
     if (!m_gesture.goes_on(turn.parameter, now_seconds))
         document.finish();
-    document.set_values({{turn.parameter, turn.value}}, "Remote control", true);
+    set_values(document, {{turn.parameter, turn.value}}, "Remote control", true);
     return {};
 }
 

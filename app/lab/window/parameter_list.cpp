@@ -1,6 +1,7 @@
 #include "lab/window/parameter_list.h"
 
 #include "base/text.h"
+#include "lab/document/parameter_edits.h"
 #include "model/plan/parameter_use.h"
 #include "model/tuning/slider_range.h"
 
@@ -32,7 +33,7 @@ private:
             case ParameterFilter::all:
                 return true;
             case ParameterFilter::changed:
-                return m_document.is_changed(parameter);
+                return is_changed(m_document, parameter);
             case ParameterFilter::favourites:
                 return setting_of(parameter.name, m_document.knobs()).is_favourite;
             case ParameterFilter::of_pass:

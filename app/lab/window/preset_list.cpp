@@ -1,6 +1,7 @@
 #include "lab/window/preset_list.h"
 
 #include "base/text.h"
+#include "lab/document/opened_preset.h"
 
 #include <algorithm>
 
@@ -15,7 +16,7 @@ bool holds_words(const ListedLookPreset& preset, const std::string& words) {
 }  // namespace
 
 bool is_open_preset(const Document& document, const std::filesystem::path& file) {
-    const std::filesystem::path& open = document.preset_file();
+    const std::filesystem::path& open = preset_file(document);
     std::error_code error;
     return open == file ||
            (!open.empty() && !file.empty() && std::filesystem::equivalent(open, file, error));
@@ -26,7 +27,7 @@ ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
     const bool is_open = is_open_preset(document, preset.entry.file);
     return {.preset = preset,
             .is_open = is_open,
-            .is_modified = is_open && document.is_modified(),
+            .is_modified = is_open && is_modified(document),
             .has_star = stars.contains(star_of(document.look().id, preset.entry.id))};
 }
 

@@ -1,5 +1,6 @@
 #include "ui/actions/edit_actions.h"
 
+#include "lab/document/parameter_edits.h"
 #include "ui/actions/file_actions.h"
 #include "ui/actions/view_actions.h"
 #include "ui/frame/edits.h"
@@ -26,7 +27,7 @@ void redo(const Scene&, Edits& edits) {
     edits.document([](Document& document) { document.redo(); });
 }
 void reset_all(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { document.reset_all(); });
+    edits.document([](Document& document) { reset_all_parameters(document); });
 }
 bool can_draw(const Scene& scene) {
     return scene.lab.document() && scene.lab.document()->look().driven_by == Driver::signal;

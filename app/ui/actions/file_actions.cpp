@@ -1,6 +1,7 @@
 #include "ui/actions/file_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/document/opened_preset.h"
 #include "lab/session.h"
 #include "lab/window/window_session.h"
 #include "ui/frame/edits.h"
@@ -23,20 +24,20 @@ void save(const Scene& scene, Edits& edits) {
 void rename(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     edits.show({.kind = Dialog::Kind::rename_preset,
-                .text = document.preset_name(),
-                .subject = document.preset_file().string()});
+                .text = preset_name(document),
+                .subject = preset_file(document).string()});
 }
 
 void duplicate(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().duplicate(lab.document()->preset_file()); });
+    edits.add([](Lab& lab) { lab.presets().duplicate(preset_file(*lab.document())); });
 }
 
 void remove(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().remove(lab.document()->preset_file()); });
+    edits.add([](Lab& lab) { lab.presets().remove(preset_file(*lab.document())); });
 }
 
 void show_in_folder(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().show_in_folder(lab.document()->preset_file()); });
+    edits.add([](Lab& lab) { lab.presets().show_in_folder(preset_file(*lab.document())); });
 }
 
 template <int by>
@@ -94,7 +95,7 @@ bool file_actions::has_document(const Scene& scene) {
 }
 
 bool file_actions::has_preset(const Scene& scene) {
-    return scene.lab.document() && !scene.lab.document()->preset_file().empty();
+    return scene.lab.document() && !preset_file(*scene.lab.document()).empty();
 }
 
 namespace {

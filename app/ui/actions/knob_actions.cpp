@@ -1,6 +1,7 @@
 #include "ui/actions/knob_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/window/parameter_list.h"
 #include "model/tuning/one_step.h"
 #include "ui/actions/file_actions.h"
@@ -69,8 +70,9 @@ void type(const Scene&, Edits& edits) {
 }
 
 void reset(const Scene& scene, Edits& edits) {
-    edits.document(
-        [name = scene.window.revealed.parameter](Document& document) { document.reset({name}); });
+    edits.document([name = scene.window.revealed.parameter](Document& document) {
+        reset_parameters(document, {name});
+    });
 }
 
 void copy_name(const Scene& scene, Edits& edits) {

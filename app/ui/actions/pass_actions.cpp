@@ -2,6 +2,7 @@
 
 #include "gpu/input_event.h"
 #include "lab/choices/looking_choices.h"
+#include "lab/document/stack_edits.h"
 #include "model/plan/parameter_use.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
@@ -105,7 +106,7 @@ void write(const Scene&, Edits& edits) {
 }
 
 void take_back(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { document.clear_overrides(); });
+    edits.document([](Document& document) { clear_overrides(document); });
 }
 }  // namespace
 

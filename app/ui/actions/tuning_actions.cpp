@@ -1,5 +1,6 @@
 #include "ui/actions/tuning_actions.h"
 
+#include "lab/document/parameter_edits.h"
 #include "ui/actions/file_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
@@ -11,7 +12,7 @@ namespace {
 void randomise(const Scene&, Edits& edits) {
     std::random_device chance;
     const std::uint64_t seed = (static_cast<std::uint64_t>(chance()) << 32) | chance();
-    edits.document([seed](Document& document) { document.randomise(seed); });
+    edits.document([seed](Document& document) { randomise_parameters(document, seed); });
 }
 
 template <ParameterFilter filter>

@@ -1,6 +1,7 @@
 #include "ui/dialogs/palette_list.h"
 
 #include "lab/choices/lab_choices.h"
+#include "lab/document/opened_preset.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/frame/action.h"
 #include "ui/widgets/choice_items.h"
@@ -51,8 +52,8 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "the open look isn't a RetroArch slang preset";
         case ActionId::rename_preset:
         case ActionId::delete_preset:
-            return scene.lab.document()->preset_file().empty() ? "no preset is open"
-                                                               : "shipped presets can't be changed";
+            return preset_file(*scene.lab.document()).empty() ? "no preset is open"
+                                                              : "shipped presets can't be changed";
         case ActionId::duplicate_preset:
         case ActionId::show_preset_in_folder:
             return "no preset is open";

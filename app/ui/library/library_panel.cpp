@@ -1,5 +1,6 @@
 #include "ui/library/library_panel.h"
 
+#include "lab/document/opened_preset.h"
 #include "ui/library/preset_menu.h"
 #include "ui/library/stack_panel.h"
 #include "ui/widgets/scoped.h"
@@ -33,11 +34,11 @@ void draw_presets(const ListedLook& look, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const float indent = ImGui::GetStyle().IndentSpacing;
     ImGui::Indent(indent);
-    const bool has_none = document.preset_file().empty();
+    const bool has_none = preset_file(document).empty();
     if (draw_line({.label = "Default",
                    .about = "All parameters at their defaults.",
                    .is_open = has_none,
-                   .is_modified = has_none && document.is_modified()}))
+                   .is_modified = has_none && is_modified(document)}))
         edits.open(look.argument());
     edits.mark("preset:");
     const bool has_both = !look.presets.empty() && !look.presets.front().entry.is_shipped &&

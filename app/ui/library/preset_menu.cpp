@@ -1,5 +1,6 @@
 #include "ui/library/preset_menu.h"
 
+#include "lab/document/content_edits.h"
 #include "ui/dialogs/compare_dialog.h"
 
 #include <fmt/format.h>
@@ -69,7 +70,7 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
         return;
     if (ImGui::MenuItem("Open"))
         open_listed(preset, scene, edits);
-    if (scene.lab.document()->is_content_locked()) {
+    if (is_content_locked(*scene.lab.document())) {
         const bool has_source = scene.lab.document()->look().driven_by == Driver::picture;
         if (ImGui::MenuItem(has_source ? "Open with its source" : "Open with its signal",
                             "Alt+click"))

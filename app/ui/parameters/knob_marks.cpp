@@ -1,6 +1,7 @@
 #include "ui/parameters/knob_marks.h"
 
 #include "lab/document/document.h"
+#include "lab/document/parameter_edits.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -28,7 +29,7 @@ void change(const Knob& knob, bool KnobSetting::*mark, Edits& edits) {
     KnobSetting next = knob.setting;
     next.*mark = !(next.*mark);
     edits.document(
-        [name = knob.parameter.name, next](Document& document) { document.set_knob(name, next); });
+        [name = knob.parameter.name, next](Document& document) { set_knob(document, name, next); });
 }
 
 // An icon button that is less prominent than a normal button.

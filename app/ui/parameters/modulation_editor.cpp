@@ -1,6 +1,7 @@
 #include "ui/parameters/modulation_editor.h"
 
 #include "lab/document/document.h"
+#include "lab/document/parameter_edits.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/widgets.h"
@@ -9,7 +10,7 @@ namespace {
 // Changes the modulation. With `goes_on` the change joins the current undo step.
 void turn(const Knob& knob, const std::optional<Modulation>& next, bool goes_on, Edits& edits) {
     edits.document([name = knob.parameter.name, next, goes_on](Document& document) {
-        document.set_modulation(name, next, goes_on);
+        set_modulation(document, name, next, goes_on);
     });
 }
 

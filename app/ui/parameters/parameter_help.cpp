@@ -1,5 +1,6 @@
 #include "ui/parameters/parameter_help.h"
 
+#include "lab/document/parameter_edits.h"
 #include "lab/lab.h"
 #include "model/look/decay.h"
 #include "model/look/value_text.h"
@@ -64,7 +65,7 @@ std::string moire_warning(const Knob& knob) {
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {
-    edits.document([name](Document& document) { document.reset({name}); });
+    edits.document([name](Document& document) { reset_parameters(document, {name}); });
 }
 
 namespace {

@@ -1,5 +1,6 @@
 #include "ui/parameters/parameters_panel.h"
 
+#include "lab/document/parameter_edits.h"
 #include "lab/window/parameter_list.h"
 #include "ui/frame/action.h"
 #include "ui/parameters/parameter_control.h"
@@ -89,7 +90,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     if (icon_button("##reset_all", Icon::reset, "Reset all unlocked parameters",
                     can_reset ? theme::text : theme::faint) &&
         can_reset)
-        edits.document([](Document& changed) { changed.reset_all(); });
+        edits.document([](Document& changed) { reset_all_parameters(changed); });
     edits.mark("reset_all");
 }
 
@@ -105,7 +106,7 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
     std::vector<std::string> names;
     for (const Parameter* parameter : group.parameters)
         names.push_back(parameter->name);
-    edits.document([names](Document& document) { document.reset_group(names); });
+    edits.document([names](Document& document) { reset_group(document, names); });
 }
 
 /// A row of the list. Outside the visible area it only reserves the height of its last drawing.
@@ -160,11 +161,11 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
     const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
     Knob knob{.parameter = own ? *own : parameter,
               .value = document.value(parameter),
-              .is_changed = document.is_changed(parameter),
+              .is_changed = is_changed(document, parameter),
               .setting = setting,
               .declared = parameter.range,
               .look = document.look(),
-              .modulation = document.modulation(parameter),
+              .modulation = modulation_of(document, parameter),
               .period = period_facts(parameter, scene),
               .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
     const Revealed& revealed = scene.window.revealed;
@@ -178,9 +179,9 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
 void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     const ScopedId id(group.name);
-    const auto changed = static_cast<std::size_t>(
-        std::count_if(group.parameters.begin(), group.parameters.end(),
-                      [&](const Parameter* parameter) { return document.is_changed(*parameter); }));
+    const auto changed = static_cast<std::size_t>(std::count_if(
+        group.parameters.begin(), group.parameters.end(),
+        [&](const Parameter* parameter) { return is_changed(document, *parameter); }));
     bool is_open = false;
     {
         const ScopedFont strong(scene.fonts.strong);

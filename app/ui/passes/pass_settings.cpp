@@ -1,6 +1,7 @@
 #include "ui/passes/pass_settings.h"
 
 #include "lab/choices/looking_choices.h"
+#include "lab/document/stack_edits.h"
 #include "ui/picture/picture_menus.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
@@ -13,7 +14,7 @@
 
 namespace {
 void set_override(const std::string& pass, const PassOverride& changed, Edits& edits) {
-    edits.document([=](Document& document) { document.set_override(pass, changed); });
+    edits.document([=](Document& document) { set_override(document, pass, changed); });
 }
 
 void draw_scale(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
@@ -75,7 +76,7 @@ void draw_buttons(Edits& edits) {
     edits.mark("write_overrides");
     ImGui::SameLine();
     if (quiet_button("Revert"))
-        edits.document([](Document& document) { document.clear_overrides(); });
+        edits.document([](Document& document) { clear_overrides(document); });
     tooltip("Discards the changes made here in all passes.");
 }
 }  // namespace

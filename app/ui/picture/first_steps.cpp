@@ -41,7 +41,7 @@ void note_first_steps(const Lab& lab, WindowState& window) {
     if (!document || !window.first_steps.is_shown)
         return;
     const DocumentState& state = document->state();
-    const DocumentState& saved = document->saved();
+    const DocumentState& saved = document->opened_preset().saved;
     FirstSteps& steps = window.first_steps;
     steps.has_turned |= state.values != saved.values;
     steps.has_driven |= state.signal != saved.signal || state.source != saved.source;

@@ -1,5 +1,6 @@
 #include "ui/picture/picture_panel.h"
 
+#include "lab/document/parameter_edits.h"
 #include "ui/frame/action.h"
 #include "ui/frame/look_keys.h"
 #include "ui/picture/cell_texts.h"
@@ -165,7 +166,8 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     if (input.moved)
         edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
     if (input.turned)
-        edits.document([turned = input.turned](Document& document) { document.set_orbit(turned); });
+        edits.document(
+            [turned = input.turned](Document& document) { set_orbit(document, turned); });
     if (input.is_turn_finished)
         edits.finish();
     const bool is_other = shown.is_other || is_over_variant(wipe, scene);

@@ -1,5 +1,6 @@
 #include "ui/playback/content_lock.h"
 
+#include "lab/document/content_edits.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -18,11 +19,11 @@ const char* lock_help(bool is_source, bool is_locked) {
 
 void draw_content_heading(const std::string& text, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
-    const bool is_locked = document.is_content_locked();
+    const bool is_locked = is_content_locked(document);
     const bool is_source = document.look().driven_by == Driver::picture;
     heading_with_button(text);
     if (icon_button("##keep_content", is_locked ? Icon::pinned : Icon::unpinned,
                     lock_help(is_source, is_locked), is_locked ? theme::accent : theme::label))
-        edits.document([is_locked](Document& changed) { changed.lock_content(!is_locked); });
+        edits.document([is_locked](Document& changed) { lock_content(changed, !is_locked); });
     edits.mark("keep_content");
 }

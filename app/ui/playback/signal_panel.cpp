@@ -3,6 +3,8 @@
 #include "base/text.h"
 #include "lab/choices/scope_graticule.h"
 #include "lab/choices/signal_choices.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/parameter_edits.h"
 #include "signals/signal_table.h"
 #include "ui/playback/content_lock.h"
 #include "ui/playback/drawing_panel.h"
@@ -22,12 +24,12 @@
 
 namespace {
 void set_signal(const Spec& spec, Edits& edits) {
-    edits.document([spec](Document& document) { document.set_signal(spec, true); });
+    edits.document([spec](Document& document) { set_signal(document, spec, true); });
 }
 
 // The saved value of a setting, from the preset or the look.
 double usual_number(const SettingFacts& setting, const Document& document) {
-    const auto saved = completed(document.saved().signal);
+    const auto saved = completed(document.opened_preset().saved.signal);
     if (!saved || saved->kind != document.state().signal.kind)
         return setting.initial;
     const auto found = saved->settings.find(setting.key);
@@ -196,7 +198,7 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
         return;
     wrapped_dim_text("The graticule doesn't match this scope's divisions.");
     if (ImGui::Button("Show 10 × 8 divisions", {ImGui::GetContentRegionAvail().x, 0.0f}))
-        edits.document([wanted](Document& changed) { changed.set_values(wanted, "Graticule"); });
+        edits.document([wanted](Document& changed) { set_values(changed, wanted, "Graticule"); });
     edits.mark("scope_graticule");
     tooltip("Sets the look's graticule to 10 × 8 divisions over the whole picture.");
 }

@@ -1,6 +1,7 @@
 #include "ui/playback/source_panel.h"
 
 #include "lab/choices/source_choices.h"
+#include "lab/document/content_edits.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "ui/playback/content_lock.h"
@@ -15,7 +16,7 @@
 namespace {
 void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
     edits.document([text = to_string(source), goes_on](Document& document) {
-        document.set_source(text, goes_on);
+        set_source(document, text, goes_on);
     });
 }
 

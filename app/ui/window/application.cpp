@@ -4,6 +4,7 @@
 #include "gpu/window.h"
 #include "lab/choices/looking_choices.h"
 #include "lab/choices/palette.h"
+#include "lab/document/content_edits.h"
 #include "lab/safe_start.h"
 #include "lab/session.h"
 #include "lab/session/first_file.h"
@@ -226,7 +227,7 @@ void Application::turn() {
     m_history_pictures.update(m_lab, m_views);
     m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds,
                              m_state.presets.shows_own_content && m_lab.document()
-                                 ? std::optional(m_lab.document()->content())
+                                 ? std::optional(content_of(*m_lab.document()))
                                  : std::nullopt);
     draw();
 }

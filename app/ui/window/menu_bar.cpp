@@ -1,5 +1,6 @@
 #include "ui/window/menu_bar.h"
 
+#include "lab/document/opened_preset.h"
 #include "ui/frame/action.h"
 #include "ui/library/unsaved_menu.h"
 #include "ui/picture/picture_menus.h"
@@ -83,9 +84,9 @@ std::string title_of(const Lab& lab) {
     if (!document)
         return {};
     std::string title = document->look().name;
-    if (!document->preset_name().empty())
-        title = fmt::format("{} – {}", title, document->preset_name());
-    return document->is_modified() ? fmt::format("{} •", title) : title;
+    if (!preset_name(*document).empty())
+        title = fmt::format("{} – {}", title, preset_name(*document));
+    return is_modified(*document) ? fmt::format("{} •", title) : title;
 }
 
 void draw_menu_bar(const Scene& scene, Edits& edits) {

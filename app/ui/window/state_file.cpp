@@ -1,7 +1,10 @@
 #include "ui/window/state_file.h"
 
 #include "base/text.h"
+#include "lab/document/content_edits.h"
 #include "lab/document/morphing.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/previews/previews.h"
 #include "lab/window/preset_list.h"
 
@@ -41,7 +44,7 @@ std::string values_text(const Document& document) {
 std::string moving_text(const Lab& lab) {
     std::vector<std::string> moving;
     for (const Parameter& parameter : lab.document()->look().parameters)
-        if (lab.document()->modulation(parameter) && lab.renderer())
+        if (modulation_of(*lab.document(), parameter) && lab.renderer())
             moving.push_back(fmt::format(
                 "{}:{}", json_string(parameter.name),
                 format_number(
@@ -243,10 +246,10 @@ std::string document_text(const Lab& lab) {
         R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"is_content_locked":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
         json_string(fmt::format("{}", fmt::join(bypassed_keys(document.look().stack), ","))),
-        json_string(document.preset_name()), document.is_modified(), json_string(undo_name(lab)),
+        json_string(preset_name(document)), is_modified(document), json_string(undo_name(lab)),
         json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), json_string(document.state().source),
-        document.is_content_locked(), values_text(document),
+        is_content_locked(document), values_text(document),
         marked_text(document.knobs(), &KnobSetting::is_favourite),
         marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
 }

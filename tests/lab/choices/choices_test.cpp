@@ -7,6 +7,7 @@
 #include "lab/choices/source_choices.h"
 #include "lab/choices/stack_choices.h"
 #include "lab/choices/tuning_choices.h"
+#include "lab/document/content_edits.h"
 #include "lab/window/pane_sizes.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
@@ -92,7 +93,7 @@ TEST_CASE("every kind of signal can be chosen by name in one undo step") {
 
 TEST_CASE("every used setting of the current signal can be typed or chosen") {
     Document document(choosing_look(Driver::signal));
-    document.set_signal(*completed(Spec{"waveform", {}}));
+    set_signal(document, *completed(Spec{"waveform", {}}));
     const SignalKind& kind = *find_kind("waveform");
     const Spec spec = *completed(document.state().signal);
     const auto lists = signal_choices(document);
@@ -149,7 +150,7 @@ TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name
 
 TEST_CASE("shape and prescale of a file can be chosen by name") {
     Document document(choosing_look(Driver::picture));
-    document.set_source("game.png,fit=whole,prescaled=auto");
+    set_source(document, "game.png,fit=whole,prescaled=auto");
     const auto lists = [&document] {
         return source_choices(document, {.extent = {256, 224}, .prescale = 3});
     };
@@ -163,9 +164,9 @@ TEST_CASE("shape and prescale of a file can be chosen by name") {
     take(choice_of(lists(), "Source: Shape: Custom").commands, document);
     CHECK(parse_source(document.state().source)->aspect == doctest::Approx(7.0 / 6.0));
     CHECK(choice_of(lists(), "Source: Shape: Custom").is_present);
-    document.set_source("game.png,shape=16:10");
+    set_source(document, "game.png,shape=16:10");
     CHECK(choice_of(lists(), "Source: Shape: 16:10").is_present);
-    document.set_source("game.png,shape=16:10,prescaled=auto");
+    set_source(document, "game.png,shape=16:10,prescaled=auto");
     const PatternFacts& pattern = all_patterns().back();
     take(choice_of(lists(), "Source: " + pattern.label).commands, document);
     CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");

@@ -1,5 +1,8 @@
 #include "lab/choices/preset_difference.h"
 
+#include "lab/document/opened_preset.h"
+#include "lab/document/stack_edits.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -41,10 +44,10 @@ TEST_CASE("a preset is compared with the open values, and missing values are the
 TEST_CASE("a preset does not differ from itself or by values that it cannot store") {
     Document document = open_document();
     document.set_value("decay", Value(0.5));
-    document.set_override("beam", {.format = {}, .scale = 0.5, .filter = {}});
-    CHECK(difference_from(document.preset(), document).empty());
-    CHECK(difference_from(document.complete_preset(), document).empty());
-    Preset beyond = document.preset();
+    set_override(document, "beam", {.format = {}, .scale = 0.5, .filter = {}});
+    CHECK(difference_from(preset_of(document), document).empty());
+    CHECK(difference_from(complete_preset_of(document), document).empty());
+    Preset beyond = preset_of(document);
     beyond.values["decay"] = Value(99.0);  // is clamped to the hard limit on opening
     document.set_value("decay", Value(10.0));
     CHECK(difference_from(beyond, document).empty());

@@ -1,6 +1,8 @@
 // The user's signal or source across presets, looks, reloads and sessions.
 #include "io/pictures/picture_file.h"
 #include "io/sound/sound_save.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/opened_preset.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 
@@ -97,8 +99,8 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     small.open_song();
     small.open_and_wait(small.preset_file("small", "wave").string());
     CHECK(small.plays_song());
-    CHECK(small.document().preset_name() == "wave");
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_name(small.document()) == "wave");
+    CHECK_FALSE(is_modified(small.document()));
     REQUIRE(small.lab().messages().notice().has_value());
     CHECK(small.lab().messages().notice()->text == "Kept song.wav");
     REQUIRE(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
@@ -111,8 +113,8 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     CHECK(small.player().signal().sound().sound == nullptr);
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.turn_until([&] { return small.plays_song(); }));
-    CHECK(small.document().is_content_locked());
-    CHECK(small.document().preset_name() == "wave");
+    CHECK(is_content_locked(small.document()));
+    CHECK(preset_name(small.document()) == "wave");
 }
 
 TEST_CASE("the offer of a preset's signal disappears like any notice") {
@@ -130,7 +132,7 @@ TEST_CASE("a preset opened with its own signal replaces the user's sound") {
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     small.turn(3);
     CHECK(small.document().state().signal.kind == "waveform");
-    CHECK_FALSE(small.document().is_content_locked());
+    CHECK_FALSE(is_content_locked(small.document()));
 }
 
 TEST_CASE("the user's sound keeps playing through a morph and its end") {
@@ -139,7 +141,7 @@ TEST_CASE("the user's sound keeps playing through a morph and its end") {
     small.lab().presets().navigation().morph_to(small.preset_file("small", "wave"), 0.1);
     CHECK(small.turn_until([&] { return !small.lab().presets().navigation().morphing(); }));
     small.turn(3);
-    CHECK(small.document().preset_name() == "wave");
+    CHECK(preset_name(small.document()) == "wave");
     CHECK(small.plays_song());
     CHECK(small.lab().messages().notice()->text == "Morphed to \"wave\" · Kept song.wav");
 }
@@ -150,11 +152,11 @@ TEST_CASE("user content plays in looks of its kind and is stored during other lo
     small.open_and_wait("other");
     CHECK(small.document().look().id == "other");
     CHECK(small.turn_until([&] { return small.plays_song(); }));
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
     small.open_and_wait("tube");
     CHECK(small.document().state().source == "pattern:white");
     small.lab().looks().open_file(small.folder() / "game.exr");
-    REQUIRE(small.turn_until([&] { return small.document().is_content_locked(); }));
+    REQUIRE(small.turn_until([&] { return is_content_locked(small.document()); }));
     const std::string game = small.document().state().source;
     small.open_and_wait("small");
     CHECK(small.turn_until([&] { return small.plays_song(); }));
@@ -167,7 +169,7 @@ TEST_CASE("user content plays in looks of its kind and is stored during other lo
 TEST_CASE("without the lock another look brings its own signal") {
     ContentLab small;
     small.open_song();
-    small.lab().edit([](Document& document) { document.lock_content(false); });
+    small.lab().edit([](Document& document) { lock_content(document, false); });
     small.open_and_wait("other");
     CHECK(small.document().state().signal.kind == "lissajous");
 }
@@ -175,8 +177,8 @@ TEST_CASE("without the lock another look brings its own signal") {
 TEST_CASE("a locked generator stays when a preset is opened") {
     ContentLab small;
     small.lab().edit([](Document& document) {
-        document.set_signal(Spec{"harmonics", {}});
-        document.lock_content(true);
+        set_signal(document, Spec{"harmonics", {}});
+        lock_content(document, true);
     });
     small.open_and_wait(small.preset_file("small", "wave").string());
     CHECK(small.document().state().signal.kind == "harmonics");
@@ -204,8 +206,8 @@ TEST_CASE("a preset that changes on disk keeps the user's sound") {
         return small.document().values() == Values{{"gain", Value(4.0)}};
     }));
     CHECK(small.plays_song());
-    CHECK_FALSE(small.document().is_modified());
-    CHECK(small.document().saved().signal.kind == "harmonics");
+    CHECK_FALSE(is_modified(small.document()));
+    CHECK(small.document().opened_preset().saved.signal.kind == "harmonics");
 }
 
 TEST_CASE("a session restores the user's sound, its lock and the undo history") {
@@ -219,8 +221,8 @@ TEST_CASE("a session restores the user's sound, its lock and the undo history") 
     restore(small.lab(), *session);
     small.wait_for_frames();
     CHECK(small.turn_until([&] { return small.plays_song(); }));
-    CHECK(small.document().is_content_locked());
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(is_content_locked(small.document()));
+    CHECK_FALSE(is_modified(small.document()));
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().state().signal.kind == "audio");  // only the preset was undone
     small.lab().edit([](Document& document) { document.undo(); });

@@ -2,6 +2,8 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/stack_edits.h"
 #include "lab/small_lab.h"
 
 #include <cstdlib>
@@ -49,10 +51,10 @@ TEST_CASE("a shipped preset is not overwritten, and a new name is proposed") {
     CHECK(small.presets().proposed_name() == "Amber (mine)");
     small.presets().save();
     CHECK(read_text(small.shipped_file()) == PresetLab::text("Amber"));
-    CHECK(small.document().is_modified());
+    CHECK(is_modified(small.document()));
 
     small.presets().save_as("Amber (mine)");
-    CHECK(small.document().preset_file() == small.users_file("Amber (mine)"));
+    CHECK(preset_file(small.document()) == small.users_file("Amber (mine)"));
     CHECK(load_preset(small.users_file("Amber (mine)"))->values == Values{{"gain", Value(3.0)}});
     CHECK(small.presets().can_save_over());
     small.open_and_wait(small.shipped_file().string());
@@ -99,7 +101,7 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     small.presets().remove(file);
     CHECK_FALSE(fs::exists(file));
     CHECK(fs::exists(small.folder() / "data/Trash/files/Mine.json"));
-    CHECK(small.document().preset_file().empty());
+    CHECK(preset_file(small.document()).empty());
     CHECK(small.presets().navigation().stars().empty());
     CHECK(small.presets().undo_name() == "Delete \"Mine\"");
     REQUIRE(small.lab().messages().notice()->choices.size() == 1);
@@ -107,8 +109,8 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
 
     small.lab().undo();
     CHECK(read_text(file) == text);
-    CHECK(small.document().preset_file() == file);
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_file(small.document()) == file);
+    CHECK_FALSE(is_modified(small.document()));
     CHECK(small.presets().navigation().stars() == PresetStars{"small/Mine"});
     CHECK(small.presets().undo_name().empty());
 }
@@ -123,7 +125,7 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     small.presets().remove(file);
     CHECK_FALSE(small.lab().loader().is_opening_preset(file));
     CHECK(small.lab().messages().notice()->text == "Deleted \"Mine\"");
-    CHECK(small.document().preset_file() == small.shipped_file());
+    CHECK(preset_file(small.document()) == small.shipped_file());
     small.lab().undo();
     CHECK(fs::exists(file));
 }
@@ -150,7 +152,7 @@ TEST_CASE("a preset is renamed, duplicated and deleted without being opened") {
     small.presets().duplicate(small.users_file("Ours"));
     CHECK(fs::exists(small.users_file("Ours 2")));
     small.presets().remove(small.users_file("Ours"));
-    CHECK(small.document().preset_file() == small.shipped_file());
+    CHECK(preset_file(small.document()) == small.shipped_file());
     CHECK_FALSE(fs::exists(small.users_file("Ours")));
 }
 
@@ -163,7 +165,7 @@ TEST_CASE("a move is offered for the user's presets in the program folder") {
     small.presets().move_to_user_folder();
     CHECK_FALSE(fs::exists(small.old_file()));
     CHECK(read_text(small.users_file("old")) == PresetLab::text("Old"));
-    CHECK(small.document().preset_file() == small.users_file("old"));
+    CHECK(preset_file(small.document()) == small.users_file("old"));
     CHECK(fs::exists(small.shipped_file()));
 }
 
@@ -175,7 +177,7 @@ TEST_CASE("a shipped look is not modified, and a copy of it is offered") {
     small.wait_for_frames();
     PassOverride half;
     half.scale = 0.5;
-    small.lab().edit([&half](Document& document) { document.set_override("sum", half); });
+    small.lab().edit([&half](Document& document) { set_override(document, "sum", half); });
     small.lab().looks().write_overrides();
     CHECK(read_text(small.look_folder() / "look.json") == manifest);
     REQUIRE(small.lab().messages().notice()->choices.size() == 1);

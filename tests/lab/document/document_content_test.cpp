@@ -1,5 +1,7 @@
 // The user's signal or source, its lock, and undo.
+#include "lab/document/content_edits.h"
 #include "lab/document/document.h"
+#include "lab/document/opened_preset.h"
 #include "lab/document/users_content.h"
 
 #include <doctest/doctest.h>
@@ -36,7 +38,7 @@ Preset preset_with(const Spec& signal) {
 
 Document with_song() {
     Document document(driven_by(Driver::signal));
-    document.set_signal(song);
+    set_signal(document, song);
     return document;
 }
 }  // namespace
@@ -48,68 +50,68 @@ TEST_CASE("choosing a file, device, drawing, text or socket locks the signal") {
           Spec{"scene", {{"file", std::string("/a.json")}}}}) {
         CAPTURE(own.kind);
         Document document(driven_by(Driver::signal));
-        CHECK_FALSE(document.is_content_locked());
-        document.set_signal(own);
-        CHECK(document.is_content_locked());
+        CHECK_FALSE(is_content_locked(document));
+        set_signal(document, own);
+        CHECK(is_content_locked(document));
     }
 }
 
 TEST_CASE("choosing a generator or a test pattern does not lock the content") {
     Document beam(driven_by(Driver::signal));
-    beam.set_signal(wave);
-    CHECK_FALSE(beam.is_content_locked());
+    set_signal(beam, wave);
+    CHECK_FALSE(is_content_locked(beam));
     Document tube(driven_by(Driver::picture));
-    tube.set_source("pattern:smpte");
-    CHECK_FALSE(tube.is_content_locked());
-    tube.set_source("/pictures/game.png");
-    CHECK(tube.is_content_locked());
+    set_source(tube, "pattern:smpte");
+    CHECK_FALSE(is_content_locked(tube));
+    set_source(tube, "/pictures/game.png");
+    CHECK(is_content_locked(tube));
 }
 
 TEST_CASE("a lock opened by hand stays open while settings of the same file change") {
     Document document = with_song();
-    document.lock_content(false);
+    lock_content(document, false);
     Spec plotted = song;
     plotted.settings["mode"] = std::string("waveform");
-    document.set_signal(plotted);
-    CHECK_FALSE(document.is_content_locked());
+    set_signal(document, plotted);
+    CHECK_FALSE(is_content_locked(document));
     Spec other = song;
     other.settings["file"] = std::string("/music/other.wav");
-    document.set_signal(other);
-    CHECK(document.is_content_locked());
+    set_signal(document, other);
+    CHECK(is_content_locked(document));
 }
 
 TEST_CASE("locked content stays with another preset and does not modify it") {
     Document document = with_song();
-    document.open_preset(preset_with(wave), "/far.json");
+    open_preset(document, preset_with(wave), "/far.json");
     CHECK(document.state().signal == song);
     CHECK(document.value(document.look().parameters[0]) == Value(0.9));
-    CHECK_FALSE(document.is_modified());
-    CHECK(document.saved().signal == wave);
-    document.open_defaults();
+    CHECK_FALSE(is_modified(document));
+    CHECK(document.opened_preset().saved.signal == wave);
+    open_defaults(document);
     CHECK(document.state().signal == song);
-    document.take(preset_with(wave), "Paste");
+    apply_preset(document, preset_with(wave), "Paste");
     CHECK(document.state().signal == song);
-    document.arrive_at(preset_with(wave), "/far.json", "Morph to Far");
+    arrive_at(document, preset_with(wave), "/far.json", "Morph to Far");
     CHECK(document.state().signal == song);
-    CHECK(document.preset().signal == song);  // the saved preset refers to it
+    CHECK(preset_of(document).signal == song);  // the saved preset refers to it
 }
 
 TEST_CASE("without the lock a preset brings its signal, and a new signal modifies it") {
     Document document = with_song();
-    document.lock_content(false);
-    document.open_preset(preset_with(wave), "/far.json");
+    lock_content(document, false);
+    open_preset(document, preset_with(wave), "/far.json");
     CHECK(document.state().signal == wave);
-    CHECK_FALSE(document.is_modified());
-    document.set_signal(figure);
-    CHECK(document.is_modified());
+    CHECK_FALSE(is_modified(document));
+    set_signal(document, figure);
+    CHECK(is_modified(document));
 }
 
 TEST_CASE("only undo of the step that chose content restores the previous content") {
     Document document(driven_by(Driver::signal));
     document.set_value("decay", Value(0.2));
-    document.set_signal(song);
+    set_signal(document, song);
     document.set_value("decay", Value(0.3));
-    document.open_preset(preset_with(wave), "/far.json");
+    open_preset(document, preset_with(wave), "/far.json");
 
     document.undo();
     CHECK(document.state().signal == song);
@@ -118,52 +120,52 @@ TEST_CASE("only undo of the step that chose content restores the previous conten
     CHECK(document.state().signal == song);
     document.undo();
     CHECK(document.state().signal == figure);
-    CHECK_FALSE(document.is_content_locked());  // as before that step
+    CHECK_FALSE(is_content_locked(document));  // as before that step
     document.redo();
     CHECK(document.state().signal == song);
-    CHECK(document.is_content_locked());
+    CHECK(is_content_locked(document));
     document.redo();
     document.redo();
     CHECK(document.state().signal == song);
-    CHECK(document.preset_name() == "Far");
+    CHECK(preset_name(document) == "Far");
 }
 
 TEST_CASE("a preset's signal that is locked later stays when the preset is undone") {
     Document document(driven_by(Driver::signal));
-    document.open_preset(preset_with(wave), "/far.json");
-    document.lock_content(true);
+    open_preset(document, preset_with(wave), "/far.json");
+    lock_content(document, true);
     document.undo();
-    CHECK(document.preset_name().empty());
+    CHECK(preset_name(document).empty());
     CHECK(document.state().signal == wave);
 }
 
 TEST_CASE("a preset opened with its own content unlocks, and one undo restores everything") {
     Document document = with_song();
-    document.open_preset(preset_with(wave), "/far.json", Document::OpenedWith::own_content);
+    open_preset(document, preset_with(wave), "/far.json", OpenedContent::own);
     CHECK(document.state().signal == wave);
-    CHECK_FALSE(document.is_content_locked());
+    CHECK_FALSE(is_content_locked(document));
     document.undo();
     CHECK(document.state().signal == song);
-    CHECK(document.is_content_locked());
+    CHECK(is_content_locked(document));
 }
 
 TEST_CASE("the preset's content can be used later, in a separate step") {
     Document document = with_song();
-    document.open_preset(preset_with(wave), "/far.json");
-    document.use_content({wave, {}, {}});
+    open_preset(document, preset_with(wave), "/far.json");
+    use_content(document, {wave, {}, {}});
     CHECK(document.state().signal == wave);
-    CHECK_FALSE(document.is_modified());
+    CHECK_FALSE(is_modified(document));
     CHECK(document.history().undo_name() == "Use the preset's signal");
     document.undo();
     CHECK(document.state().signal == song);
-    CHECK(document.preset_name() == "Far");
+    CHECK(preset_name(document) == "Far");
 }
 
 TEST_CASE("settings of locked content are undone like any other change") {
     Document document = with_song();
     Spec plotted = song;
     plotted.settings["mode"] = std::string("waveform");
-    document.set_signal(plotted);
+    set_signal(document, plotted);
     document.undo();
     CHECK(document.state().signal == song);
 }
@@ -171,18 +173,18 @@ TEST_CASE("settings of locked content are undone like any other change") {
 TEST_CASE("locked content of both kinds survives a switch between looks") {
     Document beam = with_song();
     Document tube(driven_by(Driver::picture));
-    tube.keep_content(beam.content());
+    keep_content(tube, content_of(beam));
     CHECK(tube.state().source == "pattern:white");
-    CHECK_FALSE(tube.is_content_locked());
-    CHECK_FALSE(tube.is_modified());
-    tube.set_source("/pictures/game.png");
+    CHECK_FALSE(is_content_locked(tube));
+    CHECK_FALSE(is_modified(tube));
+    set_source(tube, "/pictures/game.png");
     Document again(driven_by(Driver::signal));
-    again.keep_content(tube.content());
+    keep_content(again, content_of(tube));
     CHECK(again.state().signal == song);
-    CHECK(again.is_content_locked());
-    CHECK_FALSE(again.is_modified());
+    CHECK(is_content_locked(again));
+    CHECK_FALSE(is_modified(again));
     Document tube_again(driven_by(Driver::picture));
-    tube_again.keep_content(again.content());
+    keep_content(tube_again, content_of(again));
     CHECK(tube_again.state().source == "/pictures/game.png");
 }
 

@@ -1,5 +1,9 @@
 #include "lab/document/document.h"
 
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
+#include "lab/document/stack_edits.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -53,16 +57,16 @@ TEST_CASE("a value beyond the hard limit is clamped") {
 TEST_CASE("a value that returns to its default is not a change") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
-    CHECK(document.is_modified());
+    CHECK(is_modified(document));
     document.set_value("decay", Value(0.92));
     CHECK(document.values().empty());
-    CHECK_FALSE(document.is_modified());
+    CHECK_FALSE(is_modified(document));
 }
 
 TEST_CASE("several values are set in one step, each within its limit") {
     Document document(document_look());
-    document.set_values({{"decay", Value(0.5)}, {"exposure", Value(99.0)}, {"gone", Value(1.0)}},
-                        "Both");
+    set_values(document, {{"decay", Value(0.5)}, {"exposure", Value(99.0)}, {"gone", Value(1.0)}},
+               "Both");
     CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(10.0)}});
     CHECK(document.history().undo_name() == "Both");
     document.undo();
@@ -73,10 +77,10 @@ TEST_CASE("reset affects one parameter or all") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
-    document.reset({"decay"});
+    reset_parameters(document, {"decay"});
     CHECK(document.values() == Values{{"exposure", Value(3.0)}});
     CHECK(document.history().undo_name() == "Reset Decay");
-    document.reset_all();
+    reset_all_parameters(document);
     CHECK(document.values().empty());
     document.undo();
     CHECK(document.values() == Values{{"exposure", Value(3.0)}});
@@ -107,18 +111,18 @@ TEST_CASE("a preset opens unmodified and keeps its name and orphans when changed
     preset.look = "small";
     preset.name = "Night";
     preset.values = {{"decay", Value(0.99)}, {"gone", Value(1.0)}};
-    document.open_preset(preset, "night.json");
-    CHECK_FALSE(document.is_modified());
+    open_preset(document, preset, "night.json");
+    CHECK_FALSE(is_modified(document));
     CHECK(document.state().signal == *document_look().default_signal);
     document.set_value("exposure", Value(2.0));
-    CHECK(document.is_modified());
+    CHECK(is_modified(document));
 
-    const Preset saved = document.preset();
+    const Preset saved = preset_of(document);
     CHECK(saved.name == "Night");
     CHECK(saved.values ==
           Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}, {"gone", Value(1.0)}});
     CHECK(saved.digest == look_digest(document_look()));
-    CHECK(document.complete_preset().values.size() == 3);
+    CHECK(complete_preset_of(document).values.size() == 3);
 }
 
 TEST_CASE("opening a preset is one step, and undo restores unsaved values and the preset") {
@@ -126,47 +130,46 @@ TEST_CASE("opening a preset is one step, and undo restores unsaved values and th
     Preset night;
     night.name = "Night";
     night.values = {{"decay", Value(0.99)}};
-    document.open_preset(night, "night.json");
+    open_preset(document, night, "night.json");
     document.set_value("exposure", Value(2.0));
     Preset day;
     day.name = "Day";
     day.values = {{"decay", Value(0.5)}};
-    document.open_preset(day, "day.json");
+    open_preset(document, day, "day.json");
     CHECK(document.history().undo_name() == "Open Day");
-    CHECK_FALSE(document.is_modified());
+    CHECK_FALSE(is_modified(document));
 
     document.undo();
     CHECK(document.values() == Values{{"decay", Value(0.99)}, {"exposure", Value(2.0)}});
-    CHECK(document.preset_name() == "Night");
-    CHECK(document.preset_file() == "night.json");
-    CHECK(document.is_modified());  // compared with Night again, not with Day
+    CHECK(preset_name(document) == "Night");
+    CHECK(preset_file(document) == "night.json");
+    CHECK(is_modified(document));  // compared with Night again, not with Day
     document.redo();
-    CHECK(document.preset_file() == "day.json");
-    CHECK_FALSE(document.is_modified());
-    document.open_defaults();
+    CHECK(preset_file(document) == "day.json");
+    CHECK_FALSE(is_modified(document));
+    open_defaults(document);
     CHECK(document.values().empty());
-    CHECK(document.preset_file().empty());
+    CHECK(preset_file(document).empty());
     document.undo();
-    CHECK(document.preset_name() == "Day");
+    CHECK(preset_name(document) == "Day");
 }
 
 TEST_CASE("a renamed or saved preset has its new name in the whole history") {
     Document document(document_look());
     Preset preset;
     preset.name = "Night";
-    document.open_preset(preset, "night.json");
+    open_preset(document, preset, "night.json");
     document.set_value("decay", Value(0.5));
     preset.name = "Dawn";
-    document.set_identity(preset, "dawn.json");
-    document.mark_saved();
+    document.opened_preset() = {preset, "dawn.json", document.state()};
     document.undo();
-    CHECK(document.preset_file() == "dawn.json");
-    CHECK(document.is_modified());
+    CHECK(preset_file(document) == "dawn.json");
+    CHECK(is_modified(document));
 }
 
 TEST_CASE("opening the current, unchanged preset adds no undo step") {
     Document document(document_look());
-    document.open_defaults();
+    open_defaults(document);
     CHECK_FALSE(document.history().can_undo());
 }
 
@@ -175,10 +178,10 @@ TEST_CASE("pass overrides belong to the look, not to the preset") {
     look.passes.resize(1);
     look.passes[0].name = "beam";
     Document document(look);
-    document.set_override("beam", {Format::r32f, 0.25, {}});
+    set_override(document, "beam", {Format::r32f, 0.25, {}});
     CHECK(document.drawn_look().passes[0].format == Format::r32f);
     CHECK(document.drawn_look().passes[0].size[0].factor == 0.25);
-    CHECK_FALSE(document.is_modified());
+    CHECK_FALSE(is_modified(document));
     document.undo();
     CHECK(document.drawn_look() == look);
 }
@@ -189,9 +192,9 @@ TEST_CASE("a drag of the camera is one undo step and is stored in the preset") {
         look.parameters.push_back(std::move(part));
     Document document(look);
     for (int i = 0; i < 3; ++i)
-        document.set_orbit([](const Orbit& orbit) { return with_camera_moved(orbit, -10, -5); });
+        set_orbit(document, [](const Orbit& orbit) { return with_camera_moved(orbit, -10, -5); });
     document.finish();
-    CHECK(document.preset().values ==
+    CHECK(preset_of(document).values ==
           Values{{"orbit_azimuth", Value(30.0)}, {"orbit_elevation", Value(15.0)}});
     CHECK(document.history().undo_name() == "View");
     document.undo();
@@ -202,44 +205,44 @@ TEST_CASE("locked values stay when many values change at once") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
-    document.set_knob("decay", {.is_locked = true});
+    set_knob(document, "decay", {.is_locked = true});
     SUBCASE("reset of a group") {
-        document.reset_group({"decay", "exposure"});
+        reset_group(document, {"decay", "exposure"});
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
     SUBCASE("reset of all") {
-        document.reset_all();
+        reset_all_parameters(document);
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
     SUBCASE("a preset, from which the document then differs") {
         Preset preset;
         preset.look = "small";
         preset.values = {{"decay", Value(0.1)}, {"exposure", Value(0.2)}};
-        document.open_preset(preset, "preset.json");
+        open_preset(document, preset, "preset.json");
         CHECK(document.values() == Values{{"decay", Value(0.5)}, {"exposure", Value(0.2)}});
-        CHECK(document.is_modified());
+        CHECK(is_modified(document));
     }
     SUBCASE("the look's defaults") {
-        document.open_defaults();
+        open_defaults(document);
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
     SUBCASE("pasted values") {
-        document.take({}, "Paste");
+        apply_preset(document, {}, "Paste");
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
     SUBCASE("randomise") {
-        document.randomise(1);
+        randomise_parameters(document, 1);
         CHECK(document.values().at("decay") == Value(0.5));
     }
     document.undo();
     CHECK(document.values().at("exposure") == Value(3.0));
-    document.reset({"decay"});  // resetting the parameter itself still works
+    reset_parameters(document, {"decay"});  // resetting the parameter itself still works
     CHECK(document.values().count("decay") == 0);
 }
 
 TEST_CASE("randomise is one undo step") {
     Document document(document_look());
-    document.randomise(1);
+    randomise_parameters(document, 1);
     CHECK(document.values().size() == 2);
     CHECK(document.history().undo_name() == "Randomise");
     document.undo();
@@ -249,7 +252,7 @@ TEST_CASE("randomise is one undo step") {
 
 TEST_CASE("a lock follows its parameter through a rename") {
     Document document(document_look());
-    document.set_knob("decay", {.is_locked = true});
+    set_knob(document, "decay", {.is_locked = true});
     Look edited = document_look();
     edited.parameters[0].name = "glow";
     edited.parameters[0].was = "decay";

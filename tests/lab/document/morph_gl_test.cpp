@@ -1,6 +1,8 @@
 // Morphs between presets over time.
 #include "formats/preset/preset_format.h"
 #include "lab/document/morphing.h"
+#include "lab/document/opened_preset.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/small_lab.h"
 
 #include <cmath>
@@ -45,18 +47,18 @@ TEST_CASE("a morph takes its duration, is one undo step and is recorded as autom
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});
     CHECK(small.document().history().undo_name() == "Morph to Far");
     CHECK(small.document().history().past().size() == 1);
-    CHECK(small.document().preset_name() == "Far");
-    CHECK(small.document().preset_file() == small.folder() / "far.json");
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_name(small.document()) == "Far");
+    CHECK(preset_file(small.document()) == small.folder() / "far.json");
+    CHECK_FALSE(is_modified(small.document()));
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().empty());
-    CHECK(small.document().preset_name().empty());
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_name(small.document()).empty());
+    CHECK_FALSE(is_modified(small.document()));
 }
 
 TEST_CASE("a morph leaves locked values alone, and a change by the user ends it") {
     Going small;
-    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    small.lab().edit([](Document& document) { set_knob(document, "gain", {.is_locked = true}); });
     const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
     small.lab().presets().navigation().morph_to(file, 1.0);
     small.lab().update(0.5);
@@ -81,14 +83,14 @@ TEST_CASE("a morph can be stopped halfway and works only within the same look") 
     CHECK(is_near_on_way(small.gain(), 3.0));
     CHECK_FALSE(small.document().history().is_in_gesture());
     CHECK(small.document().history().past().size() == 1);
-    CHECK(small.document().preset_name().empty());
-    CHECK(small.document().is_modified());
+    CHECK(preset_name(small.document()).empty());
+    CHECK(is_modified(small.document()));
     small.lab().presets().navigation().morph_to(small.preset("small", {{"gain", Value(3.0)}}),
                                                 60.0);
     small.lab().update(0.01);  // the values are equal already, so it opens immediately
     CHECK_FALSE(small.lab().presets().navigation().morphing());
-    CHECK(small.document().preset_name() == "Far");
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_name(small.document()) == "Far");
+    CHECK_FALSE(is_modified(small.document()));
     small.lab().presets().navigation().morph_to(small.preset("other", {{"gain", Value(3.0)}}), 1.0);
     CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.lab().messages().notice()->text ==
@@ -109,15 +111,15 @@ TEST_CASE("modulations change only when a morph is complete") {
     CHECK(small.document().state().modulations.empty());
     small.lab().update(0.5);
     CHECK(small.document().state().modulations.contains("step_size"));
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
     small.lab().presets().navigation().morph_to("", 1.0);  // the look's defaults
     small.lab().update(2.0);
     CHECK(small.document().values().empty());
     CHECK(small.document().state().modulations.empty());
-    CHECK(small.document().preset_file().empty());
-    CHECK_FALSE(small.document().is_modified());
+    CHECK(preset_file(small.document()).empty());
+    CHECK_FALSE(is_modified(small.document()));
     small.lab().edit([](Document& document) { document.undo(); });
-    CHECK(small.document().preset_name() == "Breathing");
+    CHECK(preset_name(small.document()) == "Breathing");
 }
 
 TEST_CASE("a morph targets the next preset, and a repeated one the preset after it") {
@@ -137,7 +139,7 @@ TEST_CASE("a morph targets the next preset, and a repeated one the preset after 
     small.lab().presets().navigation().morph_by(1, 1.0, true);
     REQUIRE(small.lab().presets().navigation().morphing()->name() == "one");
     small.lab().update(1.0);
-    CHECK(small.document().preset_name() == "one");
+    CHECK(preset_name(small.document()) == "one");
     small.lab().presets().navigation().morph_by(1, 1.0, true);
     CHECK(small.lab().presets().navigation().morphing()->name() == "two");
     small.lab().presets().navigation().morph_to("", 0.5);
@@ -146,6 +148,6 @@ TEST_CASE("a morph targets the next preset, and a repeated one the preset after 
     CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/one", "small/two"});
     small.lab().presets().navigation().morph_by(1, 0.5, true);
     small.lab().update(0.5);
-    small.lab().presets().rename(small.document().preset_file(), "four");
+    small.lab().presets().rename(preset_file(small.document()), "four");
     CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/four", "small/two"});
 }

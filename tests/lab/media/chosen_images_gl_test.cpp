@@ -1,6 +1,7 @@
 #include "formats/look_format.h"
 #include "gpu/headless_context.h"
 #include "io/pictures/picture_file.h"
+#include "lab/document/opened_preset.h"
 #include "lab/media/chosen_images.h"
 #include "lab/small_lab.h"
 
@@ -157,7 +158,7 @@ TEST_CASE("a preset that is broken and repaired on disk leaves no notice") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
     small.lab().presets().save_as("bright");
-    const fs::path file = small.document().preset_file();
+    const fs::path file = preset_file(small.document());
     const std::string good = content_of(file);
     REQUIRE(write_atomically(file, "{ broken").has_value());
     REQUIRE(small.turn_until([&] {
@@ -257,7 +258,7 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
                                              file + "\"}}")
                     .has_value());
         small.lab().looks().open(preset.string());
-        REQUIRE(small.turn_until([&] { return small.document().preset_file() == preset; }));
+        REQUIRE(small.turn_until([&] { return preset_file(small.document()) == preset; }));
         small.turn(3);
     };
     open_with(outside.string());
@@ -271,14 +272,14 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
     std::get<std::function<void(Lab&)>>(use.commands.front())(small.lab());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    REQUIRE(small.turn_until([&] { return preset_file(small.document()).empty(); }));
     open_with(outside.string());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
 
     save_grey(preset.parent_path() / "beside.exr", 0.25f);
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return small.document().preset_file().empty(); }));
+    REQUIRE(small.turn_until([&] { return preset_file(small.document()).empty(); }));
     open_with("beside.exr");
     CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
 }

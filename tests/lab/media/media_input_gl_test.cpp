@@ -1,5 +1,7 @@
 #include "about.h"
 #include "io/pictures/picture_file.h"
+#include "lab/document/content_edits.h"
+#include "lab/document/opened_preset.h"
 #include "lab/small_lab.h"
 #include "signals/patterns/patterns.h"
 
@@ -86,21 +88,21 @@ TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     small.lab().looks().open_file(song);
     REQUIRE(has_sound(small));
     small.lab().presets().save_as("with song");
-    CHECK_FALSE(small.document().is_modified());
-    const fs::path file = small.document().preset_file();
+    CHECK_FALSE(is_modified(small.document()));
+    const fs::path file = preset_file(small.document());
     CHECK(content_of(file).find("\"song.wav\"") != std::string::npos);
     CHECK(content_of(file).find(small.folder().string()) == std::string::npos);
 
     small.start();
     small.lab().looks().open(file.string());
     REQUIRE(has_sound(small));
-    CHECK_FALSE(small.document().is_modified());
+    CHECK_FALSE(is_modified(small.document()));
 
     fs::remove(song);
     small.start();
     small.lab().looks().open("small");
     small.wait_for_frames();
-    small.lab().edit([](Document& document) { document.set_signal(Spec{"waveform", {}}); });
+    small.lab().edit([](Document& document) { set_signal(document, Spec{"waveform", {}}); });
     small.turn(1);
     const Signal* of_another = small.player().signal().get();
     small.lab().looks().open(file.string());
@@ -120,9 +122,9 @@ TEST_CASE("a missing file stays listed as a problem while it is referenced") {
         const fs::path file = small.folder() / (is_sound ? "gone.wav" : "gone.exr");
         small.lab().edit([&](Document& document) {  // like a preset that references it
             if (is_sound)
-                document.set_signal({"audio", {{"file", file.string()}}});
+                set_signal(document, {"audio", {{"file", file.string()}}});
             else
-                document.set_source(file.string());
+                set_source(document, file.string());
         });
         REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
         small.lab().update(60.0);  // the notice has expired
@@ -243,7 +245,7 @@ TEST_CASE("an opened file of any kind is reported once") {
     REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
     CHECK(small.lab().work().opened_files.take() == std::vector{picture});
     small.lab().presets().save_as("grey");
-    const fs::path preset = small.document().preset_file();
+    const fs::path preset = preset_file(small.document());
     small.lab().looks().open_file(preset);
     REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().work().opened_files.take() == std::vector{preset});
@@ -267,7 +269,7 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
         const fs::path file = small.folder() / bad.file;
         REQUIRE(write_atomically(file, bad.content).has_value());
         if (bad.manifest == on_a_picture) {
-            small.lab().edit([&](Document& document) { document.set_source(file.string()); });
+            small.lab().edit([&](Document& document) { set_source(document, file.string()); });
         } else {
             const fs::path scene = small.folder() / "scene.json";
             const std::string shape = file.extension() == ".svg" ? "svg" : "wireframe";
@@ -276,7 +278,7 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
                                                 R"(", "file": ")" + bad.file + "\"}]}")
                         .has_value());
             small.lab().edit([&](Document& document) {
-                document.set_signal({"scene", {{"file", scene.string()}}});
+                set_signal(document, {"scene", {{"file", scene.string()}}});
             });
         }
         REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
@@ -344,15 +346,15 @@ TEST_CASE("each change of the placement of a source is an undo step") {
         return small.turn_until([&] { return small.lab().work().media.source_extent() == extent; });
     };
     small.lab().edit([&](Document& document) {
-        document.set_source(file + ",fit=whole,aspect=2");
-        document.set_source(file + ",fit=integer");
+        set_source(document, file + ",fit=whole,aspect=2");
+        set_source(document, file + ",fit=integer");
     });
     CHECK(lies_in({8, 8}));
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(lies_in({4, 8}));
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(lies_in({4, 4}));
-    small.lab().edit([&](Document& document) { document.set_source(file + ",fit=tall"); });
+    small.lab().edit([&](Document& document) { set_source(document, file + ",fit=tall"); });
     CHECK(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
 }
 

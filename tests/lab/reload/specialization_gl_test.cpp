@@ -1,5 +1,6 @@
 // While values are static the picture is drawn by specialised programs, without a visible
 // difference.
+#include "lab/document/parameter_edits.h"
 #include "lab/small_lab.h"
 #include "model/tuning/modulation.h"
 
@@ -54,7 +55,7 @@ TEST_CASE("static values become constants, and a change is drawn in its own fram
 TEST_CASE("a modulated parameter keeps moving while the others are constants") {
     SpecializingLab small;
     const Modulation moving{.rate = 1.0};
-    small.lab().edit([&](Document& document) { document.set_modulation("gain", moving); });
+    small.lab().edit([&](Document& document) { set_modulation(document, "gain", moving); });
     REQUIRE(small.specializes());
     small.turn(7);
     CHECK(small.is_specialized());

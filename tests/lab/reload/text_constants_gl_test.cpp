@@ -1,6 +1,7 @@
 // Annotated constants in the texts of a look: a changed value rebuilds the programs in the
 // background.
 #include "formats/settings/session_format.h"
+#include "lab/document/parameter_edits.h"
 #include "lab/offline/offline.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
@@ -83,7 +84,7 @@ TEST_CASE("constants follow changes, undo, redo, reset and a reload of the file"
     REQUIRE(write_atomically(small.file(), replaced(text, "LEVEL + more", "LEVEL - 0.5 + more"))
                 .has_value());
     CHECK(small.becomes(0.25));
-    small.lab().edit([](Document& document) { document.reset({"LEVEL"}); });
+    small.lab().edit([](Document& document) { reset_parameters(document, {"LEVEL"}); });
     CHECK(small.turn_until([&] {
         return small.document().look().constants.at("LEVEL") == Value(0.25) && small.is_at(0.0);
     }));

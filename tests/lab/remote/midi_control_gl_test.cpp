@@ -1,5 +1,7 @@
 // Knobs of MIDI devices, simulated by their bytes.
 #include "io/control/midi_inputs.h"
+#include "lab/document/parameter_edits.h"
+#include "lab/document/stack_edits.h"
 #include "lab/remote/midi_control.h"
 #include "lab/small_lab.h"
 
@@ -126,7 +128,7 @@ TEST_CASE("changes to locked parameters are refused, and unknown parameters are 
     settings.picks_up = false;
     settings.midi = {{{"gain"}, 1, 21}, {{"elsewhere"}, 1, 22}};
     small.lab().remote().set_settings(settings);
-    small.lab().edit([](Document& document) { document.set_knob("gain", {.is_locked = true}); });
+    small.lab().edit([](Document& document) { set_knob(document, "gain", {.is_locked = true}); });
     small.knob(21, 127);
     CHECK(small.gain() == 1.0);
     CHECK(small.lab().messages().notice()->text == "MIDI: 'gain' is locked");
@@ -165,7 +167,7 @@ TEST_CASE("knobs change nothing while another stack is being loaded") {
         Stack twice = document.look().stack;
         twice.push_back(twice.front());
         twice.back().tag = free_tag(document.look().stack, twice.back().look);
-        document.set_stack(twice, "Add");
+        set_stack(document, twice, "Add");
     });
     REQUIRE(small.document().is_restacking());
     small.knob(21, 127);

@@ -1,5 +1,7 @@
 #include "lab/window/parameter_list.h"
 
+#include "lab/document/parameter_edits.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -53,7 +55,7 @@ TEST_CASE("the list is filtered to changed, favourite or used parameters") {
     Document document(look());
     CHECK(text(document, {.filter = ParameterFilter::changed}).empty());
     document.set_value("glow", Value(0.5));
-    document.set_knob("gain", {.is_favourite = true});
+    set_knob(document, "gain", {.is_favourite = true});
     CHECK(text(document, {.filter = ParameterFilter::changed}) == "Screen: glow");
     CHECK(text(document, {.filter = ParameterFilter::favourites}) == "Beam: gain");
     const ParameterQuery of_screen{.filter = ParameterFilter::of_pass, .pass = "screen"};

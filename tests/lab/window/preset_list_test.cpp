@@ -1,5 +1,7 @@
 #include "lab/window/preset_list.h"
 
+#include "lab/document/opened_preset.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -60,7 +62,7 @@ TEST_CASE("one listed preset is open, and it is modified after a change") {
     CHECK(opens() == "*..");
     Preset blue;
     blue.look = "phosphor";
-    document.open_preset(blue, "/p/phosphor/blue.json");
+    open_preset(document, blue, "/p/phosphor/blue.json");
     CHECK(opens() == "..o");
     document.set_value("gain", Value(0.5));
     CHECK(opens() == "..*");

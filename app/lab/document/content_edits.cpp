@@ -1,0 +1,70 @@
+#include "lab/document/content_edits.h"
+
+#include "lab/document/users_content.h"
+
+namespace {
+void change_content(Document& document, DocumentState next, std::string step_name, bool goes_on) {
+    document.change(std::move(next), std::move(step_name), goes_on, Document::StepKind::content);
+}
+}  // namespace
+
+Content content_of(const Document& document) {
+    const DocumentState& state = document.state();
+    return {state.signal, state.source, state.locks};
+}
+
+bool is_content_locked(const Document& document) {
+    return is_locked_in(document.look(), document.state().locks);
+}
+
+void set_signal(Document& document, Spec signal, bool goes_on, std::string step_name) {
+    DocumentState next = document.state();
+    if (is_users_content(signal) && !is_same_content(signal, next.signal))
+        next.locks.signal = true;
+    next.signal = std::move(signal);
+    change_content(document, std::move(next), std::move(step_name), goes_on);
+}
+
+void set_source(Document& document, std::string source, bool goes_on) {
+    DocumentState next = document.state();
+    if (is_users_content(source) && !is_same_content(source, next.source))
+        next.locks.source = true;
+    next.source = std::move(source);
+    change_content(document, std::move(next), "Source", goes_on);
+}
+
+void use_content(Document& document, const Content& content) {
+    DocumentState next = document.state();
+    if (document.look().driven_by == Driver::signal) {
+        next.signal = content.signal;
+        next.locks.signal = false;
+    } else if (document.look().driven_by == Driver::picture) {
+        next.source = content.source;
+        next.locks.source = false;
+    }
+    change_content(document, std::move(next), use_content_words(document.look()), false);
+}
+
+void keep_content(Document& document, const Content& content) {
+    document.amend([&content](DocumentState& state) {
+        state = with_locked_content(std::move(state), content);
+    });
+}
+
+void lock_content(Document& document, bool is_locked) {
+    document.amend([&](DocumentState& state) {
+        if (document.look().driven_by == Driver::signal)
+            state.locks.signal = is_locked;
+        else if (document.look().driven_by == Driver::picture)
+            state.locks.source = is_locked;
+    });
+}
+
+DocumentState with_locked_content(DocumentState state, const Content& content) {
+    state.locks = content.locks;
+    if (content.locks.signal)
+        state.signal = content.signal;
+    if (content.locks.source)
+        state.source = content.source;
+    return state;
+}

@@ -1,0 +1,147 @@
+#include "lab/document/opened_preset.h"
+
+#include "lab/document/content_edits.h"
+#include "lab/document/parameter_edits.h"
+#include "model/look/renamed.h"
+
+#include <fmt/format.h>
+
+const std::filesystem::path& preset_file(const Document& document) {
+    static const std::filesystem::path none;
+    const OpenedPreset& opened = document.opened_preset();
+    const std::string& look = opened.identity.look;
+    return look.empty() || look == stack_id(document.state().stack) ? opened.file : none;
+}
+
+const std::string& preset_name(const Document& document) {
+    return document.opened_preset().identity.name;
+}
+
+namespace {
+// The current state without pass overrides, which belong to the look, and without locked content,
+// which belongs to the user.
+DocumentState comparable_state(const Document& document) {
+    const DocumentState& saved = document.opened_preset().saved;
+    DocumentState state = document.state();
+    state.overrides = saved.overrides;
+    state.origin = saved.origin;
+    if (document.look().driven_by != Driver::signal || state.locks.signal)
+        state.signal = saved.signal;
+    if (document.look().driven_by != Driver::picture || state.locks.source)
+        state.source = saved.source;
+    state.locks = saved.locks;
+    return state;
+}
+}  // namespace
+
+bool is_modified(const Document& document) {
+    return comparable_state(document) != document.opened_preset().saved;
+}
+
+bool has_unlocked_changes(const Document& document) {
+    DocumentState now = comparable_state(document);
+    DocumentState before = document.opened_preset().saved;
+    for (const auto& [name, setting] : document.knobs())
+        if (setting.is_locked) {
+            now.values.erase(name);
+            before.values.erase(name);
+            now.modulations.erase(name);
+            before.modulations.erase(name);
+        }
+    return now != before;
+}
+
+Preset preset_of(const Document& document) {
+    const Look& look = document.look();
+    const DocumentState& state = document.state();
+    Preset preset = document.opened_preset().identity;
+    preset.look = look.id;
+    preset.digest = look_digest(look);
+    preset.values = changed_values(look, document.values());
+    preset.bypass = bypassed_keys(look.stack);
+    preset.modulations = state.modulations;
+    preset.signal.reset();
+    preset.source.clear();
+    if (look.driven_by == Driver::signal)
+        preset.signal = state.signal;
+    if (look.driven_by == Driver::picture)
+        preset.source = state.source;
+    return preset;
+}
+
+Preset complete_preset_of(const Document& document) {
+    Preset preset = preset_of(document);
+    for (const Parameter& parameter : document.look().parameters)
+        preset.values.try_emplace(parameter.name, parameter.initial);
+    return preset;
+}
+
+namespace {
+DocumentState state_of(const Preset& preset, const Document& document) {
+    const Look& look = document.look();
+    const DocumentState& present = document.state();
+    DocumentState state = initial_state(look);
+    const bool is_present = stack_id(present.stack) == stack_id(look.stack);
+    state.stack = with_bypass(is_present ? present.stack : look.stack, preset.bypass);
+    state.values = renamed_values(look, preset.values);
+    for (auto& [name, value] : state.values)
+        if (const Parameter* parameter = find_parameter(look, name))
+            value = clamped(*parameter, value);
+    state.values = changed_values(look, state.values);
+    state.modulations = renamed(look, preset.modulations);
+    if (preset.signal)
+        state.signal = *preset.signal;
+    if (!preset.source.empty())
+        state.source = preset.source;
+    return state;
+}
+
+// `state` with the current pass overrides, which no preset has, and based on the same preset.
+DocumentState with_present_overrides(DocumentState state, const Document& document) {
+    const DocumentState& present = document.state();
+    state.overrides = moved(present.overrides, present.stack, state.stack);
+    state.origin = present.origin;
+    return state;
+}
+
+void open_state(Document& document, OpenedPreset preset, std::string step_name,
+                OpenedContent content = OpenedContent::locked) {
+    preset.saved = with_present_overrides(std::move(preset.saved), document);
+    const bool keeps_content = content == OpenedContent::locked;
+    DocumentState next =
+        keeps_content ? with_locked_content(preset.saved, content_of(document)) : preset.saved;
+    const bool is_open = preset.file == document.opened_preset().file;
+    if (is_open && next == document.state() && !is_modified(document))
+        return;
+    document.open(with_locked_parameters(std::move(next), document), std::move(preset),
+                  std::move(step_name),
+                  keeps_content ? Document::StepKind::plain : Document::StepKind::content);
+}
+}  // namespace
+
+void apply_preset(Document& document, const Preset& preset, const std::string& step_name) {
+    DocumentState next = with_present_overrides(state_of(preset, document), document);
+    next = with_locked_parameters(std::move(next), document);
+    document.change(with_locked_content(std::move(next), content_of(document)), step_name);
+}
+
+void open_preset(Document& document, const Preset& preset, std::filesystem::path file,
+                 OpenedContent content) {
+    open_state(document, {preset, std::move(file), state_of(preset, document)},
+               fmt::format("Open {}", preset.name), content);
+}
+
+void open_defaults(Document& document, OpenedContent content) {
+    const Look& look = document.look();
+    open_state(document, {.saved = initial_state(look)}, fmt::format("Open {}", look.name),
+               content);
+}
+
+void arrive_at(Document& document, const Preset& preset, std::filesystem::path file,
+               const std::string& gesture) {
+    if (file.empty())
+        open_state(document, {.saved = initial_state(document.look())}, gesture);
+    else
+        open_state(document, {preset, std::move(file), state_of(preset, document)}, gesture);
+    document.finish();
+}

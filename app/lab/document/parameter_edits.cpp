@@ -1,0 +1,116 @@
+#include "lab/document/parameter_edits.h"
+
+#include "model/tuning/randomised.h"
+
+#include <fmt/format.h>
+
+bool is_changed(const Document& document, const Parameter& parameter) {
+    return document.value(parameter) != parameter.initial;
+}
+
+const Modulation* modulation_of(const Document& document, const Parameter& parameter) {
+    const auto present = name_in_state(document, parameter.name);
+    const Modulations& all = document.state().modulations;
+    const auto found = present ? all.find(*present) : all.end();
+    return found == all.end() ? nullptr : &found->second;
+}
+
+void set_values(Document& document, const Values& values, const std::string& step_name,
+                bool goes_on) {
+    DocumentState next = document.state();
+    for (const auto& [name, value] : values)
+        if (const Parameter* parameter = find_parameter(document.look(), name))
+            if (const auto present = name_in_state(document, name))
+                next.values[*present] = clamped(*parameter, value);
+    document.change(std::move(next), step_name, goes_on);
+}
+
+void set_modulation(Document& document, const std::string& name,
+                    const std::optional<Modulation>& modulation, bool goes_on) {
+    const Parameter* parameter = find_parameter(document.look(), name);
+    const auto present = name_in_state(document, name);
+    if (!parameter || !present)
+        return;
+    DocumentState next = document.state();
+    if (modulation && why_unmodulated(document.look(), *parameter).empty())
+        next.modulations[*present] = tidied(*modulation);
+    else
+        next.modulations.erase(*present);
+    document.change(std::move(next), fmt::format("Modulation of {}", parameter->label), goes_on);
+}
+
+void set_orbit(Document& document, const std::function<Orbit(const Orbit&)>& change) {
+    DocumentState next = document.state();
+    next.values = with_orbits_changed(document.look(), std::move(next.values), change);
+    document.change(std::move(next), "View", true);
+}
+
+namespace {
+DocumentState without_values(const Document& document, const std::vector<std::string>& names) {
+    DocumentState next = document.state();
+    for (const std::string& name : names)
+        if (const auto present = name_in_state(document, name))
+            next.values.erase(*present);
+    return next;
+}
+}  // namespace
+
+void reset_parameters(Document& document, const std::vector<std::string>& names) {
+    const Parameter* only =
+        names.size() == 1 ? find_parameter(document.look(), names.front()) : nullptr;
+    document.change(without_values(document, names),
+                    only ? fmt::format("Reset {}", only->label) : "Reset group");
+}
+
+void reset_group(Document& document, const std::vector<std::string>& names) {
+    document.change(with_locked_parameters(without_values(document, names), document),
+                    "Reset group");
+}
+
+void reset_all_parameters(Document& document) {
+    DocumentState next = document.state();
+    next.values.clear();
+    next.modulations.clear();
+    document.change(with_locked_parameters(std::move(next), document), "Reset all");
+}
+
+void randomise_parameters(Document& document, std::uint64_t seed) {
+    if (document.is_restacking())
+        return;  // the names are about to change
+    DocumentState next = document.state();
+    next.values = randomised_values(document.look(), next.values, document.knobs(), seed);
+    document.change(std::move(next), "Randomise");
+}
+
+void set_knob(Document& document, const std::string& name, const KnobSetting& setting) {
+    KnobSettings settings = document.knobs();
+    if (setting.is_empty())
+        settings.erase(name);
+    else
+        settings[name] = setting;
+    document.set_knobs(std::move(settings));
+}
+
+namespace {
+// Copies the entry, or removes it if it is missing.
+template <class T>
+void keep(const std::map<std::string, T>& present, const std::string& here,
+          std::map<std::string, T>& next, const std::string& there) {
+    if (const auto kept = present.find(here); kept != present.end())
+        next[there] = kept->second;
+    else
+        next.erase(there);
+}
+}  // namespace
+
+DocumentState with_locked_parameters(DocumentState next, const Document& document) {
+    for (const auto& [name, setting] : document.knobs()) {
+        const auto here = name_in_state(document, name);
+        const auto there = moved_name(name, document.look().stack, next.stack);
+        if (!setting.is_locked || !here || !there)
+            continue;
+        keep(document.state().values, *here, next.values, *there);
+        keep(document.state().modulations, *here, next.modulations, *there);
+    }
+    return next;
+}

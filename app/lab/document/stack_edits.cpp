@@ -1,0 +1,30 @@
+#include "lab/document/stack_edits.h"
+
+#include <fmt/format.h>
+
+void set_stack(Document& document, Stack stack, const std::string& step_name) {
+    DocumentState next = document.state();
+    next.values = moved(next.values, next.stack, stack);
+    next.overrides = moved(next.overrides, next.stack, stack);
+    next.modulations = moved(next.modulations, next.stack, stack);
+    next.stack = std::move(stack);
+    document.change(std::move(next), step_name);
+}
+
+void set_override(Document& document, const std::string& pass, PassOverride override) {
+    const auto present = name_in_state(document, pass);
+    if (!present)
+        return;
+    DocumentState next = document.state();
+    if (override.is_empty())
+        next.overrides.erase(*present);
+    else
+        next.overrides[*present] = override;
+    document.change(std::move(next), fmt::format("Pass {}", pass));
+}
+
+void clear_overrides(Document& document) {
+    DocumentState next = document.state();
+    next.overrides.clear();
+    document.change(std::move(next), "Reset all passes");
+}
