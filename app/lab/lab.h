@@ -4,7 +4,7 @@
 #include "lab/commands/look_commands.h"
 #include "lab/commands/preset_commands.h"
 #include "lab/document/automation.h"
-#include "lab/document/parameter_settings.h"
+#include "lab/document/parameter_settings_store.h"
 #include "lab/drawing/drawing_tool.h"
 #include "lab/frame/frame_loop.h"
 #include "lab/frame/workspace.h"
@@ -52,8 +52,8 @@ public:
     const PresetCommands& presets() const { return m_presets; }
     ContentCommands& content() { return m_content; }
     const ContentCommands& content() const { return m_content; }
-    ParameterSettings& parameters() { return m_parameters; }
-    const ParameterSettings& parameters() const { return m_parameters; }
+    ParameterSettingsStore& parameters() { return m_parameters; }
+    const ParameterSettingsStore& parameters() const { return m_parameters; }
     Automation& automation() { return m_automation; }
     const Automation& automation() const { return m_automation; }
     AudioControl& audio() { return m_audio; }
@@ -82,7 +82,7 @@ private:
     void file_changed(const std::filesystem::path& file);
 
     Workspace m_work;
-    ParameterSettings m_parameters{m_work.document, m_work.messages};
+    ParameterSettingsStore m_parameters{m_work.document, m_work.messages};
     Automation m_automation{m_work.document, m_work.messages};
     AudioControl m_audio{m_work.player, m_work.library.roots(), m_work.messages};
     RemoteControl m_remote;

@@ -165,7 +165,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     session.is_playing = transport.is_playing();
     session.comparison = lab.frames().comparison().selection().chosen();
     session.slots = lab.frames().comparison().selection().all_slots();
-    session.knobs = lab.parameters().all();
+    session.parameter_settings = lab.parameters().all();
     session.preset_stars = lab.presets().navigation().stars();
     const Document* document = lab.document();
     if (!document)

@@ -96,8 +96,8 @@ private:
     Frame m_frame;
 };
 
-void tell_knob(PausedLab& lab, const std::string& name, double from,
-               const std::vector<std::string>& passes) {
+void report_parameter(PausedLab& lab, const std::string& name, double from,
+                      const std::vector<std::string>& passes) {
     constexpr double seconds = 20.0;
     Alone alone(lab, passes);
     int turned = 0;
@@ -132,10 +132,10 @@ int main() {
     {
         PausedLab lab(folder, {1280, 720});
         tell_nothing(lab);
-        tell_knob(lab, "exposure", 1.5, {"composite"});
-        tell_knob(lab, "bloom_radius", 3.0,
-                  {"bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3", "bloom_down_4",
-                   "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"});
+        report_parameter(lab, "exposure", 1.5, {"composite"});
+        report_parameter(lab, "bloom_radius", 3.0,
+                         {"bloom_x", "bloom_down_1", "bloom_down_2", "bloom_down_3", "bloom_down_4",
+                          "bloom_up_3", "bloom_up_2", "bloom_up_1", "bloom_y", "composite"});
     }
     fs::remove_all(folder);
     return EXIT_SUCCESS;

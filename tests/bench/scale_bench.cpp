@@ -21,12 +21,12 @@ using bench::wanted;
 const bench::Topic topic{"scale", "Large looks: 50 passes of 8 x 8 px, 1,000 parameters"};
 
 /// The dragged parameter, in the middle of the look.
-struct Knob {
+struct DraggedParameter {
     int pass = 0;
     int parameter = 0;
 };
 
-Knob dragged_knob(const ScaleSize& size) {
+DraggedParameter dragged_parameter(const ScaleSize& size) {
     return {size.passes / 2, size.parameters_a_pass / 2};
 }
 
@@ -120,8 +120,8 @@ struct Yardstick {
 template <class Ours>
 void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
     constexpr double seconds = 6.0;
-    const Knob knob = dragged_knob(by.size);
-    const std::string knob_name = bench::scale_parameter(knob.pass, knob.parameter);
+    const DraggedParameter dragged = dragged_parameter(by.size);
+    const std::string parameter_name = bench::scale_parameter(dragged.pass, dragged.parameter);
     double time = 1.0;
     std::array<int, 2> turns{};
     const auto measure = [&](const char* doing, const char* words, bool is_dragged) {
@@ -130,12 +130,12 @@ void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
             return;
         const auto plain = [&] {
             if (is_dragged)
-                by.plain.set(knob.pass, knob.parameter, place_of(++turns[0]));
+                by.plain.set(dragged.pass, dragged.parameter, place_of(++turns[0]));
             by.plain.draw(time += 1.0 / 60.0);
         };
         const auto draw_ours = [&] {
             if (is_dragged)
-                ours.set(knob_name, place_of(++turns[1]));
+                ours.set(parameter_name, place_of(++turns[1]));
             ours.draw(time);
         };
         bench::tell(topic, bench::more_figure(key,

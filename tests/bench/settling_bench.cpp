@@ -46,21 +46,21 @@ public:
         return frames < most_frames;
     }
     /// The first change of a drag; too small to be visible.
-    void turn_a_knob() {
+    void change_a_parameter() {
         const Look& look = m_lab->document()->look();
-        const auto knob = std::ranges::find_if(look.parameters, [&](const Parameter& parameter) {
+        const auto changed = std::ranges::find_if(look.parameters, [&](const Parameter& parameter) {
             return why_unmodulated(look, parameter).empty();
         });
         m_lab->edit([&](Document& document) {
-            const double value = document.value(*knob).number();
-            document.set_value(knob->name, Value(value + (value > 0.5 ? -1e-5 : 1e-5)));
+            const double value = document.value(*changed).number();
+            document.set_value(changed->name, Value(value + (value > 0.5 ? -1e-5 : 1e-5)));
             document.finish();
         });
         frame();
     }
     double first_turn_milliseconds() {
         const double start = bench::busy_seconds();
-        turn_a_knob();
+        change_a_parameter();
         return 1e3 * (bench::busy_seconds() - start);
     }
 

@@ -57,8 +57,8 @@ inline Look look_of(std::vector<Pass> passes, std::vector<Parameter> parameters 
     return look;
 }
 
-inline Parameter knob(const std::string& name, NumberType type, Value initial,
-                      std::vector<Binding> bindings) {
+inline Parameter parameter_named(const std::string& name, NumberType type, Value initial,
+                                 std::vector<Binding> bindings) {
     Parameter made;
     made.name = name;
     made.type = type;

@@ -131,7 +131,7 @@ TEST_CASE("a locked parameter keeps its modulation when everything is reset") {
     move_gain(small);
     small.lab().edit([](Document& document) {
         set_modulation(document, "step_size", once_a_second);
-        set_knob(document, "gain", {.is_locked = true});
+        set_parameter_setting(document, "gain", {.is_locked = true});
         reset_all_parameters(document);
     });
     CHECK(small.document().state().modulations == Modulations{{"gain", once_a_second}});

@@ -204,22 +204,22 @@ TEST_CASE("a damaged session is set aside and reported, and the program starts w
 TEST_CASE("favourites, locks and slider ranges are restored, even after leaving the look") {
     SmallLab small;
     small.lab().edit([](Document& document) {
-        set_knob(document, "gain", {.is_favourite = true, .is_locked = true});
+        set_parameter_setting(document, "gain", {.is_favourite = true, .is_locked = true});
     });
     small.lab().parameters().set_slider_ends("gain", Limit{1.0, 3.0});
-    const KnobSetting gain{true, true, Limit{1.0, 3.0}};
+    const ParameterSetting gain{true, true, Limit{1.0, 3.0}};
     const Session session = kept(small);
     small.start();
-    small.lab().parameters().set_all(session.knobs);
+    small.lab().parameters().set_all(session.parameter_settings);
     small.lab().looks().open("small");
     REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
-    CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
+    CHECK(small.document().parameter_settings() == ParameterSettings{{"gain", gain}});
     small.lab().parameters().set_slider_ends("gain", Limit{3.0, 1.0});
     REQUIRE(small.lab().messages().notice().has_value());
     CHECK(small.lab().messages().notice()->is_problem);
-    CHECK(small.document().knobs() == KnobSettings{{"gain", gain}});
+    CHECK(small.document().parameter_settings() == ParameterSettings{{"gain", gain}});
     small.lab().parameters().set_slider_ends("gain", std::nullopt);
-    CHECK_FALSE(small.document().knobs().at("gain").ends.has_value());
+    CHECK_FALSE(small.document().parameter_settings().at("gain").ends.has_value());
 }
 
 TEST_CASE("a changed locked value causes no warning when presets are opened") {
@@ -236,7 +236,8 @@ TEST_CASE("a changed locked value causes no warning when presets are opened") {
         REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
         return small.lab().messages().notice().has_value();
     };
-    small.lab().edit([](Document& document) { set_knob(document, "gain", {.is_locked = true}); });
+    small.lab().edit(
+        [](Document& document) { set_parameter_setting(document, "gain", {.is_locked = true}); });
     set("gain", 3.0);
     CHECK_FALSE(opened_again());
     CHECK(small.document().values() == Values{{"gain", Value(3.0)}});

@@ -48,7 +48,7 @@ nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::siz
     return list;
 }
 
-nlohmann::ordered_json json_of(const KnobSetting& setting) {
+nlohmann::ordered_json json_of(const ParameterSetting& setting) {
     nlohmann::ordered_json entry = nlohmann::ordered_json::object();
     if (setting.is_favourite)
         entry["favourite"] = true;
@@ -109,18 +109,18 @@ nlohmann::ordered_json json_of(const LookSlots& looks) {
     return document;
 }
 
-nlohmann::ordered_json json_of(const LookKnobs& looks) {
+nlohmann::ordered_json json_of(const LookParameterSettings& looks) {
     nlohmann::ordered_json document = nlohmann::ordered_json::object();
-    for (const auto& [look, knobs] : looks)
-        for (const auto& [name, setting] : knobs)
+    for (const auto& [look, settings] : looks)
+        for (const auto& [name, setting] : settings)
             document[look][name] = json_of(setting);
     return document;
 }
 
-KnobSetting read_knob(const JsonValue& value, const std::filesystem::path& file,
-                      Diagnostics& problems) {
+ParameterSetting read_parameter_setting(const JsonValue& value, const std::filesystem::path& file,
+                                        Diagnostics& problems) {
     ObjectReader reader(value, file, problems);
-    KnobSetting setting;
+    ParameterSetting setting;
     setting.is_favourite = reader.boolean("favourite", false);
     setting.is_locked = reader.boolean("locked", false);
     if (reader.find("low")) {
@@ -207,8 +207,9 @@ private:
         session.picture_shape = reader.text("picture_shape", session.picture_shape);
         if (const JsonValue* looks = reader.find("knobs"))
             for (const JsonValue& look : looks->children)
-                for (const JsonValue& knob : look.children)
-                    session.knobs[look.key][knob.key] = read_knob(knob, m_file, m_problems);
+                for (const JsonValue& setting : look.children)
+                    session.parameter_settings[look.key][setting.key] =
+                        read_parameter_setting(setting, m_file, m_problems);
         if (const JsonValue* looks = reader.find("slots"))
             read_slots(*looks, session.slots);
         if (const JsonValue* stars = reader.find("preset_stars"))
@@ -299,7 +300,7 @@ std::string session_to_json(const Session& session) {
                       {"height", session.fixed_size.height},
                       {"picture_scale", session.picture_scale},
                       {"picture_shape", session.picture_shape},
-                      {"knobs", json_of(session.knobs)},
+                      {"knobs", json_of(session.parameter_settings)},
                       {"slots", json_of(session.slots)},
                       {"preset_stars", session.preset_stars},
                       {"window", std::move(window)}});

@@ -6,7 +6,7 @@
 #include "model/preset/content.h"
 #include "model/preset/preset.h"
 #include "model/preset/preset_stars.h"
-#include "model/tuning/knob_settings.h"
+#include "model/tuning/parameter_settings.h"
 
 #include <map>
 #include <string>
@@ -45,7 +45,7 @@ struct Session {
     double picture_scale = 1.0;
     std::string picture_shape;  // "": the look's default; otherwise "view", "source" or "whole
                                 // pixels"
-    LookKnobs knobs;            // the user's settings for parameters, by look
+    LookParameterSettings parameter_settings;  // the user's settings for parameters, by look
     LookSlots slots;
     PresetStars preset_stars;
     std::map<std::string, double> window;  // state of the window, by the window's own names

@@ -201,7 +201,7 @@ void add_further(const Lab& lab, const WindowState& window, Lists& all) {
     const Document& document = *lab.document();
     const Parameter* in_hand = find_parameter(document.look(), window.revealed.parameter);
     if (in_hand)
-        add_lists(all, knob_choices(document, *in_hand));
+        add_lists(all, parameter_choices(document, *in_hand));
     all.push_back(pass_setting_choices(document, window.inspected.pass));
     const VariantSheet& sheet = lab.frames().previews().sheet();
     std::vector<SweepCell> cells;

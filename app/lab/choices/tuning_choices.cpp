@@ -4,7 +4,7 @@
 #include "lab/lab.h"
 #include "lab/window/parameter_list.h"
 #include "model/look/value_text.h"
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 
 #include <fmt/format.h>
 
@@ -12,15 +12,15 @@
 #include <numbers>
 
 namespace {
-using KnobMark = bool KnobSetting::*;
+using ParameterMark = bool ParameterSetting::*;
 
-Choice mark_choice(const char* name, const std::string& parameter, const KnobSetting& setting,
-                   KnobMark mark) {
-    KnobSetting next = setting;
+Choice mark_choice(const char* name, const std::string& parameter, const ParameterSetting& setting,
+                   ParameterMark mark) {
+    ParameterSetting next = setting;
     next.*mark = !(next.*mark);
     return {.name = name,
             .commands = {[parameter, next](Document& document) {
-                set_knob(document, parameter, next);
+                set_parameter_setting(document, parameter, next);
             }},
             .is_present = setting.*mark};
 }
@@ -51,7 +51,8 @@ Choice end_choice(const Parameter& parameter, bool is_low) {
     return {.name = is_low ? "Slider minimum…" : "Slider maximum…", .number = std::move(asked)};
 }
 
-void add_ends(const Parameter& declared, const KnobSetting& setting, std::vector<Choice>& choices) {
+void add_ends(const Parameter& declared, const ParameterSetting& setting,
+              std::vector<Choice>& choices) {
     if (!has_ends(declared))
         return;
     const Parameter parameter = with_ends(declared, setting);
@@ -94,9 +95,10 @@ void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
 
 ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
     ChoiceList list{parameter.label};
-    const KnobSetting& setting = setting_of(parameter.name, document.knobs());
-    list.choices = {mark_choice("Favourite", parameter.name, setting, &KnobSetting::is_favourite),
-                    mark_choice("Locked", parameter.name, setting, &KnobSetting::is_locked)};
+    const ParameterSetting& setting = setting_of(parameter.name, document.parameter_settings());
+    list.choices = {
+        mark_choice("Favourite", parameter.name, setting, &ParameterSetting::is_favourite),
+        mark_choice("Locked", parameter.name, setting, &ParameterSetting::is_locked)};
     if (parameter.control == Control::image || parameter.control == Control::sound)
         list.choices.push_back(
             {.name = "Choose file…", .commands = {[name = parameter.name](WindowState& window) {
@@ -184,7 +186,7 @@ void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
 }
 }  // namespace
 
-std::vector<ChoiceList> knob_choices(const Document& document, const Parameter& parameter) {
+std::vector<ChoiceList> parameter_choices(const Document& document, const Parameter& parameter) {
     return {hand_choices(document, parameter), move_choices(document, parameter)};
 }
 

@@ -6,7 +6,7 @@
 #include "lab/window/window_state.h"
 
 /// The commands for the revealed parameter, except changing its value.
-std::vector<ChoiceList> knob_choices(const Document& document, const Parameter& parameter);
+std::vector<ChoiceList> parameter_choices(const Document& document, const Parameter& parameter);
 
 /// The filters of the parameter list, and groups to reset.
 std::vector<ChoiceList> listing_choices(const Document& document, const WindowState& window);

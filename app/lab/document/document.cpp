@@ -79,7 +79,8 @@ void forget_past(Document& document) {
 }
 
 void Document::replace_look(Look look) {
-    m_knobs = renamed_knobs(look, moved(m_knobs, m_look.stack, look.stack));
+    m_parameter_settings =
+        renamed_settings(look, moved(m_parameter_settings, m_look.stack, look.stack));
     m_look = std::move(look);
     const auto follow = [this](DocumentState& state) {
         if (stack_id(state.stack) != stack_id(m_look.stack))

@@ -4,7 +4,7 @@
 #include "model/preset/content.h"
 #include "model/preset/preset.h"
 #include "model/preset/undo.h"
-#include "model/tuning/knob_settings.h"
+#include "model/tuning/parameter_settings.h"
 
 #include <filesystem>
 #include <functional>
@@ -79,8 +79,10 @@ public:
     void replace_look(Look look);
 
     /// The user's settings for the parameters of look(). They are not part of the state or undo.
-    const KnobSettings& knobs() const { return m_knobs; }
-    void set_knobs(KnobSettings knobs) { m_knobs = renamed_knobs(m_look, std::move(knobs)); }
+    const ParameterSettings& parameter_settings() const { return m_parameter_settings; }
+    void set_parameter_settings(ParameterSettings settings) {
+        m_parameter_settings = renamed_settings(m_look, std::move(settings));
+    }
 
     /// The preset that the current state is based on.
     OpenedPreset& opened_preset() { return m_opened_presets[state().origin]; }
@@ -91,8 +93,8 @@ private:
     void update_drawn_values();
 
     Look m_look;
-    KnobSettings m_knobs;   // named as in m_look
-    Values m_drawn_values;  // the state's values, named as in m_look
+    ParameterSettings m_parameter_settings;  // named as in m_look
+    Values m_drawn_values;                   // the state's values, named as in m_look
     Undo<DocumentState> m_undo;
     std::vector<OpenedPreset> m_opened_presets;  // never empty
 };

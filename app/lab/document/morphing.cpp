@@ -24,9 +24,9 @@ Morphing::Morphing(const Document& document, Preset to, std::filesystem::path fi
       m_goal(complete(document.look(), renamed_values(document.look(), m_to.values))),
       m_last(document.values()),
       m_seconds(std::max(seconds, 1e-3)) {
-    for (const auto& [knob, setting] : document.knobs())
-        if (setting.is_locked && m_goal.contains(knob))
-            m_goal[knob] = m_from[knob];
+    for (const auto& [parameter, setting] : document.parameter_settings())
+        if (setting.is_locked && m_goal.contains(parameter))
+            m_goal[parameter] = m_from[parameter];
     if (m_goal == m_from)
         m_elapsed = m_seconds;  // nothing to change
 }

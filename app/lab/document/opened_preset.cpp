@@ -41,7 +41,7 @@ bool is_modified(const Document& document) {
 bool has_unlocked_changes(const Document& document) {
     DocumentState now = comparable_state(document);
     DocumentState before = document.opened_preset().saved;
-    for (const auto& [name, setting] : document.knobs())
+    for (const auto& [name, setting] : document.parameter_settings())
         if (setting.is_locked) {
             now.values.erase(name);
             before.values.erase(name);

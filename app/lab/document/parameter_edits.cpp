@@ -78,17 +78,19 @@ void randomise_parameters(Document& document, std::uint64_t seed) {
     if (document.is_restacking())
         return;  // the names are about to change
     DocumentState next = document.state();
-    next.values = randomised_values(document.look(), next.values, document.knobs(), seed);
+    next.values =
+        randomised_values(document.look(), next.values, document.parameter_settings(), seed);
     document.change(std::move(next), "Randomise");
 }
 
-void set_knob(Document& document, const std::string& name, const KnobSetting& setting) {
-    KnobSettings settings = document.knobs();
+void set_parameter_setting(Document& document, const std::string& name,
+                           const ParameterSetting& setting) {
+    ParameterSettings settings = document.parameter_settings();
     if (setting.is_empty())
         settings.erase(name);
     else
         settings[name] = setting;
-    document.set_knobs(std::move(settings));
+    document.set_parameter_settings(std::move(settings));
 }
 
 namespace {
@@ -104,7 +106,7 @@ void keep(const std::map<std::string, T>& present, const std::string& here,
 }  // namespace
 
 DocumentState with_locked_parameters(DocumentState next, const Document& document) {
-    for (const auto& [name, setting] : document.knobs()) {
+    for (const auto& [name, setting] : document.parameter_settings()) {
         const auto here = name_in_state(document, name);
         const auto there = moved_name(name, document.look().stack, next.stack);
         if (!setting.is_locked || !here || !there)

@@ -33,7 +33,8 @@ void reset_all_parameters(Document& document);
 /// Randomises all unlocked parameters within their ranges; see model/tuning/randomised.h.
 void randomise_parameters(Document& document, std::uint64_t seed);
 /// Without an undo step.
-void set_knob(Document& document, const std::string& name, const KnobSetting& setting);
+void set_parameter_setting(Document& document, const std::string& name,
+                           const ParameterSetting& setting);
 
 /// `next` with the current values and modulations of locked parameters.
 DocumentState with_locked_parameters(DocumentState next, const Document& document);

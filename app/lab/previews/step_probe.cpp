@@ -3,8 +3,8 @@
 #include "gpu/objects/readback.h"
 #include "graph/inspect/texel_programs.h"
 #include "lab/document/changes.h"
-#include "model/tuning/knob_settings.h"
 #include "model/tuning/one_step.h"
+#include "model/tuning/parameter_settings.h"
 
 #include <fmt/format.h>
 
@@ -62,7 +62,8 @@ void StepProbe::begin(const PreviewSubject& subject) {
     const Parameter* declared = find_parameter(look, m_question->parameter);
     if (!declared)
         return fail_with("This parameter no longer exists");
-    const Parameter parameter = with_ends(*declared, setting_of(declared->name, document.knobs()));
+    const Parameter parameter =
+        with_ends(*declared, setting_of(declared->name, document.parameter_settings()));
     const auto next = one_step(parameter, value_of(parameter, m_values), m_question->component,
                                m_question->is_up);
     if (!next)

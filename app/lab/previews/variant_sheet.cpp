@@ -90,7 +90,7 @@ void VariantSheet::lay_out(const PreviewSubject& subject) {
     m_next = 0;
     m_problem.clear();
     m_drawn_for = without_axes(document, m_request);
-    m_knobs = document.knobs();
+    m_settings = document.parameter_settings();
     std::vector<SweepAxis> axes;
     const auto add = [&](const std::string& name, int count) {
         const Parameter* parameter = find_parameter(document.look(), name);
@@ -102,8 +102,9 @@ void VariantSheet::lay_out(const PreviewSubject& subject) {
             m_problem = why_untried(*parameter);
             return;
         }
-        auto axis = axis_along(document.look(),
-                               with_ends(*parameter, setting_of(name, document.knobs())), count);
+        auto axis = axis_along(
+            document.look(), with_ends(*parameter, setting_of(name, document.parameter_settings())),
+            count);
         if (axis)
             axes.push_back(std::move(*axis));
         else
@@ -154,7 +155,8 @@ void VariantSheet::update(const PreviewSubject& whole, double slice_seconds) {
     if (m_request.across.empty() || whole.player.transport().past().empty() ||
         document.history().is_in_gesture())
         return;
-    if (m_drawn_for != without_axes(document, m_request) || m_knobs != document.knobs())
+    if (m_drawn_for != without_axes(document, m_request) ||
+        m_settings != document.parameter_settings())
         lay_out(whole);
     if (!is_running())
         return;

@@ -63,7 +63,7 @@ private:
     std::optional<PreviewRenderer> m_trial;
     std::optional<Viewer> m_viewer;
     std::optional<DocumentState> m_drawn_for;  // without the parameters of the axes
-    KnobSettings m_knobs;
+    ParameterSettings m_settings;
     Extent m_shown_as;  // size of the window's picture
     std::string m_problem;
 };

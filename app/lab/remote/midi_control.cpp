@@ -1,7 +1,7 @@
 #include "lab/remote/midi_control.h"
 
 #include "lab/document/naming.h"
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 
 Result<void> MidiControl::listen(bool listens) {
     m_inputs->close();
@@ -71,7 +71,7 @@ void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSet
     if (!meant || !can_be_turned(**meant))
         return;
     const Parameter& parameter = **meant;
-    const TurnedNumber number{parameter, setting_of(parameter.name, document.knobs()),
+    const TurnedNumber number{parameter, setting_of(parameter.name, document.parameter_settings()),
                               binding.goal.component};
     PickUp& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
     const double present = share_at(number, document.value(parameter));

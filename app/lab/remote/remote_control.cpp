@@ -1,7 +1,7 @@
 #include "lab/remote/remote_control.h"
 
 #include "lab/storage/remote_store.h"
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

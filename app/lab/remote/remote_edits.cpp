@@ -30,7 +30,7 @@ bool RemoteGesture::has_ended(double now_seconds) {
 }
 
 Result<void> RemoteEdits::turn(Document& document, const RemoteChange& turn, double now_seconds) {
-    if (setting_of(turn.parameter, document.knobs()).is_locked)
+    if (setting_of(turn.parameter, document.parameter_settings()).is_locked)
         return fail({{}, 0, fmt::format("'{}' is locked", turn.parameter)});
     if (!m_gesture.goes_on(turn.parameter, now_seconds))
         document.finish();

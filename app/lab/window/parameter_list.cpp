@@ -35,7 +35,7 @@ private:
             case ParameterFilter::changed:
                 return is_changed(m_document, parameter);
             case ParameterFilter::favourites:
-                return setting_of(parameter.name, m_document.knobs()).is_favourite;
+                return setting_of(parameter.name, m_document.parameter_settings()).is_favourite;
             case ParameterFilter::of_pass:
                 return m_pass &&
                        is_used_by(m_document.look(), static_cast<std::size_t>(*m_pass), parameter);

@@ -71,11 +71,11 @@ bool is_randomised(const Look& look, const Parameter& parameter) {
     return parameter.type.scalar == Scalar::boolean || parameter.range.low < parameter.range.high;
 }
 
-Values randomised_values(const Look& look, const Values& values, const KnobSettings& knobs,
+Values randomised_values(const Look& look, const Values& values, const ParameterSettings& settings,
                          std::uint64_t seed) {
     Values next = values;
     for (const Parameter& parameter : look.parameters) {
-        const KnobSetting& setting = setting_of(parameter.name, knobs);
+        const ParameterSetting& setting = setting_of(parameter.name, settings);
         if (setting.is_locked || !is_randomised(look, parameter))
             continue;
         RandomNumbers random_numbers(seed ^ digest_of(parameter.name));

@@ -21,16 +21,16 @@ SoundChannels channels_of(const Settings& settings) {
     return settings.is("channel", "left") ? SoundChannels::left : SoundChannels::right;
 }
 
-SoundPlug plug_of(const Settings& settings, const ScopeKnobs& knobs) {
+SoundPlug plug_of(const Settings& settings, const ScopeControls& controls) {
     return {.channels = channels_of(settings),
-            .is_swapped = knobs.is_swapped,
-            .coupling = {knobs.channels[0].coupling, knobs.channels[1].coupling},
+            .is_swapped = controls.is_swapped,
+            .coupling = {controls.channels[0].coupling, controls.channels[1].coupling},
             .level = settings.number("level"),
             .has_auto_gain = settings.is("auto_gain", "on"),
             .upsample = settings.whole("upsample")};
 }
 
-SpectrumKnobs spectrum_knobs(const Settings& settings) {
+SpectrumControls spectrum_controls(const Settings& settings) {
     return {.size = std::stoi(std::string(settings.word("fft"))),
             .smoothing_seconds = settings.number("smoothing"),
             .low_hertz = settings.number("low"),
@@ -46,10 +46,10 @@ SpectrumKnobs spectrum_knobs(const Settings& settings) {
 
 Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
                                               std::shared_ptr<const SampleStream> sound) {
-    const SpectrumKnobs knobs = spectrum_knobs(settings);
-    if (knobs.low_hertz >= knobs.high_hertz)
+    const SpectrumControls controls = spectrum_controls(settings);
+    if (controls.low_hertz >= controls.high_hertz)
         return fail({{}, 0, "'high' must be above 'low'"});
-    if (knobs.floor_decibels >= knobs.ceiling_decibels)
+    if (controls.floor_decibels >= controls.ceiling_decibels)
         return fail({{}, 0, "'ceiling' must be above 'floor'"});
     SoundPlug plug{.channels = channels_of(settings),
                    .is_swapped = settings.is("channel", "right"),
@@ -58,7 +58,7 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
                    .upsample = 1};
     if (settings.is("channel", "both"))
         plug.channels = SoundChannels::mean;
-    return std::make_unique<SoundSpectrum>(std::move(sound), plug, knobs);
+    return std::make_unique<SoundSpectrum>(std::move(sound), plug, controls);
 }
 
 /// Opens two channels of the sound.
@@ -70,9 +70,9 @@ Result<std::unique_ptr<Signal>> make_mapped(const Settings& settings, const Open
     const ChannelMap map = channel_map(settings);
     if (auto good = check_channels(map, channels); !good)
         return fail(good.error());
-    const ScopeKnobs knobs = scope_knobs(settings);
-    const SoundPlug plug = plug_of(settings, knobs);
-    auto place = std::make_unique<SoundScope>(open({map.x, map.y}), plug, knobs);
+    const ScopeControls controls = scope_controls(settings);
+    const SoundPlug plug = plug_of(settings, controls);
+    auto place = std::make_unique<SoundScope>(open({map.x, map.y}), plug, controls);
     if (map.is_plain())
         return place;
     return std::make_unique<MappedSound>(
@@ -86,8 +86,8 @@ Result<std::unique_ptr<Signal>> make_shown(const Settings& settings, const Open&
         return make_mapped(settings, open, channels);
     if (settings.is("mode", "spectrum") || settings.is("mode", "radial"))
         return make_spectrum(settings, open({}));
-    const ScopeKnobs knobs = scope_knobs(settings);
-    return std::make_unique<SoundScope>(open({}), plug_of(settings, knobs), knobs);
+    const ScopeControls controls = scope_controls(settings);
+    return std::make_unique<SoundScope>(open({}), plug_of(settings, controls), controls);
 }
 
 Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const SignalMedia& media) {

@@ -3,7 +3,7 @@
 #include "signals/audio/auto_gain.h"
 #include "signals/audio/low_pass.h"
 #include "signals/audio/upsampler.h"
-#include "signals/scope/scope_knobs.h"
+#include "signals/scope/scope_controls.h"
 
 #include <array>
 #include <optional>

@@ -11,23 +11,23 @@ std::array<bool, 2> shown(const SoundPlug& plug) {
 }
 
 std::unique_ptr<Sweeps> sweeps_of(const SoundInput& input, const SoundPlug& plug,
-                                  const ScopeKnobs& knobs, double length) {
-    const Trigger& trigger = knobs.trigger;
-    if (trigger.mode == Trigger::Mode::off || knobs.is_xy)
+                                  const ScopeControls& controls, double length) {
+    const Trigger& trigger = controls.trigger;
+    if (trigger.mode == Trigger::Mode::off || controls.is_xy)
         return std::make_unique<EvenSweeps>(0.0, length, length);
     std::size_t channel = shown(plug)[0] ? 0 : 1;
     if (trigger.source != 0)
         channel = static_cast<std::size_t>(trigger.source - 1);
     return std::make_unique<TriggeredSweeps>(input, trigger, channel,
-                                             knobs.channels[channel].is_inverted, length);
+                                             controls.channels[channel].is_inverted, length);
 }
 }  // namespace
 
 SoundScope::SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
-                       const ScopeKnobs& knobs)
+                       const ScopeControls& controls)
     : m_input(std::move(sound), plug),
-      m_scope(knobs, shown(plug), m_input.rate()),
-      m_sweeps(sweeps_of(m_input, plug, knobs, m_scope.sweep_samples())) {}
+      m_scope(controls, shown(plug), m_input.rate()),
+      m_sweeps(sweeps_of(m_input, plug, controls, m_scope.sweep_samples())) {}
 
 void SoundScope::trace(const TimeSpan& span, Beam& beam) const {
     // A sweep with two traces can extend slightly beyond the span.

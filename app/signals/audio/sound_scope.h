@@ -8,7 +8,7 @@
 class SoundScope : public Signal {
 public:
     SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
-               const ScopeKnobs& knobs);
+               const ScopeControls& controls);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
     double seconds() const override { return m_input.seconds(); }

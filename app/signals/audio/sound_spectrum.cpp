@@ -6,17 +6,17 @@
 #include <cmath>
 
 SoundSpectrum::SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
-                             const SpectrumKnobs& knobs)
+                             const SpectrumControls& controls)
     : m_input(std::move(sound), plug),
-      m_knobs(knobs),
-      m_spectrum(m_input, knobs.size, knobs.smoothing_seconds),
-      m_beats(m_input, knobs.beat_threshold),
+      m_controls(controls),
+      m_spectrum(m_input, controls.size, controls.smoothing_seconds),
+      m_beats(m_input, controls.beat_threshold),
       m_charge(charge_of_point(points * Spectrum::hops_a_second)),
       m_levels(static_cast<std::size_t>(points)) {
-    const double octaves = std::log2(knobs.high_hertz / knobs.low_hertz);
+    const double octaves = std::log2(controls.high_hertz / controls.low_hertz);
     const auto bin_at = [&](std::int64_t column) {
         const double across = static_cast<double>(column) / points;
-        return knobs.low_hertz * std::exp2(octaves * across) / m_spectrum.hertz_per_bin();
+        return controls.low_hertz * std::exp2(octaves * across) / m_spectrum.hertz_per_bin();
     };
     for (std::int64_t i = 0; i < points; ++i)
         m_columns.push_back({bin_at(i), bin_at(i + 1)});
@@ -27,7 +27,7 @@ double SoundSpectrum::decibels_of(const Column& column,
                                   const std::vector<float>& amplitudes) const {
     const auto last = amplitudes.size() - 1;
     if (column.low >= static_cast<double>(last))
-        return m_knobs.floor_decibels;  // above the Nyquist frequency
+        return m_controls.floor_decibels;  // above the Nyquist frequency
     const auto below = static_cast<std::size_t>(column.low);
     const auto end = std::min(static_cast<std::size_t>(column.high), last);
     if (end == below) {
@@ -43,18 +43,18 @@ double SoundSpectrum::decibels_of(const Column& column,
 void SoundSpectrum::show_hop(std::int64_t hop) const {
     m_hop = hop;
     const std::vector<float>& amplitudes = m_spectrum.amplitudes(hop);
-    const double range = m_knobs.ceiling_decibels - m_knobs.floor_decibels;
+    const double range = m_controls.ceiling_decibels - m_controls.floor_decibels;
     for (std::size_t i = 0; i < m_columns.size(); ++i) {
-        const double above = decibels_of(m_columns[i], amplitudes) - m_knobs.floor_decibels;
+        const double above = decibels_of(m_columns[i], amplitudes) - m_controls.floor_decibels;
         m_levels[i] = static_cast<float>(std::clamp(above / range, 0.0, 1.0));
     }
-    if (!m_knobs.is_radial)
+    if (!m_controls.is_radial)
         return;
     const double now = static_cast<double>(hop) / Spectrum::hops_a_second;
     const auto beat = m_beats.last_beat(now);
     const double push =
-        beat ? m_knobs.pulse * std::exp((*beat - now) / m_knobs.beat_decay_seconds) : 0.0;
-    m_ring = m_knobs.radius * (1.0 + push);
+        beat ? m_controls.pulse * std::exp((*beat - now) / m_controls.beat_decay_seconds) : 0.0;
+    m_ring = m_controls.radius * (1.0 + push);
 }
 
 BeamPoint SoundSpectrum::on_line(std::int64_t place) const {
@@ -66,7 +66,7 @@ BeamPoint SoundSpectrum::on_ring(std::int64_t place) const {
     const double turns = static_cast<double>(place + 1) / points;
     const double along = 1.0 - std::abs(2.0 * turns - 1.0);  // 0 at the top .. 1 at the bottom
     const auto column = static_cast<std::size_t>(along * (points - 1));
-    const double room = std::max(1.0 - m_knobs.radius * (1.0 + m_knobs.pulse), 0.0);
+    const double room = std::max(1.0 - m_controls.radius * (1.0 + m_controls.pulse), 0.0);
     const double radius = m_ring + room * m_levels[column];
     return {static_cast<float>(radius * sine(turns)), static_cast<float>(radius * cosine(turns)),
             static_cast<float>(m_charge)};
@@ -80,6 +80,6 @@ void SoundSpectrum::trace(const TimeSpan& span, Beam& beam) const {
         const std::int64_t hop = point / points;
         if (hop != m_hop)
             show_hop(hop);
-        return m_knobs.is_radial ? on_ring(point % points) : on_line(point % points);
+        return m_controls.is_radial ? on_ring(point % points) : on_line(point % points);
     });
 }

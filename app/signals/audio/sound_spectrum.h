@@ -5,7 +5,7 @@
 #include "signals/signal/signal.h"
 
 /// Settings of a spectrum display.
-struct SpectrumKnobs {
+struct SpectrumControls {
     int size = 2048;  // samples per transform
     double smoothing_seconds = 0.1;
     double low_hertz = 20.0;
@@ -25,7 +25,7 @@ struct SpectrumKnobs {
 class SoundSpectrum : public Signal {
 public:
     SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
-                  const SpectrumKnobs& knobs);
+                  const SpectrumControls& controls);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
     double seconds() const override { return m_input.seconds(); }
@@ -44,7 +44,7 @@ private:
     BeamPoint on_ring(std::int64_t place) const;
 
     SoundInput m_input;
-    SpectrumKnobs m_knobs;
+    SpectrumControls m_controls;
     Spectrum m_spectrum;
     BeatFinder m_beats;
     double m_charge;

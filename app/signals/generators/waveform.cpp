@@ -55,10 +55,10 @@ std::optional<double> first_trigger(const Generator& generator, const ScopeChann
 
 // A wave triggers once per period, so the sweeps are evenly spaced. Each sweep starts at the first
 // trigger after the scope is ready again.
-std::unique_ptr<Sweeps> sweeps_of(const ScopeKnobs& knobs, const std::array<Generator, 2>& inputs,
-                                  double rate) {
-    const Trigger& trigger = knobs.trigger;
-    const double sweep = knobs.sweep_seconds();
+std::unique_ptr<Sweeps> sweeps_of(const ScopeControls& controls,
+                                  const std::array<Generator, 2>& inputs, double rate) {
+    const Trigger& trigger = controls.trigger;
+    const double sweep = controls.sweep_seconds();
     const double busy = sweep + trigger.holdoff_seconds;
     if (trigger.mode == Trigger::Mode::off)
         return std::make_unique<EvenSweeps>(0.0, sweep * rate, sweep * rate);
@@ -66,7 +66,7 @@ std::unique_ptr<Sweeps> sweeps_of(const ScopeKnobs& knobs, const std::array<Gene
     const std::size_t watched =
         trigger.source == 0 ? shown : static_cast<std::size_t>(trigger.source - 1);
     const Generator& source = inputs[watched];
-    const auto first = first_trigger(source, knobs.channels[watched], trigger);
+    const auto first = first_trigger(source, controls.channels[watched], trigger);
     if (!first && trigger.mode == Trigger::Mode::automatic)
         return std::make_unique<EvenSweeps>(0.0, busy * rate, sweep * rate);
     if (!first)
@@ -82,7 +82,7 @@ std::unique_ptr<Sweeps> sweeps_of(const ScopeKnobs& knobs, const std::array<Gene
 class Waveform : public Signal {
 public:
     explicit Waveform(const Settings& settings)
-        : Waveform(settings, scope_knobs(settings),
+        : Waveform(settings, scope_controls(settings),
                    {generator_of(settings, "1"), generator_of(settings, "2")}) {}
 
     void trace(const TimeSpan& span, Beam& beam) const override {
@@ -96,24 +96,25 @@ public:
     }
 
 private:
-    Waveform(const Settings& settings, const ScopeKnobs& knobs, std::array<Generator, 2> inputs)
-        : m_inputs(plugged(knobs, inputs)),
-          m_scope(knobs, {m_inputs[0].is_on(), m_inputs[1].is_on()},
-                  settings.number("points") * 60.0 / traces(knobs, m_inputs)),
-          m_sweeps(sweeps_of(knobs, m_inputs, m_scope.rate())),
+    Waveform(const Settings& settings, const ScopeControls& controls,
+             std::array<Generator, 2> inputs)
+        : m_inputs(plugged(controls, inputs)),
+          m_scope(controls, {m_inputs[0].is_on(), m_inputs[1].is_on()},
+                  settings.number("points") * 60.0 / traces(controls, m_inputs)),
+          m_sweeps(sweeps_of(controls, m_inputs, m_scope.rate())),
           m_scroll(settings.number("speed")),
-          m_is_xy(knobs.is_xy) {}
+          m_is_xy(controls.is_xy) {}
 
-    static std::array<Generator, 2> plugged(const ScopeKnobs& knobs,
+    static std::array<Generator, 2> plugged(const ScopeControls& controls,
                                             std::array<Generator, 2> inputs) {
-        if (knobs.is_swapped)
+        if (controls.is_swapped)
             std::swap(inputs[0], inputs[1]);
         for (std::size_t i = 0; i < 2; ++i)
-            inputs[i].coupling = knobs.channels[i].coupling;
+            inputs[i].coupling = controls.channels[i].coupling;
         return inputs;
     }
-    static double traces(const ScopeKnobs& knobs, const std::array<Generator, 2>& inputs) {
-        return !knobs.is_xy && inputs[0].is_on() && inputs[1].is_on() ? 2.0 : 1.0;
+    static double traces(const ScopeControls& controls, const std::array<Generator, 2>& inputs) {
+        return !controls.is_xy && inputs[0].is_on() && inputs[1].is_on() ? 2.0 : 1.0;
     }
 
     std::array<Generator, 2> m_inputs;  // by the connected channel

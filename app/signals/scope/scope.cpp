@@ -4,23 +4,23 @@
 #include <cmath>
 
 namespace {
-constexpr double half_height = ScopeKnobs::divisions_up / 2.0;
+constexpr double half_height = ScopeControls::divisions_up / 2.0;
 }  // namespace
 
-Scope::Scope(const ScopeKnobs& knobs, std::array<bool, 2> is_shown, double rate)
+Scope::Scope(const ScopeControls& controls, std::array<bool, 2> is_shown, double rate)
     : m_rate(rate),
-      m_sweep_samples(knobs.sweep_seconds() * rate),
-      m_is_xy(knobs.is_xy),
+      m_sweep_samples(controls.sweep_seconds() * rate),
+      m_is_xy(controls.is_xy),
       m_first(is_shown[0]   ? 0
               : is_shown[1] ? 1
                             : -1),
-      m_second(is_shown[0] && is_shown[1] && !knobs.is_xy ? 1 : -1),
+      m_second(is_shown[0] && is_shown[1] && !controls.is_xy ? 1 : -1),
       m_scale{},
       m_offset{},
       m_charge(charge_of_point(rate * static_cast<double>(traces()))) {
-    const bool is_split = knobs.is_split && m_second >= 0;
+    const bool is_split = controls.is_split && m_second >= 0;
     for (std::size_t i = 0; i < 2; ++i) {
-        const ScopeChannel& channel = knobs.channels[i];
+        const ScopeChannel& channel = controls.channels[i];
         double scale = 1.0 / (channel.volts_per_division * half_height);
         double offset = channel.offset / half_height;
         if (is_split) {

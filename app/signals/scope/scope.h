@@ -1,6 +1,6 @@
 #pragma once
 
-#include "signals/scope/scope_knobs.h"
+#include "signals/scope/scope_controls.h"
 #include "signals/scope/sweeps.h"
 #include "signals/signal/points.h"
 #include "signals/signal/stereo_sample.h"
@@ -10,7 +10,7 @@
 class Scope {
 public:
     /// `is_shown`: channels with a trace. `rate`: of the input, in samples per second.
-    Scope(const ScopeKnobs& knobs, std::array<bool, 2> is_shown, double rate);
+    Scope(const ScopeControls& controls, std::array<bool, 2> is_shown, double rate);
 
     /// Appends the points of the samples in `span`, up to sample `count`. `volts(k, start)` returns
     /// sample k after the coupling, in a sweep that started at `start` seconds.

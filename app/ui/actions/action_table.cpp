@@ -5,7 +5,7 @@
 #include "ui/actions/edit_actions.h"
 #include "ui/actions/file_actions.h"
 #include "ui/actions/help_actions.h"
-#include "ui/actions/knob_actions.h"
+#include "ui/actions/parameter_actions.h"
 #include "ui/actions/pass_actions.h"
 #include "ui/actions/pass_switch_actions.h"
 #include "ui/actions/playback_actions.h"
@@ -15,10 +15,10 @@
 ActionTable make_action_table() {
     std::vector<Action> rows;
     for (const auto& part :
-         {file_actions::list(), edit_actions::list(), tuning_actions::list(), knob_actions::list(),
-          view_actions::list(), display_actions::list(), compare_actions::list(),
-          pass_actions::list(), pass_switch_actions::list(), playback_actions::list(),
-          help_actions::list()})
+         {file_actions::list(), edit_actions::list(), tuning_actions::list(),
+          parameter_actions::list(), view_actions::list(), display_actions::list(),
+          compare_actions::list(), pass_actions::list(), pass_switch_actions::list(),
+          playback_actions::list(), help_actions::list()})
         rows.insert(rows.end(), part.begin(), part.end());
     return ActionTable(std::move(rows));
 }

@@ -46,7 +46,7 @@ std::vector<KeyGroup> key_groups(const Scene& scene) {
     std::vector<KeyGroup> groups;
     for (const auto& [menu, title] :
          {std::pair{Menu::file, "File"}, std::pair{Menu::edit, "Edit"},
-          std::pair{Menu::knob, "Parameter"}, std::pair{Menu::playback, "Playback"},
+          std::pair{Menu::parameter, "Parameter"}, std::pair{Menu::playback, "Playback"},
           std::pair{Menu::view, "View"}, std::pair{Menu::output, "Output"},
           std::pair{Menu::frame_rate, "Frame rate"}, std::pair{Menu::compare, "Compare"},
           std::pair{Menu::pass, "Pass"}, std::pair{Menu::help, "Help"}}) {

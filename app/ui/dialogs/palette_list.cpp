@@ -13,7 +13,7 @@ const char* menu_name(Menu menu) {
             return "File";
         case Menu::edit:
             return "Edit";
-        case Menu::knob:
+        case Menu::parameter:
             return "Edit > Parameter";
         case Menu::view:
             return "View";
@@ -72,9 +72,9 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "the slot is empty";
         case ActionId::turn_up:
         case ActionId::turn_down:
-        case ActionId::type_knob:
-        case ActionId::reset_knob:
-        case ActionId::copy_knob_name:
+        case ActionId::type_parameter:
+        case ActionId::reset_parameter:
+        case ActionId::copy_parameter_name:
             return no_parameter;
         case ActionId::save_moves:
             return "no automation is recorded";

@@ -126,20 +126,20 @@ enum class ActionId {
     show_presets,
     show_favourites,
     show_of_pass,
-    next_knob,
-    previous_knob,
+    next_parameter,
+    previous_parameter,
     turn_up,
     turn_down,
-    type_knob,
-    reset_knob,
-    copy_knob_name,
+    type_parameter,
+    reset_parameter,
+    copy_parameter_name,
     keys,
     about,
 };
 
 constexpr ActionId last_action = ActionId::about;
 
-enum class Menu { file, edit, knob, view, output, frame_rate, compare, pass, playback, help };
+enum class Menu { file, edit, parameter, view, output, frame_rate, compare, pass, playback, help };
 
 /// A key with its modifiers.
 struct Chord {

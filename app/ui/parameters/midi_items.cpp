@@ -1,7 +1,7 @@
 #include "ui/parameters/midi_items.h"
 
 #include "lab/document/naming.h"
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -81,8 +81,8 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
 }
 }  // namespace
 
-void draw_midi_items(const Knob& knob, Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     if (!can_be_turned(parameter))
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
@@ -94,7 +94,7 @@ void draw_midi_items(const Knob& knob, Edits& edits) {
         ImGui::EndMenu();
     }
     edits.mark("midi_learn");
-    for (const MidiBinding& binding : knob.midi) {
+    for (const MidiBinding& binding : entry.midi) {
         const std::string label =
             count > 1 ? fmt::format("Unmap {} ({})", part_label(parameter, binding.goal.component),
                                     words_of(binding))

@@ -8,8 +8,9 @@
 
 namespace {
 // Changes the modulation. With `goes_on` the change joins the current undo step.
-void turn(const Knob& knob, const std::optional<Modulation>& next, bool goes_on, Edits& edits) {
-    edits.document([name = knob.parameter.name, next, goes_on](Document& document) {
+void turn(const ParameterEntry& entry, const std::optional<Modulation>& next, bool goes_on,
+          Edits& edits) {
+    edits.document([name = entry.parameter.name, next, goes_on](Document& document) {
         set_modulation(document, name, next, goes_on);
     });
 }
@@ -33,38 +34,38 @@ const char* words_about(const Modulation* modulation) {
     return "Oscillates around the slider value, in playback time.";
 }
 
-void draw_kinds(const Knob& knob, const FormColumns& columns, Edits& edits) {
+void draw_kinds(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
     const auto& kinds = modulation_kinds();
     const auto kind_of = [&] {
-        return std::ranges::find(kinds, knob.modulation->kind,
+        return std::ranges::find(kinds, entry.modulation->kind,
                                  &ModulationWord<ModulationKind>::value)
             ->label;
     };
-    const std::string present = knob.modulation ? kind_of() : "None";
+    const std::string present = entry.modulation ? kind_of() : "None";
     form_label("Modulation", columns, false);
     form_control(columns);
     const bool is_open = begin_combo("##moves", present.c_str(), columns.control_and_number());
     edits.mark("modulation");
     if (!is_open)
         return;
-    if (ImGui::Selectable("None", !knob.modulation))
-        turn(knob, std::nullopt, false, edits);
+    if (ImGui::Selectable("None", !entry.modulation))
+        turn(entry, std::nullopt, false, edits);
     edits.mark("modulation:rests");
     for (const auto& kind : kinds) {
         if (ImGui::Selectable(kind.label.c_str(), present == kind.label) && present != kind.label) {
-            const double depth = knob.modulation ? knob.modulation->depth : Modulation{}.depth;
-            turn(knob, Modulation{.kind = kind.value, .depth = depth}, false, edits);
+            const double depth = entry.modulation ? entry.modulation->depth : Modulation{}.depth;
+            turn(entry, Modulation{.kind = kind.value, .depth = depth}, false, edits);
         }
         edits.mark("modulation:" + kind.key);
     }
     ImGui::EndCombo();
 }
 
-void draw_shapes(const Knob& knob, const FormColumns& columns, Edits& edits) {
+void draw_shapes(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
     std::vector<const char*> labels;
     int chosen = 0;
     for (const auto& shape : lfo_shapes()) {
-        if (shape.value == knob.modulation->shape)
+        if (shape.value == entry.modulation->shape)
             chosen = static_cast<int>(labels.size());
         labels.push_back(shape.label.c_str());
     }
@@ -72,20 +73,20 @@ void draw_shapes(const Knob& knob, const FormColumns& columns, Edits& edits) {
     form_control(columns);
     if (form_list("##shape", labels.data(), static_cast<int>(labels.size()), chosen,
                   columns.control_and_number())) {
-        Modulation next = *knob.modulation;
+        Modulation next = *entry.modulation;
         next.shape = lfo_shapes()[static_cast<std::size_t>(chosen)].value;
-        turn(knob, next, false, edits);
+        turn(entry, next, false, edits);
     }
     edits.mark("modulation_shape");
 }
 
-void draw_figure(const Knob& knob, const ModulationFigure& figure, const FormColumns& columns,
-                 const Fonts& fonts, Edits& edits) {
+void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
+                 const FormColumns& columns, const Fonts& fonts, Edits& edits) {
     const ScopedId id(figure.key);
     form_label(figure.label, columns, false);
     tooltip(figure.help);
     form_control(columns);
-    double number = knob.modulation->*figure.number;
+    double number = entry.modulation->*figure.number;
     const SliderFacts facts{.low = figure.range.low,
                             .high = figure.range.high,
                             .is_logarithmic = figure.scale == Scale::logarithmic,
@@ -95,27 +96,27 @@ void draw_figure(const Knob& knob, const ModulationFigure& figure, const FormCol
     const Turned turned = form_slider("figure", number, facts, columns, fonts);
     edits.mark("modulation_" + figure.key);
     if (turned.is_changed) {
-        Modulation next = *knob.modulation;
+        Modulation next = *entry.modulation;
         next.*figure.number = number;
-        turn(knob, next, true, edits);
+        turn(entry, next, true, edits);
     }
     if (turned.is_finished)
         edits.finish();
 }
 }  // namespace
 
-void draw_modulation_editor(const Knob& knob, const Fonts& fonts, Edits& edits) {
-    if (!why_unmodulated(knob.look, knob.parameter).empty())
+void draw_modulation_editor(const ParameterEntry& entry, const Fonts& fonts, Edits& edits) {
+    if (!why_unmodulated(entry.look, entry.parameter).empty())
         return;
     ImGui::Separator();
     const ScopedId id("modulation");
     const FormColumns columns = editor_columns();
-    draw_kinds(knob, columns, edits);
-    if (knob.modulation) {
-        if (knob.modulation->kind == ModulationKind::lfo)
-            draw_shapes(knob, columns, edits);
-        for (const ModulationFigure& figure : figures_of(knob.modulation->kind))
-            draw_figure(knob, figure, columns, fonts, edits);
+    draw_kinds(entry, columns, edits);
+    if (entry.modulation) {
+        if (entry.modulation->kind == ModulationKind::lfo)
+            draw_shapes(entry, columns, edits);
+        for (const ModulationFigure& figure : figures_of(entry.modulation->kind))
+            draw_figure(entry, figure, columns, fonts, edits);
     }
-    dim_text(words_about(knob.modulation));
+    dim_text(words_about(entry.modulation));
 }

@@ -6,8 +6,8 @@
 #include "model/picture/aliasing.h"
 #include "model/tuning/slider_range.h"
 #include "signals/patterns/generated_picture.h"
-#include "ui/parameters/knob_marks.h"
 #include "ui/parameters/parameter_help.h"
+#include "ui/parameters/parameter_marks.h"
 #include "ui/widgets/color_control.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/point_pad.h"
@@ -20,68 +20,68 @@
 #include <cmath>
 
 namespace {
-SliderFacts facts_for(const Knob& knob, std::size_t component) {
-    const Parameter& parameter = knob.parameter;
+SliderFacts facts_for(const ParameterEntry& entry, std::size_t component) {
+    const Parameter& parameter = entry.parameter;
     SliderFacts facts{
         .low = parameter.range.low,
         .high = parameter.range.high,
         .step = step_of(parameter),
         .is_logarithmic = parameter.scale == Scale::logarithmic,
-        .is_changed = knob.is_changed,
+        .is_changed = entry.is_changed,
         .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
         .limit = parameter.limit,
         .is_whole = parameter.type.scalar != Scalar::floating,
         .is_decay = is_decay(parameter),
-        .steps_from = knob.declared.low,
-        .is_to_be_typed = knob.typed == component};
+        .steps_from = entry.declared.low,
+        .is_to_be_typed = entry.typed == component};
     if (component < parameter.initial.numbers.size())
         facts.initial = parameter.initial.numbers[component];
     return facts;
 }
 
-void tell_period(const Knob& knob, SliderFacts& facts) {
-    if (!knob.period.period)
+void tell_period(const ParameterEntry& entry, SliderFacts& facts) {
+    if (!entry.period.period)
         return;
-    if (is_period(knob.parameter))
+    if (is_period(entry.parameter))
         facts.safe = safe_periods(facts.low, facts.high);
-    facts.warning = moire_warning(knob);
-    if (knob.period.is_too_fine)
+    facts.warning = moire_warning(entry);
+    if (entry.period.is_too_fine)
         facts.note = "below 2 px";
-    if (knob.period.beat)
-        facts.note = fmt::format("moiré {} px", short_number(std::round(*knob.period.beat)));
+    if (entry.period.beat)
+        facts.note = fmt::format("moiré {} px", short_number(std::round(*entry.period.beat)));
 }
 
-Turned draw_component(const Knob& knob, std::size_t component, Value& value,
+Turned draw_component(const ParameterEntry& entry, std::size_t component, Value& value,
                       const FormColumns& columns, const Fonts& fonts, Edits& edits) {
-    SliderFacts facts = facts_for(knob, component);
-    const double factor = shown_factor(knob.parameter);
+    SliderFacts facts = facts_for(entry, component);
+    const double factor = shown_factor(entry.parameter);
     facts.low *= factor;
     facts.high *= factor;
     facts.step *= factor;
-    facts.steps_from = knob.declared.low * factor;
+    facts.steps_from = entry.declared.low * factor;
     if (facts.initial)
         *facts.initial *= factor;
-    if (knob.now && component < knob.now->numbers.size())
-        facts.now = knob.now->numbers[component] * factor;
+    if (entry.now && component < entry.now->numbers.size())
+        facts.now = entry.now->numbers[component] * factor;
     if (facts.limit)
         facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
     double shown = value.numbers[component] * factor;
-    if (is_decay(knob.parameter))
+    if (is_decay(entry.parameter))
         facts.note = fmt::format("½ {}", duration_text(half_life(shown)));
-    tell_period(knob, facts);
+    tell_period(entry, facts);
     const std::string id = std::to_string(component);
     const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
     if (component == 0)
-        edits.mark("number:" + knob.parameter.name);
+        edits.mark("number:" + entry.parameter.name);
     if (!facts.warning.empty())
-        edits.mark("moire:" + knob.parameter.name);
+        edits.mark("moire:" + entry.parameter.name);
     if (turned.is_changed)
         value.numbers[component] = shown / factor;
     return turned;
 }
 
-Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
-                  Edits& edits) {
+Turned draw_parts(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                  const Fonts& fonts, Edits& edits) {
     Turned turned;
     const float indent = ImGui::GetFontSize() * 0.95f;  // indent of a heading's text
     FormColumns indented = columns;
@@ -89,9 +89,9 @@ Turned draw_parts(const Knob& knob, Value& value, const FormColumns& columns, co
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         const ScopedId id(std::to_string(i));
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
-        form_label(part_label(knob.parameter, i), indented, false);
+        form_label(part_label(entry.parameter, i), indented, false);
         form_control(columns);
-        turned |= draw_component(knob, i, value, columns, fonts, edits);
+        turned |= draw_component(entry, i, value, columns, fonts, edits);
     }
     return turned;
 }
@@ -116,10 +116,10 @@ Turned draw_check_boxes(const Parameter& parameter, Value& value) {
     return turned;
 }
 
-Turned draw_list(const Knob& knob, Value& value, const FormColumns& columns) {
+Turned draw_list(const ParameterEntry& entry, Value& value, const FormColumns& columns) {
     std::vector<const char*> labels;
     int chosen = -1;
-    for (const Item& item : knob.parameter.items) {
+    for (const Item& item : entry.parameter.items) {
         if (item.value == value.number())
             chosen = static_cast<int>(labels.size());
         labels.push_back(item.label.c_str());
@@ -127,12 +127,13 @@ Turned draw_list(const Knob& knob, Value& value, const FormColumns& columns) {
     if (!form_list("##list", labels.data(), static_cast<int>(labels.size()), chosen,
                    columns.control_and_number()))
         return {};
-    value = Value(knob.parameter.items[static_cast<std::size_t>(chosen)].value);
+    value = Value(entry.parameter.items[static_cast<std::size_t>(chosen)].value);
     return {true, true};
 }
 
-Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts) {
-    const NumberType& type = knob.parameter.type;
+Turned draw_matrix(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                   const Fonts& fonts) {
+    const NumberType& type = entry.parameter.type;
     const ScopedFont font(fonts.numbers);
     const float width = columns.control_and_number() / static_cast<float>(type.columns) - 2.0f;
     Turned turned;
@@ -144,7 +145,7 @@ Turned draw_matrix(const Knob& knob, Value& value, const FormColumns& columns, c
                 ImGui::SameLine(0.0f, 2.0f);
             const std::size_t place = column * rows + row;
             turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
-                                  number_facts(facts_for(knob, place)));
+                                  number_facts(facts_for(entry, place)));
         }
     }
     return turned;
@@ -159,49 +160,49 @@ Turned draw_trigger(Value& value, const FormColumns& columns) {
     return {true, wanted == 0.0};
 }
 
-Turned draw_file(const Knob& knob, const FormColumns& columns, Edits& edits) {
-    const auto made = made_name(knob.value.path);
+Turned draw_file(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
+    const auto made = made_name(entry.value.path);
     const std::string name =
-        made ? std::string(*made) : std::filesystem::path(knob.value.path).filename().string();
+        made ? std::string(*made) : std::filesystem::path(entry.value.path).filename().string();
     const std::string label = (name.empty() ? std::string("Choose…") : name) + "##file";
     if (ImGui::Button(label.c_str(), {columns.control_and_number(), 0.0f}))
-        edits.show({.kind = Dialog::Kind::choose_file, .subject = knob.parameter.name});
+        edits.show({.kind = Dialog::Kind::choose_file, .subject = entry.parameter.name});
     return {};
 }
 
-Turned draw_control(const Knob& knob, Value& value, const FormColumns& columns, const Fonts& fonts,
-                    Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+Turned draw_control(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                    const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     switch (parameter.control) {
         case Control::list:
-            return draw_list(knob, value, columns);
+            return draw_list(entry, value, columns);
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
-            return draw_point(parameter, value, knob.now, number_facts(facts_for(knob, 0)), columns,
-                              fonts);
+            return draw_point(parameter, value, entry.now, number_facts(facts_for(entry, 0)),
+                              columns, fonts);
         case Control::event:
             return draw_trigger(value, columns);
         case Control::image:
         case Control::sound:
-            return draw_file(knob, columns, edits);
+            return draw_file(entry, columns, edits);
         case Control::slider:
         case Control::angle:
             break;
     }
     if (parameter.type.columns > 1)
-        return draw_matrix(knob, value, columns, fonts);
+        return draw_matrix(entry, value, columns, fonts);
     if (parameter.type.scalar == Scalar::boolean)
         return draw_check_boxes(parameter, value);
-    return draw_component(knob, 0, value, columns, fonts, edits);
+    return draw_component(entry, 0, value, columns, fonts, edits);
 }
 
-void draw_reset(const Knob& knob, const FormColumns& columns, Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+void draw_reset(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     if (form_reset(fmt::format("Reset to {}", short_value(parameter, parameter.initial)),
-                   knob.is_changed, columns))
+                   entry.is_changed, columns))
         reset_parameter(parameter.name, edits);
-    if (knob.is_changed)
+    if (entry.is_changed)
         edits.mark("reset:" + parameter.name);
 }
 }  // namespace
@@ -218,44 +219,44 @@ int expected_lines(const Parameter& parameter) {
 namespace {
 // Stores which of the rows drawn since `top` is under the pointer. The components of a vector are
 // below its label.
-void tell_pointed(const Knob& knob, float top, Edits& edits) {
+void tell_pointed(const ParameterEntry& entry, float top, Edits& edits) {
     const float bottom = ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y;
     const float left = ImGui::GetWindowPos().x;
     if (!ImGui::IsWindowHovered() ||
         !ImGui::IsMouseHoveringRect({left, top}, {left + ImGui::GetWindowWidth(), bottom}))
         return;
     std::size_t component = 0;
-    if (has_parts(knob.parameter)) {
+    if (has_parts(entry.parameter)) {
         const float row = ImGui::GetFrameHeightWithSpacing();
         const float part = (ImGui::GetMousePos().y - top) / row - 1.0f;
         component = static_cast<std::size_t>(std::max(part, 0.0f));
     }
-    edits.arrange([pointed = Pointed{knob.parameter.name, component}](WindowState& window) {
+    edits.arrange([pointed = Pointed{entry.parameter.name, component}](WindowState& window) {
         window.pointed = pointed;
     });
 }
 }  // namespace
 
-bool draw_parameter(const Knob& knob, const Scene& scene, Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     const ScopedId scope(parameter.name);
     const float top = ImGui::GetCursorScreenPos().y;
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
-    const KnobMarks marks = knob_marks(knob.setting, columns);
-    if (form_label(parameter.label, marks.beside(columns), knob.is_changed))
+    const ParameterMarks marks = parameter_marks(entry.setting, columns);
+    if (form_label(parameter.label, marks.beside(columns), entry.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
-    draw_parameter_help(knob, scene, edits);
-    draw_knob_marks(knob, marks, edits);
-    Value value = knob.value;
+    draw_parameter_help(entry, scene, edits);
+    draw_parameter_marks(entry, marks, edits);
+    Value value = entry.value;
     const bool is_vector = has_parts(parameter);
     if (is_vector)
-        draw_reset(knob, columns, edits);
+        draw_reset(entry, columns, edits);
     else
         form_control(columns);
     ImGui::BeginGroup();
-    const Turned turned = is_vector ? draw_parts(knob, value, columns, scene.fonts, edits)
-                                    : draw_control(knob, value, columns, scene.fonts, edits);
+    const Turned turned = is_vector ? draw_parts(entry, value, columns, scene.fonts, edits)
+                                    : draw_control(entry, value, columns, scene.fonts, edits);
     ImGui::EndGroup();
     const bool is_held = ImGui::IsItemActive();
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
@@ -266,7 +267,7 @@ bool draw_parameter(const Knob& knob, const Scene& scene, Edits& edits) {
     if (turned.is_finished)
         edits.finish();
     if (!is_vector)
-        draw_reset(knob, columns, edits);
-    tell_pointed(knob, top, edits);
+        draw_reset(entry, columns, edits);
+    tell_pointed(entry, top, edits);
     return is_held;
 }

@@ -2,17 +2,17 @@
 
 #include "lab/rendering/period_terms.h"
 #include "model/devices/midi.h"
-#include "model/tuning/knob_settings.h"
 #include "model/tuning/modulation.h"
+#include "model/tuning/parameter_settings.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
 /// One parameter of a look with its state, as the panel displays it.
-struct Knob {
+struct ParameterEntry {
     const Parameter& parameter;
     const Value& value;
     bool is_changed = false;
-    const KnobSetting& setting;
+    const ParameterSetting& setting;
     const Range& declared;  // without the user's own slider ends
     const Look& look;
     const Modulation* modulation = nullptr;  // null: not modulated
@@ -27,4 +27,4 @@ int expected_lines(const Parameter& parameter);
 
 /// Draws the label, control, number and reset of a parameter of any type. Returns whether its
 /// control is active by mouse or keyboard.
-bool draw_parameter(const Knob& knob, const Scene& scene, Edits& edits);
+bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edits);

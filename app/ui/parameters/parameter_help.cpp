@@ -6,9 +6,9 @@
 #include "model/look/value_text.h"
 #include "model/picture/aliasing.h"
 #include "ui/frame/action.h"
-#include "ui/parameters/knob_marks.h"
 #include "ui/parameters/midi_items.h"
 #include "ui/parameters/modulation_editor.h"
+#include "ui/parameters/parameter_marks.h"
 #include "ui/parameters/sheet_panel.h"
 #include "ui/parameters/step_view.h"
 #include "ui/widgets/icons.h"
@@ -48,8 +48,8 @@ std::string short_value(const Parameter& parameter, const Value& value) {
     return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }
 
-std::string moire_warning(const Knob& knob) {
-    const PeriodFacts& facts = knob.period;
+std::string moire_warning(const ParameterEntry& entry) {
+    const PeriodFacts& facts = entry.period;
     if (!facts.beat && !facts.is_too_fine)
         return {};
     const std::string period = short_number(*facts.period);
@@ -105,8 +105,8 @@ std::string place_text(const Location& place) {
     return fmt::format("{}:{}", place.file.filename().string(), place.line);
 }
 
-void draw_facts(const Knob& knob, const Fonts& fonts) {
-    const Parameter& parameter = knob.parameter;
+void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
+    const Parameter& parameter = entry.parameter;
     {
         const ScopedFont strong(fonts.strong);
         ImGui::TextUnformatted(wrapped(parameter.label, ImGui::GetFontSize() * 24.0f).c_str());
@@ -118,12 +118,12 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     }
     ImGui::Spacing();
     fact("Name", fmt::format("{}  ({})", parameter.name, type_name(parameter)));
-    fact("Value", told_value(parameter, knob.value));
+    fact("Value", told_value(parameter, entry.value));
     if (is_decay(parameter)) {
-        fact("Half-life", duration_text(half_life(knob.value.number())));
-        fact("To 10 %", duration_text(seconds_to(0.1, knob.value.number())));
+        fact("Half-life", duration_text(half_life(entry.value.number())));
+        fact("To 10 %", duration_text(seconds_to(0.1, entry.value.number())));
     }
-    if (const std::string warning = moire_warning(knob); !warning.empty()) {
+    if (const std::string warning = moire_warning(entry); !warning.empty()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
         ImGui::TextUnformatted(warning.c_str());
@@ -132,10 +132,10 @@ void draw_facts(const Knob& knob, const Fonts& fonts) {
     fact("Default", told_value(parameter, parameter.initial));
     fact("Range", range_text(parameter));
     fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
-    for (const MidiBinding& binding : knob.midi)
+    for (const MidiBinding& binding : entry.midi)
         fact("MIDI", words_of(binding));
-    if (knob.modulation)
-        fact("Modulation", summary_of(*knob.modulation));
+    if (entry.modulation)
+        fact("Modulation", summary_of(*entry.modulation));
     fact("Declared", place_text(parameter.declared));
 }
 // An editable number on its own background, so that it looks editable.
@@ -149,8 +149,8 @@ bool draw_end(const char* id, double& end, const NumberFacts& facts) {
 }
 
 // Two editable numbers, aligned with the facts above; returns whether one changed.
-bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+bool draw_two_ends(const ParameterEntry& entry, Limit& ends, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     const double factor = shown_factor(parameter);
     NumberFacts facts{
         .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
@@ -161,35 +161,35 @@ bool draw_two_ends(const Knob& knob, Limit& ends, const Fonts& fonts, Edits& edi
     dim_text("Slider");
     ImGui::SameLine(ImGui::GetFontSize() * fact_column);
     const ScopedFont numbers(fonts.numbers);
-    facts.is_changed = parameter.range.low != knob.declared.low;
+    facts.is_changed = parameter.range.low != entry.declared.low;
     bool is_changed = draw_end("##low", ends.low, facts);
     edits.mark("slider_low");
     ImGui::SameLine();
     dim_text("to");
     ImGui::SameLine();
-    facts.is_changed = parameter.range.high != knob.declared.high;
+    facts.is_changed = parameter.range.high != entry.declared.high;
     is_changed |= draw_end("##high", ends.high, facts);
     edits.mark("slider_high");
     return is_changed;
 }
 
 // The editable ends of the slider.
-void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
-    const Parameter& parameter = knob.parameter;
+void draw_slider_ends(const ParameterEntry& entry, const Fonts& fonts, Edits& edits) {
+    const Parameter& parameter = entry.parameter;
     if (!has_ends(parameter))
         return;
     const double factor = shown_factor(parameter);
     const std::string& name = parameter.name;
     Limit ends{parameter.range.low * factor, parameter.range.high * factor};
-    if (draw_two_ends(knob, ends, fonts, edits))
+    if (draw_two_ends(entry, ends, fonts, edits))
         edits.add([name, typed = Limit{ends.low / factor, ends.high / factor}](Lab& lab) {
             lab.parameters().set_slider_ends(name, typed);
         });
-    if (!knob.setting.ends)
+    if (!entry.setting.ends)
         return;
     ImGui::SameLine();
-    const SliderFacts declared{.low = knob.declared.low * factor,
-                               .high = knob.declared.high * factor};
+    const SliderFacts declared{.low = entry.declared.low * factor,
+                               .high = entry.declared.high * factor};
     if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
                     theme::dim))
         edits.add([name](Lab& lab) { lab.parameters().set_slider_ends(name, std::nullopt); });
@@ -197,23 +197,23 @@ void draw_slider_ends(const Knob& knob, const Fonts& fonts, Edits& edits) {
 }
 }  // namespace
 
-void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits) {
+void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits& edits) {
     const Fonts& fonts = scene.fonts;
-    const Parameter& parameter = knob.parameter;
+    const Parameter& parameter = entry.parameter;
     if (is_lingered_on() && !ImGui::IsPopupOpen("about")) {
         ImGui::BeginTooltip();
-        draw_facts(knob, fonts);
+        draw_facts(entry, fonts);
         edits.mark("help:" + parameter.name);
         ImGui::EndTooltip();
     }
     if (!ImGui::BeginPopup("about"))
         return;
-    draw_facts(knob, fonts);
-    draw_slider_ends(knob, fonts, edits);
-    draw_modulation_editor(knob, fonts, edits);
+    draw_facts(entry, fonts);
+    draw_slider_ends(entry, fonts, edits);
+    draw_modulation_editor(entry, fonts, edits);
     ImGui::Separator();
     draw_step_items(parameter.name, edits);
-    draw_sheet_items(knob, edits);
+    draw_sheet_items(entry, edits);
     if (is_decay(parameter)) {
         if (ImGui::Selectable("Compare frame rates…"))
             run(ActionId::compare_rates, scene, edits);
@@ -225,9 +225,9 @@ void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits) {
             edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
         edits.mark("open_declared");
     }
-    draw_knob_items(knob, edits);
-    draw_midi_items(knob, edits);
-    if (knob.is_changed && ImGui::Selectable("Reset"))
+    draw_parameter_items(entry, edits);
+    draw_midi_items(entry, edits);
+    if (entry.is_changed && ImGui::Selectable("Reset"))
         reset_parameter(parameter.name, edits);
     if (ImGui::Selectable("Copy name"))
         edits.copy(parameter.name);

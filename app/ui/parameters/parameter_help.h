@@ -4,7 +4,7 @@
 
 /// Attaches to the last drawn label: help as a tooltip, and on click a popup with a link to the
 /// shader.
-void draw_parameter_help(const Knob& knob, const Scene& scene, Edits& edits);
+void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits& edits);
 
 /// Factor from the shader's unit to the displayed one: degrees for angles in radians.
 double shown_factor(const Parameter& parameter);
@@ -13,6 +13,6 @@ double shown_factor(const Parameter& parameter);
 std::string short_value(const Parameter& parameter, const Value& value);
 
 /// Warns about moiré between this period and the pixels; "": no warning.
-std::string moire_warning(const Knob& knob);
+std::string moire_warning(const ParameterEntry& entry);
 
 void reset_parameter(const std::string& name, Edits& edits);

@@ -157,23 +157,24 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
         row.pass_over();
         return;
     }
-    const KnobSetting& setting = setting_of(parameter.name, document.knobs());
+    const ParameterSetting& setting = setting_of(parameter.name, document.parameter_settings());
     const auto own = setting.ends ? std::optional(with_ends(parameter, setting)) : std::nullopt;
-    Knob knob{.parameter = own ? *own : parameter,
-              .value = document.value(parameter),
-              .is_changed = is_changed(document, parameter),
-              .setting = setting,
-              .declared = parameter.range,
-              .look = document.look(),
-              .modulation = modulation_of(document, parameter),
-              .period = period_facts(parameter, scene),
-              .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
+    ParameterEntry entry{
+        .parameter = own ? *own : parameter,
+        .value = document.value(parameter),
+        .is_changed = is_changed(document, parameter),
+        .setting = setting,
+        .declared = parameter.range,
+        .look = document.look(),
+        .modulation = modulation_of(document, parameter),
+        .period = period_facts(parameter, scene),
+        .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
     const Revealed& revealed = scene.window.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
-        knob.typed = revealed.component;
-    if (knob.modulation && scene.lab.renderer())
-        knob.now = &value_of(parameter, scene.lab.renderer()->executor().graph().values());
-    row.end(draw_parameter(knob, scene, edits));
+        entry.typed = revealed.component;
+    if (entry.modulation && scene.lab.renderer())
+        entry.now = &value_of(parameter, scene.lab.renderer()->executor().graph().values());
+    row.end(draw_parameter(entry, scene, edits));
 }
 
 void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {

@@ -198,9 +198,9 @@ void draw_sheet_panel(const Scene& scene, Edits& edits) {
     }
 }
 
-void draw_sheet_items(const Knob& knob, Edits& edits) {
-    const std::string& name = knob.parameter.name;
-    if (!can_be_varied(knob.parameter))
+void draw_sheet_items(const ParameterEntry& entry, Edits& edits) {
+    const std::string& name = entry.parameter.name;
+    if (!can_be_varied(entry.parameter))
         return;
     if (ImGui::MenuItem("Filmstrip of this parameter"))
         show_sheet({.across = name}, edits);

@@ -8,7 +8,7 @@
 void draw_sheet_panel(const Scene& scene, Edits& edits);
 
 /// Menu item of a parameter: shows a filmstrip of it.
-void draw_sheet_items(const Knob& knob, Edits& edits);
+void draw_sheet_items(const ParameterEntry& entry, Edits& edits);
 
 /// Stops drawing a sheet that is not visible.
 void leave_hidden_sheet(const Scene& scene, Edits& edits);

@@ -67,7 +67,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
     if (look)
         lab.looks().keep_unsaved(session);
     start.state.first_steps.is_shown = session.look.empty();
-    lab.parameters().set_all(session.knobs);
+    lab.parameters().set_all(session.parameter_settings);
     lab.content().set_initial(content_of(session));
     (void)lab.player().mute_input(true);  // until the user chooses a live input
     lab.frames().comparison().set_all_slots(session.slots);

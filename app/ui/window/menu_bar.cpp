@@ -58,7 +58,7 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
         draw_menu(Menu::frame_rate, "Frame rate", scene, edits);
     }
     if (menu == Menu::edit)
-        draw_menu(Menu::knob, "Parameter", scene, edits);
+        draw_menu(Menu::parameter, "Parameter", scene, edits);
     if (menu == Menu::file)
         draw_unsaved_menu(scene, edits);
     draw_lists(menu, scene, edits);

@@ -52,9 +52,9 @@ std::string moving_text(const Lab& lab) {
     return fmt::format("{{{}}}", fmt::join(moving, ","));
 }
 
-std::string marked_text(const KnobSettings& knobs, bool KnobSetting::*mark) {
+std::string marked_text(const ParameterSettings& settings, bool ParameterSetting::*mark) {
     std::vector<std::string> names;
-    for (const auto& [name, setting] : knobs)
+    for (const auto& [name, setting] : settings)
         if (setting.*mark)
             names.push_back(json_string(name));
     return fmt::format("[{}]", fmt::join(names, ","));
@@ -250,8 +250,8 @@ std::string document_text(const Lab& lab) {
         json_string(document.history().redo_name()),
         json_string(to_string(document.state().signal)), json_string(document.state().source),
         is_content_locked(document), values_text(document),
-        marked_text(document.knobs(), &KnobSetting::is_favourite),
-        marked_text(document.knobs(), &KnobSetting::is_locked), moving_text(lab));
+        marked_text(document.parameter_settings(), &ParameterSetting::is_favourite),
+        marked_text(document.parameter_settings(), &ParameterSetting::is_locked), moving_text(lab));
 }
 }  // namespace
 

@@ -34,8 +34,9 @@ Session session() {
     made.slots["phosphor+crt"][0] = Slot{{}, {{"crt/tint", Value({0.25, 1.0, 0.5})}}};
     made.fixed_size = {836, 640};
     made.fits_shape = true;
-    made.knobs["phosphor"] = {{"decay", {.is_favourite = true}},
-                              {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
+    made.parameter_settings["phosphor"] = {
+        {"decay", {.is_favourite = true}},
+        {"exposure", {.is_locked = true, .ends = Limit{0.5, 2.0}}}};
     made.preset_stars = {"phosphor/P31 bench", "phosphor+crt/arcade"};
     made.window = {{"left_size", 250.5}, {"width", 1440.0}};
     return made;

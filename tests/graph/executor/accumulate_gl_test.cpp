@@ -7,16 +7,18 @@
 namespace {
 /// Each draw adds one to red and the previous number of samples to green; blue is a parameter.
 Look counting(int repeat = 1) {
-    Look look = look_of(
-        {pass("sum",
-              "uniform int u_samples;\nuniform float shade;\n"
-              "void main() { color = vec4(1, u_samples, shade, 0); }\n"),
-         pass("show",
-              "uniform sampler2D sum;\nuniform float gain;\nuniform int u_samples;\n"
-              "void main() { color = vec4(gain * texture(sum, uv).r, u_samples, 0, 1); }\n",
-              {reads("sum", "sum")})},
-        {knob("shade", {}, 0.0, {{0, "shade"}}), knob("gain", {}, 1.0, {{1, "gain"}}),
-         knob("rounds", {Scalar::integer}, 2.0, {}), knob("enough", {Scalar::integer}, 3.0, {})});
+    Look look =
+        look_of({pass("sum",
+                      "uniform int u_samples;\nuniform float shade;\n"
+                      "void main() { color = vec4(1, u_samples, shade, 0); }\n"),
+                 pass("show",
+                      "uniform sampler2D sum;\nuniform float gain;\nuniform int u_samples;\n"
+                      "void main() { color = vec4(gain * texture(sum, uv).r, u_samples, 0, 1); }\n",
+                      {reads("sum", "sum")})},
+                {parameter_named("shade", {}, 0.0, {{0, "shade"}}),
+                 parameter_named("gain", {}, 1.0, {{1, "gain"}}),
+                 parameter_named("rounds", {Scalar::integer}, 2.0, {}),
+                 parameter_named("enough", {Scalar::integer}, 3.0, {})});
     look.passes[0].accumulate = true;
     look.passes[0].blend = Blend::add;
     look.passes[0].repeat = repeat;

@@ -16,8 +16,8 @@ TEST_CASE_FIXTURE(Headless, "a frame allocates no memory after the first frames"
                      {{"lut", Input::From::image, "a picture with a rather long name", 0, {}},
                       reads("past", "counter", 1)});
     show.repeat = "a_parameter_with_a_long_name";
-    Executor executor = executor_of(
-        look_of({beam, counter(), show}, {knob("a_parameter_with_a_long_name", {}, 2.0, {})}));
+    Executor executor = executor_of(look_of(
+        {beam, counter(), show}, {parameter_named("a_parameter_with_a_long_name", {}, 2.0, {})}));
     const Beam points(1000, BeamPoint{0.5f, 0.5f, 1.0f, 0.0f});
     for (int n = 1; n <= 20; ++n) {
         Frame now = frame(n);

@@ -88,7 +88,7 @@ TEST_CASE_FIXTURE(Headless,
               {{"d", Input::From::image, "noise", 0, {}}}),
          pass("picked", "uniform sampler2D p;\nvoid main() { color = texture(p, uv); }\n")});
     look.images = {{"lut", "lut.png", {}, false}, {"noise", "noise.png", {}, true}};
-    Parameter picker = knob("choice", {}, Value::of_path("a.png"), {{2, "p"}});
+    Parameter picker = parameter_named("choice", {}, Value::of_path("a.png"), {{2, "p"}});
     picker.control = Control::image;
     look.parameters = {picker};
     Executor executor = executor_of(look);
@@ -197,7 +197,7 @@ TEST_CASE_FIXTURE(Headless, "targets have the planned sizes, and unchanged targe
     look.passes[0].size.fill({Side::By::pixels, 16, {}});
     look.passes[1].size = {Side{Side::By::viewport, 0.5, {}},
                            Side{Side::By::expression, 1, "$rows"}};
-    look.parameters = {knob("rows", {}, 3.0, {})};
+    look.parameters = {parameter_named("rows", {}, 3.0, {})};
     Executor executor = executor_of(look, {100, 100});
     CHECK(executor.target(1).extent() == Extent{50, 3});
     executor.draw(frame(1));

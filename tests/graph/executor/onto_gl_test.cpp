@@ -26,7 +26,7 @@ Look glowing_look() {
     Pass show =
         pass("show", "uniform sampler2D image;\nvoid main() { color = texture(image, uv); }\n",
              {reads("image", "glow")});
-    return look_of({light, glow, show}, {knob("plain", {}, 1.0, {})});
+    return look_of({light, glow, show}, {parameter_named("plain", {}, 1.0, {})});
 }
 
 const std::vector<bool> last_only{false, false, true};

@@ -90,7 +90,7 @@ TEST_CASE_FIXTURE(Headless, "until a frame is complete, the previous one is show
 
 TEST_CASE_FIXTURE(Headless,
                   "a redraw in slices reads the same inputs, and is shown when complete") {
-    Parameter gain = knob("gain", {}, 1.0, {{1, "gain"}});
+    Parameter gain = parameter_named("gain", {}, 1.0, {{1, "gain"}});
     Pass show = pass("show",
                      "uniform sampler2D image; uniform float gain;\nvoid main() { color = "
                      "gain * texture(image, uv); }\n",

@@ -8,7 +8,7 @@ Rgba shown(const std::string& type, const std::string& expression, NumberType nu
            const Values& values) {
     Executor executor = executor_of(look_of(
         {pass("show", "uniform " + type + " k;\nvoid main() { color = " + expression + "; }\n")},
-        {knob("k", number, std::move(initial), {{0, "k"}})}));
+        {parameter_named("k", number, std::move(initial), {{0, "k"}})}));
     executor.set_values(values);
     executor.draw(frame(1));
     return pixel(executor, 0);
@@ -74,8 +74,8 @@ TEST_CASE_FIXTURE(
     Headless, "one parameter sets several passes, and a renamed uniform has its own parameter") {
     const std::string body = "uniform float amount;\nvoid main() { color = vec4(amount); }\n";
     const Look look = look_of({pass("a", body), pass("b", body), pass("c", body)},
-                              {knob("amount", {}, 1.0, {{0, "amount"}, {1, "amount"}}),
-                               knob("amount_c", {}, 2.0, {{2, "amount"}})});
+                              {parameter_named("amount", {}, 1.0, {{0, "amount"}, {1, "amount"}}),
+                               parameter_named("amount_c", {}, 2.0, {{2, "amount"}})});
     Executor executor = executor_of(look);
     executor.set_values({{"amount", 5.0}});
     executor.draw(frame(1));
@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Headless, "`set` fixes a uniform in one pass, also if two pass
 
 TEST_CASE_FIXTURE(Headless, "values survive an edit of the look") {
     const Look look = look_of({pass("a", "uniform float k;\nvoid main() { color = vec4(k); }\n")},
-                              {knob("k", {}, 1.0, {{0, "k"}})});
+                              {parameter_named("k", {}, 1.0, {{0, "k"}})});
     Executor executor = executor_of(look);
     executor.set_values({{"k", 6.0}});
     Look edited = look;
@@ -171,7 +171,7 @@ TEST_CASE_FIXTURE(Headless, "each of hundreds of parameters sets its own uniform
         const std::string name = "k" + std::to_string(i);
         declarations += "uniform float " + name + ";\n";
         sum += " + " + name + " * " + std::to_string(i + 1) + ".0";
-        parameters.push_back(knob(name, {}, i % 7, {{0, name}}));
+        parameters.push_back(parameter_named(name, {}, i % 7, {{0, name}}));
         expected += (i == 250 ? 100 : i % 7) * (i + 1);
     }
     Executor executor = executor_of(look_of(
@@ -183,8 +183,8 @@ TEST_CASE_FIXTURE(Headless, "each of hundreds of parameters sets its own uniform
 
 TEST_CASE_FIXTURE(Headless, "a colour is set as linear light, or display-encoded") {
     const auto color = [](Encoding encoding) {
-        Parameter tint =
-            knob("tint", {Scalar::floating, 4, 1}, Value({0.21404, 1.0, 0.0, 0.25}), {{0, "tint"}});
+        Parameter tint = parameter_named("tint", {Scalar::floating, 4, 1},
+                                         Value({0.21404, 1.0, 0.0, 0.25}), {{0, "tint"}});
         tint.control = Control::color;
         tint.encoding = encoding;
         Executor executor = executor_of(
@@ -202,7 +202,7 @@ TEST_CASE_FIXTURE(Headless, "a colour is set as linear light, or display-encoded
 
 TEST_CASE_FIXTURE(Headless,
                   "an event is on for one frame, until it is released and triggered again") {
-    Parameter event = knob("hit", {Scalar::boolean, 1, 1}, 0.0, {{0, "hit"}});
+    Parameter event = parameter_named("hit", {Scalar::boolean, 1, 1}, 0.0, {{0, "hit"}});
     event.control = Control::event;
     Executor executor = executor_of(look_of(
         {pass("show", "uniform bool hit;\nvoid main() { color = vec4(hit ? 1.0 : 0.0); }\n")},

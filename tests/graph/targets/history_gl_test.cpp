@@ -33,7 +33,7 @@ TEST_CASE_FIXTURE(Headless, "a redraw uses new values without advancing history"
                      "void main() { color = texture(counted, uv) * gain; }\n",
                      {reads("counted", "counter")});
     Executor executor =
-        executor_of(look_of({counter(), show}, {knob("gain", {}, 1.0, {{1, "gain"}})}));
+        executor_of(look_of({counter(), show}, {parameter_named("gain", {}, 1.0, {{1, "gain"}})}));
     for (int n = 1; n <= 3; ++n)
         executor.draw(frame(n));
     executor.set_values({{"gain", 10.0}});
@@ -98,7 +98,7 @@ TEST_CASE_FIXTURE(Headless, "the history of a pass is resampled on resize if the
                               "void main() { color = drawn > 0.5 ? vec4(step(0.5, uv.x)) "
                               ": texture(previous, uv); }\n",
                               {reads("previous", "kept", 1)})},
-                        {knob("drawn", {}, Value(1.0), {{0, "drawn"}})});
+                        {parameter_named("drawn", {}, Value(1.0), {{0, "drawn"}})});
     look.passes[0].keeps_when_resized = true;
     Executor executor = executor_of(look);
     executor.draw(frame(1));
@@ -141,7 +141,7 @@ TEST_CASE_FIXTURE(Headless, "an undone edit draws with the values changed meanwh
                               "uniform float gain;\nuniform sampler2D image;\n"
                               "void main() { color = gain * texture(image, uv); }\n",
                               {reads("image", "base")})},
-                        {knob("gain", {}, 1.0, {{0, "gain"}, {1, "gain"}})});
+                        {parameter_named("gain", {}, 1.0, {{0, "gain"}, {1, "gain"}})});
     Executor executor = executor_of(look);
     executor.set_values({{"gain", 3.0}});
     executor.draw(frame(1));
@@ -186,7 +186,7 @@ TEST_CASE_FIXTURE(Headless, "a later pass read without @ gives its previous fram
 }
 
 TEST_CASE_FIXTURE(Headless, "a pass with feedback advances once per repetition") {
-    Look look = look_of({counter()}, {knob("rounds", {Scalar::integer}, 3.0, {})});
+    Look look = look_of({counter()}, {parameter_named("rounds", {Scalar::integer}, 3.0, {})});
     look.passes[0].repeat = "rounds";
     Executor executor = executor_of(look);
     executor.draw(frame(1));

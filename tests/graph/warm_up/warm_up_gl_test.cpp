@@ -7,7 +7,7 @@ namespace {
 const std::string shade_text = "uniform float k = 1.0;\nvoid main() { color = vec4(k); }\n";
 
 Look shading_look(std::vector<Pass> passes) {
-    return look_of(std::move(passes), {knob("k", {}, Value(1.0), {{0, "k"}})});
+    return look_of(std::move(passes), {parameter_named("k", {}, Value(1.0), {{0, "k"}})});
 }
 }  // namespace
 

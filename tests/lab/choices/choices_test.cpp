@@ -223,17 +223,17 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
 
 TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
     Document document(choosing_look(Driver::signal));
-    const auto lists = knob_choices(document, document.look().parameters.front());
+    const auto lists = parameter_choices(document, document.look().parameters.front());
     const std::string blue = part_label(document.look().parameters.front(), 2);
     take(choice_of(lists, "Tint: " + blue + "…").number->answer(0.25), document);
     CHECK(document.value(document.look().parameters.front()).numbers ==
           std::vector<double>{1.0, 1.0, 0.25});
     take(choice_of(lists, "Tint: Locked").commands, document);
-    CHECK(document.knobs().at("tint").is_locked);
+    CHECK(document.parameter_settings().at("tint").is_locked);
     CHECK_FALSE(find_choice(listing_choices(Document(choosing_look(Driver::signal)), {}),
                             "Parameters: Reset Glass"));
     take(choice_of(lists, "Tint: Locked").commands, document);
-    take(choice_of(knob_choices(document, document.look().parameters.front()), "Tint: Locked")
+    take(choice_of(parameter_choices(document, document.look().parameters.front()), "Tint: Locked")
              .commands,
          document);
     take(choice_of(listing_choices(document, {}), "Parameters: Reset Glass").commands, document);

@@ -6,7 +6,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter preset_knob(const std::string& name, double initial) {
+Parameter preset_parameter(const std::string& name, double initial) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -20,8 +20,8 @@ Document open_document() {
     look.id = "small";
     look.driven_by = Driver::signal;
     look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
-    look.parameters = {preset_knob("decay", 0.92), preset_knob("exposure", 1.5),
-                       preset_knob("gain", 1.0)};
+    look.parameters = {preset_parameter("decay", 0.92), preset_parameter("exposure", 1.5),
+                       preset_parameter("gain", 1.0)};
     look.parameters[2].was = "amplitude";
     return Document(look);
 }

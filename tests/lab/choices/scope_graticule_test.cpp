@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter scope_knob(const std::string& name, Value initial) {
+Parameter scope_parameter(const std::string& name, Value initial) {
     Parameter parameter;
     parameter.name = name;
     parameter.type.rows = static_cast<int>(initial.numbers.size());
@@ -16,9 +16,9 @@ Look scope_look(const std::string& scope = {}) {
     look.passes.resize(1);
     look.passes.front().scope = scope;
     look.parameters = {
-        scope_knob(scope + "graticule", Value(0.15)),
-        scope_knob(scope + "graticule_divisions", Value(std::vector<double>{10, 10})),
-        scope_knob(scope + "fit", Value(0.0))};
+        scope_parameter(scope + "graticule", Value(0.15)),
+        scope_parameter(scope + "graticule_divisions", Value(std::vector<double>{10, 10})),
+        scope_parameter(scope + "fit", Value(0.0))};
     return look;
 }
 

@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter changed_knob(const std::string& name, double initial, const std::string& unit) {
+Parameter changed_parameter(const std::string& name, double initial, const std::string& unit) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -20,8 +20,8 @@ Look changed_look() {
     look.name = "Small";
     look.driven_by = Driver::signal;
     look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
-    look.parameters = {changed_knob("decay", 0.92, "per 1/60 s"),
-                       changed_knob("exposure", 1.5, "")};
+    look.parameters = {changed_parameter("decay", 0.92, "per 1/60 s"),
+                       changed_parameter("exposure", 1.5, "")};
     return look;
 }
 

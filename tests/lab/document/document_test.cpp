@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace {
-Parameter knob(const std::string& name, double initial) {
+Parameter parameter_named(const std::string& name, double initial) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -24,7 +24,7 @@ Look document_look() {
     look.name = "Small";
     look.driven_by = Driver::signal;
     look.default_signal = Spec{"lissajous", {{"x", 3.0}}};
-    look.parameters = {knob("decay", 0.92), knob("exposure", 1.5)};
+    look.parameters = {parameter_named("decay", 0.92), parameter_named("exposure", 1.5)};
     return look;
 }
 }  // namespace
@@ -91,7 +91,7 @@ TEST_CASE("an edited look keeps, renames and stores lost values in the whole his
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
     Look edited = document_look();
-    edited.parameters = {knob("persistence", 0.9)};
+    edited.parameters = {parameter_named("persistence", 0.9)};
     edited.parameters[0].was = "decay";
     document.replace_look(edited);
 
@@ -205,7 +205,7 @@ TEST_CASE("locked values stay when many values change at once") {
     Document document(document_look());
     document.set_value("decay", Value(0.5));
     document.set_value("exposure", Value(3.0));
-    set_knob(document, "decay", {.is_locked = true});
+    set_parameter_setting(document, "decay", {.is_locked = true});
     SUBCASE("reset of a group") {
         reset_group(document, {"decay", "exposure"});
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
@@ -252,10 +252,10 @@ TEST_CASE("randomise is one undo step") {
 
 TEST_CASE("a lock follows its parameter through a rename") {
     Document document(document_look());
-    set_knob(document, "decay", {.is_locked = true});
+    set_parameter_setting(document, "decay", {.is_locked = true});
     Look edited = document_look();
     edited.parameters[0].name = "glow";
     edited.parameters[0].was = "decay";
     document.replace_look(edited);
-    CHECK(document.knobs() == KnobSettings{{"glow", {.is_locked = true}}});
+    CHECK(document.parameter_settings() == ParameterSettings{{"glow", {.is_locked = true}}});
 }

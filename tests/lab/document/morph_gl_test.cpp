@@ -58,7 +58,8 @@ TEST_CASE("a morph takes its duration, is one undo step and is recorded as autom
 
 TEST_CASE("a morph leaves locked values alone, and a change by the user ends it") {
     Going small;
-    small.lab().edit([](Document& document) { set_knob(document, "gain", {.is_locked = true}); });
+    small.lab().edit(
+        [](Document& document) { set_parameter_setting(document, "gain", {.is_locked = true}); });
     const auto file = small.preset("small", {{"gain", Value(5.0)}, {"step_size", Value(3.0)}});
     small.lab().presets().navigation().morph_to(file, 1.0);
     small.lab().update(0.5);

@@ -128,7 +128,8 @@ TEST_CASE("changes to locked parameters are refused, and unknown parameters are 
     settings.picks_up = false;
     settings.midi = {{{"gain"}, 1, 21}, {{"elsewhere"}, 1, 22}};
     small.lab().remote().set_settings(settings);
-    small.lab().edit([](Document& document) { set_knob(document, "gain", {.is_locked = true}); });
+    small.lab().edit(
+        [](Document& document) { set_parameter_setting(document, "gain", {.is_locked = true}); });
     small.knob(21, 127);
     CHECK(small.gain() == 1.0);
     CHECK(small.lab().messages().notice()->text == "MIDI: 'gain' is locked");

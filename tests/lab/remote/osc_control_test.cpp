@@ -136,7 +136,7 @@ TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     CHECK(osc.turned() == 6);
     CHECK(osc.refused() == 1);
     CHECK(osc.problem().find("'gone'") != std::string::npos);
-    set_knob(document, "decay", {.is_locked = true});
+    set_parameter_setting(document, "decay", {.is_locked = true});
     send(port, "decay", 0.75f);
     update(&document, 1.4);
     CHECK(document.values().at("decay") == Value(0.625));

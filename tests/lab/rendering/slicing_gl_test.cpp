@@ -47,7 +47,7 @@ TEST_CASE_FIXTURE(Headless, "a sliced first frame is not a picture until it is c
 TEST_CASE_FIXTURE(Headless,
                   "a variant is drawn in the slices after the picture's, with its own values") {
     Look look = look_of({pass("show", "uniform float k;\nvoid main() { color = vec4(k); }\n")},
-                        {knob("k", {}, 1.0, {{0, "k"}})});
+                        {parameter_named("k", {}, 1.0, {{0, "k"}})});
     Renderer renderer(Executor(look, programs_of(look)));
     REQUIRE(renderer.executors().picture().resize({8, 8}, {8, 8}).has_value());
     REQUIRE(renderer.executors().start_variant({{"k", 5.0}}).has_value());

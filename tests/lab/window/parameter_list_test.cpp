@@ -5,7 +5,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Parameter listed_knob(const std::string& name, const std::string& group, int pass) {
+Parameter listed_parameter(const std::string& name, const std::string& group, int pass) {
     Parameter parameter;
     parameter.name = name;
     parameter.label = label_from_name(name);
@@ -20,10 +20,10 @@ Look look() {
     made.passes.resize(2);
     made.passes[0].name = "beam";
     made.passes[1].name = "screen";
-    made.parameters = {listed_knob("focus", "Beam", 0), listed_knob("glow", "", 1),
-                       listed_knob("gain", "Beam", 0), listed_knob("tint", "", 1)};
+    made.parameters = {listed_parameter("focus", "Beam", 0), listed_parameter("glow", "", 1),
+                       listed_parameter("gain", "Beam", 0), listed_parameter("tint", "", 1)};
     made.parameters[1].help = "Light that stays in the glass.";
-    made.parameters.push_back(listed_knob("secret", "Beam", 0));
+    made.parameters.push_back(listed_parameter("secret", "Beam", 0));
     made.parameters.back().is_hidden = true;
     return made;
 }
@@ -55,7 +55,7 @@ TEST_CASE("the list is filtered to changed, favourite or used parameters") {
     Document document(look());
     CHECK(text(document, {.filter = ParameterFilter::changed}).empty());
     document.set_value("glow", Value(0.5));
-    set_knob(document, "gain", {.is_favourite = true});
+    set_parameter_setting(document, "gain", {.is_favourite = true});
     CHECK(text(document, {.filter = ParameterFilter::changed}) == "Screen: glow");
     CHECK(text(document, {.filter = ParameterFilter::favourites}) == "Beam: gain");
     const ParameterQuery of_screen{.filter = ParameterFilter::of_pass, .pass = "screen"};

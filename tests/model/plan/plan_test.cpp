@@ -21,7 +21,7 @@ Input reads(const char* name, int frames_ago = 0, bool mipmap = false) {
             {Filter::linear, Wrap::edge, mipmap}};
 }
 
-Parameter knob(const char* name, double initial, std::vector<Binding> bindings) {
+Parameter parameter_named(const char* name, double initial, std::vector<Binding> bindings) {
     Parameter made;
     made.name = name;
     made.initial = initial;
@@ -35,8 +35,10 @@ Look scope() {
     look.passes = {pass("beam"), pass("persistence", {reads("beam"), reads("persistence", 1)}),
                    pass("bloom", {reads("persistence")}),
                    pass("composite", {reads("persistence"), reads("bloom")})};
-    look.parameters = {knob("gain", 1, {{0, "gain"}}), knob("decay", 0.9, {{1, "decay"}}),
-                       knob("glow", 1, {{2, "glow"}}), knob("exposure", 1, {{3, "exposure"}})};
+    look.parameters = {parameter_named("gain", 1, {{0, "gain"}}),
+                       parameter_named("decay", 0.9, {{1, "decay"}}),
+                       parameter_named("glow", 1, {{2, "glow"}}),
+                       parameter_named("exposure", 1, {{3, "exposure"}})};
     return look;
 }
 
@@ -54,7 +56,7 @@ TEST_CASE("the size of a pass is relative to viewport or source, in pixels, or a
     look.passes[1].size = {Side{Side::By::pixels, 33, {}}, Side{Side::By::pixels, 1, {}}};
     look.passes[2].size = {Side{Side::By::expression, 1, "$WIDTH / floor($cell)"},
                            Side{Side::By::expression, 1, "max($HEIGHT - 10, 1)"}};
-    look.parameters = {knob("cell", 4.5, {})};
+    look.parameters = {parameter_named("cell", 4.5, {})};
 
     const Plan plan = plan_targets(look, {640, 480}, {320, 200}, {}).value();
     CHECK(plan.targets[0].extent == Extent{320, 400});
@@ -122,7 +124,7 @@ TEST_CASE("one_channel stores only red, unless an override sets the format") {
     look.passes = {pass("light")};
     look.passes[0].format = Format::rgba32f;
     look.passes[0].one_channel = "$mono * 2";
-    look.parameters = {knob("mono", 0.0, {})};
+    look.parameters = {parameter_named("mono", 0.0, {})};
     const auto format = [&look](double mono, const PassOverrides& overrides = {}) {
         const Look drawn = with_overrides(look, overrides);
         return plan_targets(drawn, {8, 8}, {}, {{"mono", mono}}).value().targets[0].format;
@@ -139,7 +141,7 @@ TEST_CASE("the spot is given by the look's expression, and is half a texel witho
     Look look;
     look.passes = {pass("beam")};
     look.passes[0].scope = "scope/";
-    look.parameters = {knob("scope/width", 3.0, {})};
+    look.parameters = {parameter_named("scope/width", 3.0, {})};
     const auto spot = [&look](const Values& values = {}) {
         return spot_of(look, look.passes[0], {200, 100}, {50, 25}, values).value();
     };
@@ -175,8 +177,8 @@ TEST_CASE("a parameter that repeats or sizes a pass affects it too") {
     Look look = scope();
     look.passes[2].repeat = "rounds";
     look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
-    look.parameters.push_back(knob("rounds", 1, {}));
-    look.parameters.push_back(knob("cell", 1, {}));
+    look.parameters.push_back(parameter_named("rounds", 1, {}));
+    look.parameters.push_back(parameter_named("cell", 1, {}));
     CHECK(redraw_after(look, {"rounds"}).passes == std::vector<bool>{false, false, true, true});
     CHECK(redraw_after(look, {"cell"}).passes == std::vector<bool>{false, false, false, true});
 }
@@ -185,8 +187,8 @@ TEST_CASE("a parameter of another look in the stack does not size a pass") {
     Look look = scope();
     look.passes[3].scope = "b/";
     look.passes[3].size[0] = {Side::By::expression, 1, "$WIDTH / $cell"};
-    look.parameters.push_back(knob("a/cell", 1, {}));
-    look.parameters.push_back(knob("b/cell", 1, {}));
+    look.parameters.push_back(parameter_named("a/cell", 1, {}));
+    look.parameters.push_back(parameter_named("b/cell", 1, {}));
     CHECK(redraw_after(look, {"a/cell"}).passes == std::vector<bool>(4, false));
     CHECK(redraw_after(look, {"b/cell"}).passes == std::vector<bool>{false, false, false, true});
 }
@@ -211,8 +213,8 @@ TEST_CASE("the number of samples of an accumulating pass does not affect the sam
     look.passes[2].accumulate = true;
     look.passes[2].repeat = "rounds";
     look.passes[2].converge = Count("enough");
-    look.parameters.push_back(knob("rounds", 1, {{2, "rounds"}}));
-    look.parameters.push_back(knob("enough", 1, {{2, "enough"}}));
+    look.parameters.push_back(parameter_named("rounds", 1, {{2, "rounds"}}));
+    look.parameters.push_back(parameter_named("enough", 1, {{2, "enough"}}));
     CHECK(redraw_after(look, {"rounds", "enough"}).passes == std::vector<bool>(4, false));
     look.passes[2].accumulate = false;
     look.passes[2].converge.reset();
@@ -256,7 +258,7 @@ Look sharing_scope() {
     look.passes[0].onto = Onto{"persistence", "$plain"};
     for (const std::size_t pass : {0U, 1U})
         look.passes[pass].format = Format::rgba16f;
-    look.parameters.push_back(knob("plain", 1, {}));
+    look.parameters.push_back(parameter_named("plain", 1, {}));
     return look;
 }
 
@@ -320,7 +322,7 @@ TEST_CASE("half_floats halves the float size, and may depend on one component of
     look.passes = {pass("light")};
     look.passes[0].format = Format::rgba32f;
     look.passes[0].half_floats = "$speed.y - 2";
-    look.parameters = {knob("speed", 0.0, {})};
+    look.parameters = {parameter_named("speed", 0.0, {})};
     const auto format = [&look](double x, double y) {
         return plan_targets(look, {8, 8}, {}, {{"speed", Value({x, y, 0.0})}})
             .value()

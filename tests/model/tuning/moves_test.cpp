@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 namespace {
-Look knob_look() {
+Look moved_look() {
     Look look;
     for (const char* name : {"decay", "gain", "noise"}) {
         Parameter parameter;
@@ -33,7 +33,7 @@ TEST_CASE("an automation reader returns the last move at or before a time") {
 }
 
 TEST_CASE("an automation starts with the values that differ from the defaults at time 0") {
-    const Look look = knob_look();
+    const Look look = moved_look();
     MovesRecorder recorder;
     recorder.note({{"gain", 5.0}}, 1.0);  // not recording
     CHECK(recorder.moves().empty());
@@ -50,7 +50,7 @@ TEST_CASE("an automation starts with the values that differ from the defaults at
 }
 
 TEST_CASE("when time goes back, later moves are recorded over") {
-    const Look look = knob_look();
+    const Look look = moved_look();
     MovesRecorder recorder;
     recorder.start(look, {});
     recorder.note({{"gain", 2.0}}, 1.0);

@@ -7,7 +7,7 @@
 #include <set>
 
 namespace {
-Parameter knob(const std::string& name, Range range, Scale scale = Scale::linear) {
+Parameter parameter_named(const std::string& name, Range range, Scale scale = Scale::linear) {
     Parameter parameter;
     parameter.name = name;
     parameter.initial = Value(range.low);
@@ -24,7 +24,7 @@ Look look_of(std::vector<Parameter> parameters) {
 
 // The values of one parameter for many seeds.
 std::vector<Value> rolls(const Parameter& parameter, int count = 4000,
-                         const KnobSetting& setting = {}) {
+                         const ParameterSetting& setting = {}) {
     const Look look = look_of({parameter});
     std::vector<Value> values;
     for (int seed = 0; seed < count; ++seed)
@@ -51,7 +51,7 @@ constexpr double spread = 0.03;
 }  // namespace
 
 TEST_CASE("random values are uniform over the soft range") {
-    const auto all = numbers(rolls(knob("a", {2.0, 6.0})));
+    const auto all = numbers(rolls(parameter_named("a", {2.0, 6.0})));
     CHECK(all.front() >= 2.0);
     CHECK(all.back() <= 6.0);
     for (const double place : {0.1, 0.25, 0.5, 0.75, 0.9})
@@ -59,34 +59,34 @@ TEST_CASE("random values are uniform over the soft range") {
 }
 
 TEST_CASE("random values of a logarithmic slider are uniform in ratio") {
-    const auto all = numbers(rolls(knob("a", {0.01, 100.0}, Scale::logarithmic)));
+    const auto all = numbers(rolls(parameter_named("a", {0.01, 100.0}, Scale::logarithmic)));
     CHECK(std::abs(share_below(all, 0.1) - 0.25) < spread);
     CHECK(std::abs(share_below(all, 1.0) - 0.5) < spread);
     CHECK(std::abs(share_below(all, 10.0) - 0.75) < spread);
 }
 
 TEST_CASE("random steps, integers and list items are equally likely, the ends included") {
-    const auto odd = numbers(rolls(knob("a", {3.0, 9.0, 2.0})));
+    const auto odd = numbers(rolls(parameter_named("a", {3.0, 9.0, 2.0})));
     CHECK(std::set<double>(odd.begin(), odd.end()) == std::set<double>{3.0, 5.0, 7.0, 9.0});
     CHECK(std::abs(share_below(odd, 4.0) - 0.25) < spread);
-    Parameter whole = knob("b", {-1.0, 1.0});
+    Parameter whole = parameter_named("b", {-1.0, 1.0});
     whole.type.scalar = Scalar::integer;
     const auto three = numbers(rolls(whole));
     CHECK(std::set<double>(three.begin(), three.end()) == std::set<double>{-1.0, 0.0, 1.0});
     CHECK(std::abs(share_below(three, 0.0) - 1.0 / 3.0) < spread);
-    Parameter list = knob("c", {0.0, 100.0});
+    Parameter list = parameter_named("c", {0.0, 100.0});
     list.control = Control::list;
     list.items = {{0.0, "none"}, {7.0, "some"}, {50.0, "all"}};
     const auto items = numbers(rolls(list));
     CHECK(std::set<double>(items.begin(), items.end()) == std::set<double>{0.0, 7.0, 50.0});
     CHECK(std::abs(share_below(items, 50.0) - 2.0 / 3.0) < spread);
-    Parameter box = knob("d", {0.0, 0.0});
+    Parameter box = parameter_named("d", {0.0, 0.0});
     box.type.scalar = Scalar::boolean;
     CHECK(std::abs(share_below(numbers(rolls(box)), 1.0) - 0.5) < spread);
 }
 
 TEST_CASE("a random colour is uniform in sRGB and keeps its alpha") {
-    Parameter color = knob("a", {0.0, 1.0});
+    Parameter color = parameter_named("a", {0.0, 1.0});
     color.control = Control::color;
     color.type = {Scalar::floating, 4, 1};
     color.initial = Value(std::vector<double>{1.0, 1.0, 1.0, 0.6});
@@ -98,7 +98,7 @@ TEST_CASE("a random colour is uniform in sRGB and keeps its alpha") {
 }
 
 TEST_CASE("components of a random vector, angle or point are independent") {
-    Parameter point = knob("a", {-1.0, 1.0});
+    Parameter point = parameter_named("a", {-1.0, 1.0});
     point.control = Control::point;
     point.type = {Scalar::floating, 2, 1};
     int above = 0;
@@ -108,30 +108,32 @@ TEST_CASE("components of a random vector, angle or point are independent") {
 }
 
 TEST_CASE("custom ends of a slider also limit random values") {
-    const auto all = numbers(rolls(knob("a", {0.0, 1.0}), 1000, {.ends = Limit{0.4, 0.6}}));
+    const auto all =
+        numbers(rolls(parameter_named("a", {0.0, 1.0}), 1000, {.ends = Limit{0.4, 0.6}}));
     CHECK(all.front() >= 0.4);
     CHECK(all.back() <= 0.6);
 }
 
 TEST_CASE(
     "randomise keeps locked and hidden parameters, events, files, the view and repeat counts") {
-    Parameter hidden = knob("hidden", {0.0, 1.0});
+    Parameter hidden = parameter_named("hidden", {0.0, 1.0});
     hidden.is_hidden = true;
-    Parameter event = knob("event", {0.0, 1.0});
+    Parameter event = parameter_named("event", {0.0, 1.0});
     event.control = Control::event;
-    Parameter file = knob("file", {0.0, 1.0});
+    Parameter file = parameter_named("file", {0.0, 1.0});
     file.control = Control::image;
-    Parameter turn = knob("turn", {0.0, 1.0});
+    Parameter turn = parameter_named("turn", {0.0, 1.0});
     turn.orbit = OrbitPart::turn;
-    Parameter matrix = knob("matrix", {0.0, 1.0});
+    Parameter matrix = parameter_named("matrix", {0.0, 1.0});
     matrix.type = {Scalar::floating, 2, 2};
-    Look look = look_of({knob("locked", {0.0, 1.0}), knob("free", {0.0, 1.0}),
-                         knob("samples", {1.0, 64.0}), hidden, event, file, turn, matrix});
+    Look look =
+        look_of({parameter_named("locked", {0.0, 1.0}), parameter_named("free", {0.0, 1.0}),
+                 parameter_named("samples", {1.0, 64.0}), hidden, event, file, turn, matrix});
     look.passes.resize(1);
     look.passes[0].repeat = std::string("samples");
     const Values values{{"locked", Value(0.25)}, {"orphan", Value(3.0)}};
-    const KnobSettings knobs{{"locked", {.is_locked = true}}};
-    const Values next = randomised_values(look, values, knobs, 7);
+    const ParameterSettings settings{{"locked", {.is_locked = true}}};
+    const Values next = randomised_values(look, values, settings, 7);
     CHECK(next.at("locked") == Value(0.25));
     CHECK(next.at("orphan") == Value(3.0));
     CHECK(next.count("free") == 1);
@@ -139,7 +141,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a seed gives the same values, whatever else is locked") {
-    const Look look = look_of({knob("a", {0.0, 1.0}), knob("b", {0.0, 1.0})});
+    const Look look = look_of({parameter_named("a", {0.0, 1.0}), parameter_named("b", {0.0, 1.0})});
     const Values both = randomised_values(look, {}, {}, 1);
     CHECK(both == randomised_values(look, {}, {}, 1));
     CHECK(both.at("a") != both.at("b"));

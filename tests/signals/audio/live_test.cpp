@@ -12,16 +12,16 @@ std::shared_ptr<const Sound> three_seconds() {
 
 TEST_CASE("a microphone draws the same as a file with the same samples") {
     const auto sound = three_seconds();
-    for (const std::string knobs :
+    for (const std::string settings :
          {"mode=xy", "mode=xy,coupling1=ac", "mode=waveform,channel=both,sdiv=0.01",
           "mode=waveform,trigger=normal,trigger_level=0.1,sdiv=0.003", "mode=spectrum",
           "mode=radial"}) {
-        INFO(knobs);
-        const auto file = signal_of("audio:a.wav,loop=off," + knobs, sound);
+        INFO(settings);
+        const auto file = signal_of("audio:a.wav,loop=off," + settings, sound);
         // The device was opened one second before time 0.
         auto live = std::make_shared<LiveSound>(8000);
         live->write(std::vector<float>(16000, 0.0f), 2);
-        const auto made = make_signal(parse_spec("microphone:" + knobs).value(),
+        const auto made = make_signal(parse_spec("microphone:" + settings).value(),
                                       {.live = live, .live_first = 8000});
         REQUIRE(made.has_value());
         for (std::int64_t frame = 1; frame <= 120; ++frame) {

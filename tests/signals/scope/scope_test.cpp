@@ -61,8 +61,8 @@ TEST_CASE("a 1 kHz sine at 1 ms/div has one period per division") {
 }
 
 TEST_CASE("a vertical division is a quarter of half the height, scaled by V/div") {
-    const auto at = [](const std::string& knobs) {
-        return highest(beam_of(*signal_of("waveform:ch2=off,f1=2,a1=1," + knobs), {0.0, 0.1}));
+    const auto at = [](const std::string& settings) {
+        return highest(beam_of(*signal_of("waveform:ch2=off,f1=2,a1=1," + settings), {0.0, 0.1}));
     };
     CHECK(at("v1=0.25") == doctest::Approx(1.0));
     CHECK(at("v1=0.5") == doctest::Approx(0.5));
@@ -74,9 +74,9 @@ TEST_CASE("a vertical division is a quarter of half the height, scaled by V/div"
 }
 
 TEST_CASE("channel 2 has its own settings, and is vertical in xy") {
-    const auto at = [](const std::string& knobs) {
+    const auto at = [](const std::string& settings) {
         return highest(
-            beam_of(*signal_of("waveform:ch1=off,ch2=sine,f2=2,a2=1," + knobs), {0.0, 0.1}));
+            beam_of(*signal_of("waveform:ch1=off,ch2=sine,f2=2,a2=1," + settings), {0.0, 0.1}));
     };
     CHECK(at("v1=5,v2=0.5") == doctest::Approx(0.5));
     CHECK(at("v2=1,o1=3,o2=-1.5") == doctest::Approx(0.25 - 1.5 * 0.25));
@@ -130,7 +130,7 @@ TEST_CASE("a sweep starts at the trigger level and slope, with sub-sample jitter
     constexpr double hertz = 130.3;
     const auto sound = tone(hertz, 0.8);
     struct Case {
-        std::string knobs;
+        std::string settings;
         double turns;  // of the left wave at the trigger
     };
     const double at_quarter = std::asin(0.25 / 0.8) / (2.0 * std::numbers::pi);
@@ -138,10 +138,10 @@ TEST_CASE("a sweep starts at the trigger level and slope, with sub-sample jitter
                             Case{"trigger_level=0.25,slope=falling", 0.5 - at_quarter},
                             Case{"trigger_level=-0.25,invert1=on", 0.5 - at_quarter},
                             Case{"trigger_level=-0.25,invert1=on,slope=falling", at_quarter}}) {
-        INFO(one.knobs);
+        INFO(one.settings);
         const auto signal =
-            signal_of("audio:a.wav,mode=waveform,channel=left,sdiv=0.002," + one.knobs, sound);
-        const double sign = one.knobs.find("invert") == std::string::npos ? 1.0 : -1.0;
+            signal_of("audio:a.wav,mode=waveform,channel=left,sdiv=0.002," + one.settings, sound);
+        const double sign = one.settings.find("invert") == std::string::npos ? 1.0 : -1.0;
         const double slope = 0.8 * 2.0 * std::numbers::pi * hertz;  // V/s at most
         for (const BeamPoint& point : beam_of(*signal, {0.0, 1.9})) {
             if (point.intensity == 0.0f)

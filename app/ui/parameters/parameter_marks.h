@@ -5,7 +5,7 @@
 
 /// Star and padlock at the end of a parameter's label. Each is visible when it is set; both while
 /// the pointer is on the label.
-struct KnobMarks {
+struct ParameterMarks {
     bool shows_star = false;
     bool shows_lock = false;
     float left = 0.0f;  // of the star, on the screen
@@ -16,9 +16,9 @@ struct KnobMarks {
 };
 
 /// For the row at the cursor.
-KnobMarks knob_marks(const KnobSetting& setting, const FormColumns& columns);
+ParameterMarks parameter_marks(const ParameterSetting& setting, const FormColumns& columns);
 /// Draws the marks after the label.
-void draw_knob_marks(const Knob& knob, const KnobMarks& marks, Edits& edits);
+void draw_parameter_marks(const ParameterEntry& entry, const ParameterMarks& marks, Edits& edits);
 
 /// The marks as menu items.
-void draw_knob_items(const Knob& knob, Edits& edits);
+void draw_parameter_items(const ParameterEntry& entry, Edits& edits);

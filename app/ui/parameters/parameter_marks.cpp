@@ -1,4 +1,4 @@
-#include "ui/parameters/knob_marks.h"
+#include "ui/parameters/parameter_marks.h"
 
 #include "lab/document/document.h"
 #include "lab/document/parameter_edits.h"
@@ -13,23 +13,24 @@ float mark_width() {
     return std::round(ImGui::GetFontSize() * 1.15f);
 }
 
-std::string star_help(const KnobSetting& setting) {
+std::string star_help(const ParameterSetting& setting) {
     return setting.is_favourite ? "Favourite. Click to remove it from the favourites."
                                 : "Add to favourites. The filter above can show only favourites.";
 }
 
-std::string lock_help(const KnobSetting& setting) {
+std::string lock_help(const ParameterSetting& setting) {
     return setting.is_locked ? "Locked. Presets, Randomise and resetting a group or all parameters "
                                "don't change it. Click to unlock."
                              : "Lock. Presets, Randomise and resetting a group or all parameters "
                                "then don't change it.";
 }
 
-void change(const Knob& knob, bool KnobSetting::*mark, Edits& edits) {
-    KnobSetting next = knob.setting;
+void change(const ParameterEntry& entry, bool ParameterSetting::*mark, Edits& edits) {
+    ParameterSetting next = entry.setting;
     next.*mark = !(next.*mark);
-    edits.document(
-        [name = knob.parameter.name, next](Document& document) { set_knob(document, name, next); });
+    edits.document([name = entry.parameter.name, next](Document& document) {
+        set_parameter_setting(document, name, next);
+    });
 }
 
 // An icon button that is less prominent than a normal button.
@@ -59,16 +60,16 @@ bool is_in_hand(const ImVec2& low, const ImVec2& high) {
 }
 }  // namespace
 
-FormColumns KnobMarks::beside(FormColumns columns) const {
+FormColumns ParameterMarks::beside(FormColumns columns) const {
     columns.label -= width;
     return columns;
 }
 
-KnobMarks knob_marks(const KnobSetting& setting, const FormColumns& columns) {
+ParameterMarks parameter_marks(const ParameterSetting& setting, const FormColumns& columns) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + columns.label, low.y + ImGui::GetFrameHeight());
     const bool is_pointed_at = is_in_hand(low, high);
-    KnobMarks marks;
+    ParameterMarks marks;
     marks.shows_star = setting.is_favourite || is_pointed_at;
     marks.shows_lock = setting.is_locked || is_pointed_at;
     marks.width = mark_width() * (marks.shows_star ? 2.0f : marks.shows_lock ? 1.0f : 0.0f);
@@ -76,31 +77,31 @@ KnobMarks knob_marks(const KnobSetting& setting, const FormColumns& columns) {
     return marks;
 }
 
-void draw_knob_marks(const Knob& knob, const KnobMarks& marks, Edits& edits) {
-    const std::string& name = knob.parameter.name;
-    const KnobSetting& setting = knob.setting;
+void draw_parameter_marks(const ParameterEntry& entry, const ParameterMarks& marks, Edits& edits) {
+    const std::string& name = entry.parameter.name;
+    const ParameterSetting& setting = entry.setting;
     const float origin = ImGui::GetWindowPos().x - ImGui::GetScrollX();
     if (marks.shows_star) {
         ImGui::SameLine(marks.left - origin);
         if (draw_mark("##star", setting.is_favourite ? Icon::star : Icon::star_outline,
                       setting.is_favourite, star_help(setting)))
-            change(knob, &KnobSetting::is_favourite, edits);
+            change(entry, &ParameterSetting::is_favourite, edits);
         edits.mark("star:" + name);
     }
     if (marks.shows_lock) {
         ImGui::SameLine(marks.left + mark_width() - origin);
         if (draw_mark("##lock", setting.is_locked ? Icon::locked : Icon::unlocked,
                       setting.is_locked, lock_help(setting)))
-            change(knob, &KnobSetting::is_locked, edits);
+            change(entry, &ParameterSetting::is_locked, edits);
         edits.mark("lock:" + name);
     }
 }
 
-void draw_knob_items(const Knob& knob, Edits& edits) {
-    if (ImGui::MenuItem("Favourite", nullptr, knob.setting.is_favourite))
-        change(knob, &KnobSetting::is_favourite, edits);
+void draw_parameter_items(const ParameterEntry& entry, Edits& edits) {
+    if (ImGui::MenuItem("Favourite", nullptr, entry.setting.is_favourite))
+        change(entry, &ParameterSetting::is_favourite, edits);
     edits.mark("favourite_item");
-    if (ImGui::MenuItem("Locked", nullptr, knob.setting.is_locked))
-        change(knob, &KnobSetting::is_locked, edits);
+    if (ImGui::MenuItem("Locked", nullptr, entry.setting.is_locked))
+        change(entry, &ParameterSetting::is_locked, edits);
     edits.mark("locked_item");
 }

@@ -1,4 +1,4 @@
-#include "signals/scope/scope_knobs.h"
+#include "signals/scope/scope_controls.h"
 
 #include "signals/signal/settings.h"
 
@@ -115,7 +115,7 @@ std::vector<SettingFacts> trigger_settings(const ScopeFacts& facts) {
 }
 }  // namespace
 
-ScopeKnobs scope_knobs(const Settings& settings) {
+ScopeControls scope_controls(const Settings& settings) {
     return {.channels = {channel_of(settings, "1"), channel_of(settings, "2")},
             .is_swapped = settings.is("swap", "on"),
             .is_xy = settings.is("mode", "xy"),

@@ -32,7 +32,7 @@ struct Trigger {
 };
 
 /// Settings of a two-channel oscilloscope with 10 x 8 divisions.
-struct ScopeKnobs {
+struct ScopeControls {
     static constexpr double divisions_across = 10.0;
     static constexpr double divisions_up = 8.0;
 
@@ -47,7 +47,7 @@ struct ScopeKnobs {
 };
 
 /// Reads the settings of scope_settings(). The caller sets `is_xy`.
-ScopeKnobs scope_knobs(const Settings& settings);
+ScopeControls scope_controls(const Settings& settings);
 
 /// Differences between the scopes of the kinds of signal.
 struct ScopeFacts {

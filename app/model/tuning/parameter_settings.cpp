@@ -1,4 +1,4 @@
-#include "model/tuning/knob_settings.h"
+#include "model/tuning/parameter_settings.h"
 
 #include "base/text.h"
 #include "model/look/renamed.h"
@@ -8,17 +8,17 @@
 #include <algorithm>
 #include <cmath>
 
-const KnobSetting& setting_of(const std::string& name, const KnobSettings& knobs) {
-    static const KnobSetting none;
-    const auto found = knobs.find(name);
-    return found == knobs.end() ? none : found->second;
+const ParameterSetting& setting_of(const std::string& name, const ParameterSettings& settings) {
+    static const ParameterSetting none;
+    const auto found = settings.find(name);
+    return found == settings.end() ? none : found->second;
 }
 
-KnobSettings renamed_knobs(const Look& look, KnobSettings knobs) {
-    return renamed(look, std::move(knobs));
+ParameterSettings renamed_settings(const Look& look, ParameterSettings settings) {
+    return renamed(look, std::move(settings));
 }
 
-Parameter with_ends(Parameter parameter, const KnobSetting& setting) {
+Parameter with_ends(Parameter parameter, const ParameterSetting& setting) {
     if (setting.ends && has_ends(parameter))
         if (const auto ends = fitted_ends(parameter, *setting.ends)) {
             parameter.range.low = ends->low;
@@ -52,20 +52,21 @@ bool has_ends(const Parameter& parameter) {
     return is_turned && parameter.type.scalar != Scalar::boolean && parameter.type.columns == 1;
 }
 
-KnobSettings knobs_in(const Stack& stack, const LookKnobs& looks) {
-    KnobSettings knobs;
+ParameterSettings settings_in(const Stack& stack, const LookParameterSettings& looks) {
+    ParameterSettings settings;
     for (std::size_t i = 0; i < stack.size(); ++i)
         if (const auto own = looks.find(stack[i].look); own != looks.end())
             for (const auto& [name, setting] : own->second)
-                knobs.emplace(scope_of(stack, i) + name, setting);
-    return knobs;
+                settings.emplace(scope_of(stack, i) + name, setting);
+    return settings;
 }
 
-void keep_knobs(LookKnobs& looks, const Stack& stack, const KnobSettings& knobs) {
+void store_settings(LookParameterSettings& looks, const Stack& stack,
+                    const ParameterSettings& settings) {
     for (std::size_t i = stack.size(); i-- > 0;) {
         const std::string scope = scope_of(stack, i);
-        KnobSettings own;
-        for (const auto& [name, setting] : knobs)
+        ParameterSettings own;
+        for (const auto& [name, setting] : settings)
             if (name.starts_with(scope))
                 own.emplace(name.substr(scope.size()), setting);
         if (own.empty())

@@ -1,4 +1,4 @@
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 
 #include <doctest/doctest.h>
 
@@ -14,7 +14,7 @@ Parameter ranged(Range range, Scale scale = Scale::linear) {
     return made;
 }
 
-double turned(const Parameter& parameter, double share, const KnobSetting& setting = {}) {
+double turned(const Parameter& parameter, double share, const ParameterSetting& setting = {}) {
     return value_at_share({parameter, setting}, parameter.initial, share).number();
 }
 
@@ -33,7 +33,7 @@ TEST_CASE("a share maps to the slider linearly, or by equal ratios on a logarith
     const Parameter ratios = ranged({1.0, 100.0}, Scale::logarithmic);
     CHECK(is_close(turned(ratios, 0.5), 10.0));
     CHECK(is_close(share_at({ratios, {}}, Value(10.0)), 0.5));
-    const KnobSetting ends{.ends = Limit{0.0, 0.5}};
+    const ParameterSetting ends{.ends = Limit{0.0, 0.5}};
     CHECK(is_close(turned(plain, 0.5, ends), 0.25));
     CHECK(is_close(share_at({plain, ends}, Value(0.25)), 0.5));
 }

@@ -2,17 +2,17 @@
 
 #include "lab/document/document.h"
 #include "lab/messages/messages.h"
-#include "model/tuning/knob_settings.h"
+#include "model/tuning/parameter_settings.h"
 
 /// What the user set about the parameters of all looks: favourites, locks, slider ranges.
-class ParameterSettings {
+class ParameterSettingsStore {
 public:
-    ParameterSettings(OpenDocument& document, Messages& messages)
+    ParameterSettingsStore(OpenDocument& document, Messages& messages)
         : m_document(document), m_messages(messages) {}
 
     /// The settings of all looks, including changes in the open one.
-    LookKnobs all() const;
-    void set_all(LookKnobs settings);
+    LookParameterSettings all() const;
+    void set_all(LookParameterSettings settings);
     /// Stores the settings of the open look before it closes.
     void store() { m_stored = all(); }
     /// Gives the open look its stored settings.
@@ -23,5 +23,5 @@ public:
 private:
     OpenDocument& m_document;
     Messages& m_messages;
-    LookKnobs m_stored;
+    LookParameterSettings m_stored;
 };

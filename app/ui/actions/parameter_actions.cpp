@@ -1,4 +1,4 @@
-#include "ui/actions/knob_actions.h"
+#include "ui/actions/parameter_actions.h"
 
 #include "gpu/input_event.h"
 #include "lab/document/parameter_edits.h"
@@ -11,14 +11,14 @@
 #include <fmt/format.h>
 
 namespace {
-const Parameter* knob_in_hand(const Scene& scene) {
+const Parameter* selected_parameter(const Scene& scene) {
     return scene.lab.document()
                ? find_parameter(scene.lab.document()->look(), scene.window.revealed.parameter)
                : nullptr;
 }
 
-bool has_knob(const Scene& scene) {
-    return knob_in_hand(scene) != nullptr;
+bool has_selected_parameter(const Scene& scene) {
+    return selected_parameter(scene) != nullptr;
 }
 
 template <int by>
@@ -39,7 +39,7 @@ void go(const Scene& scene, Edits& edits) {
 
 // An event parameter is on only while the key is held, as with the mouse.
 bool is_trigger(const Scene& scene) {
-    const Parameter* parameter = knob_in_hand(scene);
+    const Parameter* parameter = selected_parameter(scene);
     return parameter && parameter->control == Control::event;
 }
 
@@ -48,8 +48,9 @@ void turn(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     if (is_trigger(scene))
         return edits.set(scene.window.revealed.parameter, Value(1.0));
-    const Parameter parameter = with_ends(
-        *knob_in_hand(scene), setting_of(scene.window.revealed.parameter, document.knobs()));
+    const Parameter parameter =
+        with_ends(*selected_parameter(scene),
+                  setting_of(scene.window.revealed.parameter, document.parameter_settings()));
     const auto next =
         one_step(parameter, document.value(parameter), scene.window.revealed.component, is_up);
     if (next)
@@ -59,9 +60,10 @@ void turn(const Scene& scene, Edits& edits) {
 }
 
 void let_go(const Scene& scene, Edits& edits) {
-    if (is_trigger(scene) && scene.lab.document()->value(*knob_in_hand(scene)).number() != 0.0)
+    if (is_trigger(scene) &&
+        scene.lab.document()->value(*selected_parameter(scene)).number() != 0.0)
         edits.set(scene.window.revealed.parameter, Value(0.0));
-    if (has_knob(scene))
+    if (has_selected_parameter(scene))
         edits.finish();
 }
 
@@ -80,24 +82,24 @@ void copy_name(const Scene& scene, Edits& edits) {
 }
 
 Action turning(ActionId id, const char* label, int key, void (*act)(const Scene&, Edits&)) {
-    Action action{id, Menu::knob, label, {key}, false, act, has_knob};
+    Action action{id, Menu::parameter, label, {key}, false, act, has_selected_parameter};
     action.let_go = let_go;
     return action;
 }
 }  // namespace
 
-std::vector<Action> knob_actions::list() {
+std::vector<Action> parameter_actions::list() {
     namespace key = gpu::key;
     return {
-        {ActionId::next_knob,
-         Menu::knob,
+        {ActionId::next_parameter,
+         Menu::parameter,
          "Next parameter",
          {key::down},
          false,
          go<1>,
          file_actions::has_document},
-        {ActionId::previous_knob,
-         Menu::knob,
+        {ActionId::previous_parameter,
+         Menu::parameter,
          "Previous parameter",
          {key::up},
          false,
@@ -105,20 +107,26 @@ std::vector<Action> knob_actions::list() {
          file_actions::has_document},
         turning(ActionId::turn_up, "Increase by one step", key::right, turn<true>),
         turning(ActionId::turn_down, "Decrease by one step", key::left, turn<false>),
-        {ActionId::type_knob, Menu::knob, "Type a value", {key::enter}, false, type, has_knob},
-        {ActionId::reset_knob,
-         Menu::knob,
+        {ActionId::type_parameter,
+         Menu::parameter,
+         "Type a value",
+         {key::enter},
+         false,
+         type,
+         has_selected_parameter},
+        {ActionId::reset_parameter,
+         Menu::parameter,
          "Reset parameter",
          {key::backspace},
          false,
          reset,
-         has_knob},
-        {ActionId::copy_knob_name,
-         Menu::knob,
+         has_selected_parameter},
+        {ActionId::copy_parameter_name,
+         Menu::parameter,
          "Copy parameter name",
          {},
          false,
          copy_name,
-         has_knob},
+         has_selected_parameter},
     };
 }

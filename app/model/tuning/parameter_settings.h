@@ -7,25 +7,25 @@
 #include <string>
 
 /// The user's settings for a parameter, apart from its value. Not part of presets.
-struct KnobSetting {
+struct ParameterSetting {
     bool is_favourite = false;
     bool is_locked = false;          // only its own control changes it
     std::optional<Limit> ends = {};  // of its slider, instead of the shader's
 
-    bool operator==(const KnobSetting&) const = default;
-    bool is_empty() const { return *this == KnobSetting{}; }
+    bool operator==(const ParameterSetting&) const = default;
+    bool is_empty() const { return *this == ParameterSetting{}; }
 };
 
 /// By parameter name; missing parameters have default settings.
-using KnobSettings = std::map<std::string, KnobSetting>;
+using ParameterSettings = std::map<std::string, ParameterSetting>;
 
-const KnobSetting& setting_of(const std::string& name, const KnobSettings& knobs);
+const ParameterSetting& setting_of(const std::string& name, const ParameterSettings& settings);
 
 /// With current parameter names instead of previous ones (`@was`).
-KnobSettings renamed_knobs(const Look& look, KnobSettings knobs);
+ParameterSettings renamed_settings(const Look& look, ParameterSettings settings);
 
 /// The parameter with the user's ends of its slider.
-Parameter with_ends(Parameter parameter, const KnobSetting& setting);
+Parameter with_ends(Parameter parameter, const ParameterSetting& setting);
 /// The requested ends of a slider, restricted to the parameter's hard limit and rounded for
 /// integers. Fails if the range would be empty.
 Result<Limit> fitted_ends(const Parameter& parameter, Limit ends);
@@ -33,9 +33,10 @@ Result<Limit> fitted_ends(const Parameter& parameter, Limit ends);
 bool has_ends(const Parameter& parameter);
 
 /// The settings of each look by its id, so that a look has the same settings alone and in a stack.
-using LookKnobs = std::map<std::string, KnobSettings>;
+using LookParameterSettings = std::map<std::string, ParameterSettings>;
 
 /// The settings of a stack's looks, by the parameter names in the stack.
-KnobSettings knobs_in(const Stack& stack, const LookKnobs& looks);
+ParameterSettings settings_in(const Stack& stack, const LookParameterSettings& looks);
 /// Stores them; of two copies of a look the first takes precedence.
-void keep_knobs(LookKnobs& looks, const Stack& stack, const KnobSettings& knobs);
+void store_settings(LookParameterSettings& looks, const Stack& stack,
+                    const ParameterSettings& settings);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/look/parameter.h"
-#include "model/tuning/knob_settings.h"
+#include "model/tuning/parameter_settings.h"
 
 #include <cstddef>
 
@@ -15,7 +15,7 @@ bool is_gradual(const Parameter& parameter);
 /// A number of a parameter, and the user's ends of its slider.
 struct TurnedNumber {
     const Parameter& parameter;
-    const KnobSetting& setting;
+    const ParameterSetting& setting;
     std::size_t component = 0;
 };
 

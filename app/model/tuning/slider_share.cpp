@@ -1,4 +1,4 @@
-#include "model/tuning/knob_turn.h"
+#include "model/tuning/slider_share.h"
 
 #include "model/tuning/slider_range.h"
 
