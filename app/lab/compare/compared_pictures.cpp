@@ -1,54 +1,44 @@
 #include "lab/compare/compared_pictures.h"
 
-#include "base/elapsed.h"
 #include "gpu/objects/texels.h"
 #include "graph/inspect/texel_programs.h"
 
-#include <algorithm>
-#include <chrono>
 #include <utility>
 #include <vector>
 
-ComparedPictures::ComparedPictures(Comparer comparer, PairMeter distances, PairMeter light)
+ComparedPictures::ComparedPictures(Comparer comparer, RepeatedMeasurement distances,
+                                   RepeatedMeasurement luminances)
     : m_comparer(std::move(comparer)),
-      m_distance_meter(std::move(distances)),
-      m_light_meter(std::move(light)) {}
+      m_distances(std::move(distances)),
+      m_luminances(std::move(luminances)) {}
 
 Result<ComparedPictures> ComparedPictures::make() {
     auto comparer = Comparer::make();
     if (!comparer)
         return fail(comparer.error());
-    auto distances = PairMeter::make();
+    auto distances = RepeatedMeasurement::make();
     if (!distances)
         return fail(distances.error());
-    auto light = PairMeter::make();
-    if (!light)
-        return fail(light.error());
-    return ComparedPictures(std::move(*comparer), std::move(*distances), std::move(*light));
+    auto luminances = RepeatedMeasurement::make();
+    if (!luminances)
+        return fail(luminances.error());
+    return ComparedPictures(std::move(*comparer), std::move(*distances), std::move(*luminances));
 }
 
-template <class Act>
-void ComparedPictures::Pace::run(double seconds, Act act) {
-    constexpr double pause_seconds = 0.2;
-    constexpr double most_share = 0.1;  // of the time
-    if (!is_due(seconds))
-        return;
-    const auto start = std::chrono::steady_clock::now();
-    act();
-    due = seconds + std::max(pause_seconds, seconds_since(start) / most_share);
+std::optional<double> ComparedPictures::stops() const {
+    const auto& luminances = m_luminances.latest().luminances;
+    if (!luminances)
+        return std::nullopt;
+    return matching_stops(luminances->ours, luminances->other);
 }
 
-void ComparedPictures::forget_numbers() {
-    m_distance_meter.stop();
-    m_light_meter.stop();
-    m_distances.reset();
-    m_stops.reset();
-    m_distance_pace = {};
-    m_light_pace = {};
+void ComparedPictures::stop_measuring() {
+    m_distances.stop();
+    m_luminances.stop();
 }
 
 void ComparedPictures::stop() {
-    forget_numbers();
+    stop_measuring();
     m_uploaded.reset();
     m_reference.reset();
     m_fitted.reset();
@@ -98,22 +88,18 @@ const gpu::Texture* ComparedPictures::sized_other(const Subject& subject) {
 }
 
 void ComparedPictures::match_brightness(const Pair& pair, double seconds) {
-    if (const auto measured = m_light_meter.take(); measured && measured->luminances)
-        m_stops = matching_stops(measured->luminances->ours, measured->luminances->other);
-    if (!m_light_meter.is_busy())
-        m_light_pace.run(seconds, [&] { m_light_meter.start_luminances(pair); });
-    if (!m_stops || !fit_floats(m_matched, pair.other.extent()))
+    m_luminances.update(seconds, [&](PairMeter& meter) { meter.start_luminances(pair); });
+    const std::optional<double> brighter_by = stops();
+    if (!brighter_by || !fit_floats(m_matched, pair.other.extent()))
         return;
-    m_comparer.draw_brighter(pair.other, pair.encoding, *m_stops, *m_matched);
+    m_comparer.draw_brighter(pair.other, pair.encoding, *brighter_by, *m_matched);
     m_other = &m_matched->texture();
 }
 
-void ComparedPictures::tell_apart(const Pair& pair, const Comparison& comparison, double seconds) {
+void ComparedPictures::draw_difference(const Pair& pair, const Comparison& comparison,
+                                       double seconds) {
     constexpr double tolerance = 1.0 / 255.0;  // as in `afterglow compare`
-    if (const auto measured = m_distance_meter.take(); measured && measured->distances)
-        m_distances = measured->distances;
-    if (!m_distance_meter.is_busy())
-        m_distance_pace.run(seconds, [&] { m_distance_meter.start_distances(pair, tolerance); });
+    m_distances.update(seconds, [&](PairMeter& meter) { meter.start_distances(pair, tolerance); });
     m_has_difference = fit_floats(m_difference, pair.ours.extent());
     if (m_has_difference)
         m_comparer.draw_difference(pair, comparison.measure, *m_difference);
@@ -122,26 +108,17 @@ void ComparedPictures::tell_apart(const Pair& pair, const Comparison& comparison
 void ComparedPictures::update(const Subject& subject, const Comparison& comparison,
                               double seconds) {
     if (std::exchange(m_compared_with, comparison.other) != comparison.other)
-        forget_numbers();  // they belong to the previous reference
+        stop_measuring();  // the results belong to the previous reference
     m_has_difference = false;
     m_other = sized_other(subject);
-    if (!m_other || !are_comparable(subject.ours, *m_other)) {
-        m_distances.reset();
-        m_stops.reset();
-        return;
-    }
-    if (comparison.has_equal_brightness) {
+    if (!m_other || !are_comparable(subject.ours, *m_other))
+        return stop_measuring();
+    if (comparison.has_equal_brightness)
         match_brightness({subject.ours, *m_other, subject.encoding}, seconds);
-    } else {
-        m_light_meter.stop();
-        m_stops.reset();
-        m_light_pace = {};
-    }
-    if (comparison.mode == CompareMode::difference) {
-        tell_apart({subject.ours, *m_other, subject.encoding}, comparison, seconds);
-    } else {
-        m_distance_meter.stop();
-        m_distances.reset();
-        m_distance_pace = {};
-    }
+    else
+        m_luminances.stop();
+    if (comparison.mode == CompareMode::difference)
+        draw_difference({subject.ours, *m_other, subject.encoding}, comparison, seconds);
+    else
+        m_distances.stop();
 }

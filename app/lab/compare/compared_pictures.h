@@ -1,15 +1,14 @@
 #pragma once
 
 #include "graph/compare/comparer.h"
-#include "graph/compare/pair_meter.h"
+#include "lab/compare/repeated_measurement.h"
 #include "model/preset/comparison.h"
 
 #include <memory>
 #include <optional>
 
 /// The reference of a comparison as displayed: fitted to the picture, with equal brightness if
-/// requested, and the difference of both. Measured at most five times a second, and for less than a
-/// tenth of the time if that is slow. Nothing waits for the results.
+/// requested, and the difference of both.
 class ComparedPictures {
 public:
     static Result<ComparedPictures> make();
@@ -33,29 +32,22 @@ public:
         return m_has_difference ? &m_difference->texture() : nullptr;
     }
     /// nullopt until available.
-    const std::optional<Distances>& distances() const { return m_distances; }
+    const std::optional<Distances>& distances() const { return m_distances.latest().distances; }
     /// The exposure of the reference in stops.
-    const std::optional<double>& stops() const { return m_stops; }
+    std::optional<double> stops() const;
 
 private:
-    ComparedPictures(Comparer comparer, PairMeter distances, PairMeter light);
+    ComparedPictures(Comparer comparer, RepeatedMeasurement distances,
+                     RepeatedMeasurement luminances);
     const gpu::Texture* sized_other(const Subject& subject);
     const gpu::Texture* reference(const Subject& subject);
-    void forget_numbers();
+    void stop_measuring();
     void match_brightness(const Pair& pair, double seconds);
-    void tell_apart(const Pair& pair, const Comparison& comparison, double seconds);
-
-    // The time of the next measurement.
-    struct Pace {
-        std::optional<double> due;  // s; nullopt: immediately
-        bool is_due(double seconds) const { return !due || seconds >= *due; }
-        template <class Act>
-        void run(double seconds, Act act);
-    };
+    void draw_difference(const Pair& pair, const Comparison& comparison, double seconds);
 
     Comparer m_comparer;
-    PairMeter m_distance_meter;
-    PairMeter m_light_meter;
+    RepeatedMeasurement m_distances;
+    RepeatedMeasurement m_luminances;
     std::shared_ptr<const Picture> m_uploaded;
     std::optional<gpu::Texture> m_reference;
     std::optional<gpu::Canvas> m_fitted;
@@ -64,9 +56,5 @@ private:
     std::optional<gpu::Canvas> m_difference;
     bool m_has_difference = false;
     const gpu::Texture* m_other = nullptr;
-    std::optional<Distances> m_distances;
-    std::optional<double> m_stops;
     Other m_compared_with;
-    Pace m_distance_pace;
-    Pace m_light_pace;
 };
