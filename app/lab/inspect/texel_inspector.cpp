@@ -10,40 +10,40 @@ void follow(Part& part, TexelReader& reader, const Subject* subject, double seco
 }
 }  // namespace
 
-Result<CloserLook> CloserLook::make() {
+Result<TexelInspector> TexelInspector::make() {
     auto level = LevelCopy::make();
     if (!level)
         return fail(level.error());
     auto reader = TexelReader::make();
     if (!reader)
         return fail(reader.error());
-    return CloserLook(std::move(*level), std::move(*reader));
+    return TexelInspector(std::move(*level), std::move(*reader));
 }
 
-const gpu::Texture& CloserLook::level_of(const InspectedTexture& inspected) {
+const gpu::Texture& TexelInspector::level_of(const InspectedTexture& inspected) {
     const int level = inspected.choice.level;
     const gpu::Texture* smaller = level > 0 ? m_level.draw(*inspected.texture, level) : nullptr;
     return smaller ? *smaller : *inspected.texture;
 }
 
-void CloserLook::update_picture(const CellNumbers::Subject* subject, double seconds) {
+void TexelInspector::update_picture(const CellNumbers::Subject* subject, double seconds) {
     follow(m_picture, m_reader, subject, seconds);
 }
 
-void CloserLook::update_inspected(const CellNumbers::Subject* subject, double seconds) {
+void TexelInspector::update_inspected(const CellNumbers::Subject* subject, double seconds) {
     follow(m_inspected, m_reader, subject, seconds);
 }
 
-void CloserLook::update_waveform(const Waveform::Subject* subject, double seconds) {
+void TexelInspector::update_waveform(const Waveform::Subject* subject, double seconds) {
     follow(m_waveform, m_reader, subject, seconds);
 }
 
-void CloserLook::stop() {
+void TexelInspector::stop() {
     m_picture.stop();
     m_inspected.stop();
     m_waveform.stop();
 }
 
-bool CloserLook::is_owing() const {
+bool TexelInspector::is_owing() const {
     return m_picture.is_owing() || m_inspected.is_owing() || m_waveform.is_owing();
 }

@@ -7,9 +7,9 @@
 
 /// Inspection of single texels: the selected level of the inspected texture, texel values in the
 /// picture and the inspector, and values along a line.
-class CloserLook {
+class TexelInspector {
 public:
-    static Result<CloserLook> make();
+    static Result<TexelInspector> make();
 
     /// The inspected level as a separate texture, valid until the next call. If memory is short,
     /// the largest level.
@@ -28,7 +28,7 @@ public:
     bool is_owing() const;
 
 private:
-    CloserLook(LevelCopy level, TexelReader reader)
+    TexelInspector(LevelCopy level, TexelReader reader)
         : m_level(std::move(level)), m_reader(std::move(reader)) {}
 
     LevelCopy m_level;

@@ -62,10 +62,9 @@ void HistoryPictures::forget_far(std::size_t place) {
     m_copies.erase(farthest_place(places, place));
 }
 
-Views::Image HistoryPictures::picture(const Document& document, std::size_t place) const {
+ViewImage HistoryPictures::picture(const Document& document, std::size_t place) const {
     const auto found = m_copies.find(place);
     if (found == m_copies.end() || found->second.state != history_state(document, place))
         return {};
-    const gpu::Texture& texture = found->second.picture;
-    return {texture.handle(), texture.extent()};
+    return image_of(&found->second.picture);
 }

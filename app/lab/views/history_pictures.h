@@ -23,7 +23,7 @@ public:
     /// Copies the picture if due. Call it after Views::update().
     void update(const Lab& lab, Views& views);
     /// Row 0 at the bottom, as from Views; a handle of 0: no picture.
-    Views::Image picture(const Document& document, std::size_t place) const;
+    ViewImage picture(const Document& document, std::size_t place) const;
 
 private:
     void copy(const Lab& lab, Views& views, std::size_t place);

@@ -3,7 +3,7 @@
 #include "gpu/objects/texels.h"
 #include "io/pictures/picture_file.h"
 
-Views::Image KeptPictures::of(const std::filesystem::path& file) const {
+ViewImage KeptPictures::of(const std::filesystem::path& file) const {
     const auto known = m_textures.find(file);
     if (known == m_textures.end()) {
         std::optional<gpu::Texture>& texture = m_textures[file];
@@ -15,6 +15,5 @@ Views::Image KeptPictures::of(const std::filesystem::path& file) const {
                 texture.emplace(std::move(*made));
         return of(file);
     }
-    return known->second ? Views::Image{known->second->handle(), known->second->extent()}
-                         : Views::Image{};
+    return image_of(known->second ? &*known->second : nullptr);
 }

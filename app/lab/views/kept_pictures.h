@@ -1,7 +1,6 @@
 #pragma once
 
-#include "gpu/objects/texture.h"
-#include "lab/views/views.h"
+#include "lab/views/view_image.h"
 
 #include <filesystem>
 #include <map>
@@ -11,7 +10,7 @@
 class KeptPictures {
 public:
     /// Row 0 at the bottom; a handle of 0: no picture.
-    Views::Image of(const std::filesystem::path& file) const;
+    ViewImage of(const std::filesystem::path& file) const;
 
 private:
     mutable std::map<std::filesystem::path, std::optional<gpu::Texture>> m_textures;

@@ -16,7 +16,7 @@ std::optional<double> fitting_gain(const Comparison& comparison,
 namespace {
 void fit_levels(const Views& views, WindowState& window) {
     const bool is_measured = window.shows_inspector && !window.is_picture_only;
-    if (const auto statistics = views.statistics(); is_measured && statistics)
+    if (const auto statistics = views.inspector().statistics(); is_measured && statistics)
         window.inspected.fit(*statistics);
     else if (is_measured)
         return;
@@ -24,7 +24,8 @@ void fit_levels(const Views& views, WindowState& window) {
 }
 
 void fit_gain(const Views& views, Lab& lab, WindowState& window) {
-    const auto& distances = views.compared().distances();
+    const ComparedPictures& compared = views.main().compared();
+    const auto& distances = compared.distances();
     const bool is_measured = lab.frames().comparison().mode() == CompareMode::difference;
     if (is_measured && !distances)
         return;

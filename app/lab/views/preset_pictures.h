@@ -1,8 +1,7 @@
 #pragma once
 
-#include "gpu/objects/texture.h"
 #include "lab/storage/background_work.h"
-#include "lab/views/views.h"
+#include "lab/views/view_image.h"
 
 #include <filesystem>
 #include <functional>
@@ -21,7 +20,7 @@ class PresetPictures {
 public:
     /// The displayed state of a preset.
     struct Shown {
-        Views::Image image;   // row 0 at the bottom; a handle of 0: not drawn yet
+        ViewImage image;      // row 0 at the bottom; a handle of 0: not drawn yet
         std::string problem;  // error; "": no error
         bool is_due = true;   // the image is outdated
     };

@@ -58,12 +58,12 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
                                   true);
     if (!lab.renderer()->has_whole_picture())
         return lab.messages().say("The pass is still rendering. Try again when it is done.", true);
-    auto closer = CloserLook::make();
-    if (!closer)
-        return lab.messages().say(closer.error().front());
+    auto texels = TexelInspector::make();
+    if (!texels)
+        return lab.messages().say(texels.error().front());
     if (file.extension().empty())
         file += ".exr";
-    const gpu::Texture& target = closer->level_of(*inspected);
+    const gpu::Texture& target = texels->level_of(*inspected);
     const bool is_seen = to_lower(file.extension().string()) == ".png";
     const auto picture = is_seen ? seen_picture(target, options_for(view, inspected->encoding))
                                  : gpu::read_picture(target);

@@ -11,7 +11,7 @@
 namespace {
 struct HistoryRow {
     HistoryStep step;
-    Views::Image image;
+    ViewImage image;
     float height = 0.0f;
     bool is_present = false;
 };
@@ -105,7 +105,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
             const auto place = static_cast<std::size_t>(i);
             const HistoryStep step = history_step(*document, place);
             const int distance = step.distance;
-            const Views::Image image = scene.history_pictures.picture(*document, place);
+            const ViewImage image = scene.history_pictures.picture(*document, place);
             if (draw_history_row({step, image, height, distance == 0}) && distance != 0)
                 edits.document([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));

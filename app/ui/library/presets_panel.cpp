@@ -114,7 +114,7 @@ void draw_count(const Scene& scene, const std::vector<ListedPreset>& listed) {
 }
 
 // The whole picture, centred on a dark background.
-void draw_image(const Views::Image& image, const ImVec2& low, const PresetCell& cell) {
+void draw_image(const ViewImage& image, const ImVec2& low, const PresetCell& cell) {
     const auto width = static_cast<float>(image.extent.width);
     const auto height = static_cast<float>(image.extent.height);
     const float factor = std::min(cell.width / width, cell.height / height);

@@ -172,7 +172,7 @@ void draw_strip(const Scene& scene, Edits& edits) {
     const float width = ImGui::GetContentRegionAvail().x;
     ImGui::InvisibleButton("##histogram", {width, strip_height()});
     const ImVec2 high = ImGui::GetItemRectMax();
-    const Histogram histogram = scene.views.histogram();
+    const Histogram histogram = scene.views.inspector().histogram();
     drag(low, high, scene, edits);
     tooltip(help_text(histogram));
     edits.mark("histogram");
@@ -182,7 +182,7 @@ void draw_strip(const Scene& scene, Edits& edits) {
     if (legend > 0.0f)
         draw_ramp({low.x, high.y - legend}, high);
     draw_ends(histogram, low, {high.x, high.y - legend}, 2.0f * scene.scale);
-    if (const auto& all = scene.views.statistics())
+    if (const auto& all = scene.views.inspector().statistics())
         draw_words(*all, {low.x + 5.0f * scene.scale, low.y + 2.0f * scene.scale}, scene);
 }
 

@@ -204,13 +204,13 @@ void draw_view(const InspectedTexture& inspected, float height, const Scene& sce
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height},
                                               theme::packed(theme::surround));
     const CanvasInput input = draw_picture_canvas({.id = "##inspected",
-                                                   .image = scene.views.inspected(),
+                                                   .image = scene.views.inspector().image(),
                                                    .picture = extent,
                                                    .view = inspector_view(scene.window),
                                                    .size = {width, height}},
                                                   scene);
     edits.mark("inspector");
-    draw_cell_texts(scene.views.closer().inspected(), low, {width, height}, scene);
+    draw_cell_texts(scene.views.texels().inspected(), low, {width, height}, scene);
     pin_on_click(scene, edits);
     draw_pin_marks(scene, low, extent, inspector_view(scene.window), room);
     if (input.moved && !scene.window.shows_pass_large)

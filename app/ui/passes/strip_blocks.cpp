@@ -114,7 +114,7 @@ float words_width(const StripWords& words, const Scene& scene) {
 float image_width(std::span<const StripPass> passes, const Scene& scene) {
     int widest = 0;
     for (const StripPass& pass : passes)
-        widest = std::max(widest, scene.views.thumbnail(pass.index).extent.width);
+        widest = std::max(widest, scene.views.strip().thumbnail(pass.index).extent.width);
     return static_cast<float>(widest) / scene.density;
 }
 
@@ -169,7 +169,7 @@ std::vector<StripPass> present_passes(const Scene& scene) {
             .pass = look.passes[i],
             .target = targets[i],
             .milliseconds = i < times.size() ? times[i] : 0.0,
-            .gain = scene.views.gain(i),
+            .gain = scene.views.strip().gain(i),
             .change = i < changes.size() ? changes[i] : std::nullopt,
             .is_chosen = look.passes[i].name == scene.window.inspected.pass,
             .state = pass_switch_text(i, look, scene.lab.frames().passes().switches())};

@@ -13,7 +13,7 @@
 #include <cmath>
 
 namespace {
-void draw_image(const Views::Image& image, const Rect& place, float density, float part,
+void draw_image(const ViewImage& image, const Rect& place, float density, float part,
                 bool is_faint) {
     const float width = static_cast<float>(image.extent.width) / density;
     const float height = static_cast<float>(image.extent.height) / density;
@@ -96,7 +96,7 @@ void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& plac
                      float part, Edits& edits) {
     const ScopedId id(static_cast<int>(pass.index));
     const bool is_hovered = draw_button(pass, {place.width, place.height + words}, scene, edits);
-    draw_image(scene.views.thumbnail(pass.index), place, scene.density, part,
+    draw_image(scene.views.strip().thumbnail(pass.index), place, scene.density, part,
                pass.state.ends_with("not drawn"));
     const ImVec2 low(place.left, place.top);
     const ImVec2 high(place.right(), place.bottom());

@@ -75,8 +75,8 @@ void draw_step(const WavePlot& plot, std::size_t index, const Numbers& numbers,
 }
 
 void draw_curves(const WavePlot& plot, const Numbers& numbers, const Scene& scene) {
-    const auto channels =
-        static_cast<std::size_t>(std::clamp(scene.views.closer().waveform().channels(), 1, 3));
+    const Waveform& waveform = scene.views.texels().waveform();
+    const auto channels = static_cast<std::size_t>(std::clamp(waveform.channels(), 1, 3));
     for (std::size_t i = 0; i + 1 < numbers.size(); ++i) {
         const double from = luminance_of(numbers[i]);
         const double to = luminance_of(numbers[i + 1]);
@@ -122,7 +122,7 @@ void draw_scales(const WavePlot& plot) {
 
 // The values under the pointer, or instructions for drawing a line.
 void draw_readout(const std::optional<std::size_t>& index, const Scene& scene) {
-    const Waveform& waveform = scene.views.closer().waveform();
+    const Waveform& waveform = scene.views.texels().waveform();
     if (!index || *index >= waveform.numbers().size()) {
         const std::size_t count = waveform.numbers().size();
         dim_text(count == 1 ? fmt::format("1 texel of {}", waveform.name())
@@ -182,7 +182,7 @@ void draw_controls(const std::optional<std::size_t>& index, const Scene& scene, 
 }  // namespace
 
 void draw_waveform_panel(const Scene& scene, Edits& edits) {
-    const Waveform& waveform = scene.views.closer().waveform();
+    const Waveform& waveform = scene.views.texels().waveform();
     const Numbers& numbers = waveform.numbers();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float letter = ImGui::GetFontSize();

@@ -67,7 +67,8 @@ void draw_others(const Scene& scene, float width, Edits& edits) {
 std::string brightness_label(const Scene& scene) {
     if (!scene.lab.frames().comparison().selection().chosen().has_equal_brightness)
         return "Equal brightness";
-    const auto& stops = scene.views.compared().stops();
+    const ComparedPictures& compared = scene.views.main().compared();
+    const auto stops = compared.stops();
     return stops ? fmt::format("Equal brightness {:+.2f} stops", *stops)
                  : std::string("Equal brightness …");
 }
@@ -141,7 +142,8 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
 }
 
 std::string numbers_text(const Scene& scene) {
-    const auto& distances = scene.views.compared().distances();
+    const ComparedPictures& compared = scene.views.main().compared();
+    const auto& distances = compared.distances();
     if (!distances)
         return "Measuring…";
     if (std::isinf(distances->psnr_db) && distances->psnr_db > 0.0)
@@ -152,7 +154,7 @@ std::string numbers_text(const Scene& scene) {
 }
 
 void draw_numbers(const Scene& scene, Edits& edits) {
-    const ComparedPictures& compared = scene.views.compared();
+    const ComparedPictures& compared = scene.views.main().compared();
     if (compared.other() && !compared.difference() && !compared.distances() &&
         !scene.lab.renderer()->replay().is_running())
         return dim_text("No difference view for integer formats");
@@ -162,7 +164,7 @@ void draw_numbers(const Scene& scene, Edits& edits) {
         fitted_text(numbers_text(scene), ImGui::GetContentRegionAvail().x, theme::text);
     }
     edits.mark("difference_numbers");
-    if (const auto& distances = scene.views.compared().distances())
+    if (const auto& distances = compared.distances())
         tooltip(fmt::format(
             "Absolute differences of red, green and blue, as in the command \"afterglow "
             "compare\". They don't depend on the metric chosen here. {:.1f} % of the "

@@ -11,7 +11,8 @@ namespace {
 constexpr const char* popup = "flashes";
 
 std::string label_of(const Scene& scene) {
-    const int most = scene.views.flashes().most();
+    const Flashes flashes = scene.views.main().flashes();
+    const int most = flashes.most();
     const bool is_limited = scene.window.comfort.is_on;
     if (most == 1)
         return is_limited ? "1 flash/s · limited" : "1 flash/s";
@@ -31,7 +32,7 @@ theme::Color color_of(const Flashes& flashes) {
 }
 
 void draw_counts(const Scene& scene) {
-    const Flashes flashes = scene.views.flashes();
+    const Flashes flashes = scene.views.main().flashes();
     ImGui::TextUnformatted(
         fmt::format("Flashes in the last second: {} general, {} red", flashes.general, flashes.red)
             .c_str());
@@ -80,7 +81,7 @@ void draw_flash_button(const Scene& scene, Edits& edits) {
     if (!scene.window.shows_flashes)
         return;
     {
-        const ScopedColor color(ImGuiCol_Text, color_of(scene.views.flashes()));
+        const ScopedColor color(ImGuiCol_Text, color_of(scene.views.main().flashes()));
         if (quiet_button(label_of(scene) + "###flashes"))
             ImGui::OpenPopup(popup);
         edits.mark("flashes");

@@ -15,8 +15,8 @@
 /// right one moves the camera, and Ctrl+wheel changes the distance.
 struct PictureCanvas {
     const char* id;
-    Views::Image image;  // the visible part
-    Extent picture;      // the whole picture, px
+    ViewImage image;  // the visible part
+    Extent picture;   // the whole picture, px
     PictureView view;
     ImVec2 size;  // of the view, window coordinates
     bool has_orbit = false;

@@ -112,27 +112,27 @@ void draw_other_words(const Scene& scene, Edits& edits) {
 /// A displayed picture: the current one or the reference.
 struct Shown {
     const char* name = "picture";
-    Views::Image image;
+    ViewImage image;
     float left = 0.0f;  // in the pane
     bool is_other = false;
 };
 
 std::vector<Shown> shown_pictures(const Scene& scene) {
     const auto sides = scene.lab.frames().comparison().sides();
-    Shown ours{.image = scene.views.picture(),
+    Shown ours{.image = scene.views.main().picture(),
                .is_other = sides && scene.lab.frames().comparison().selection().is_flashing()};
-    if (scene.views.beside().handle == 0)
+    if (scene.views.main().beside().handle == 0)
         return {ours};
     const Extent whole = scene.window.views.picture;
     const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
-    Shown beside{"beside", scene.views.beside(), 0.0f, true};
+    Shown beside{"beside", scene.views.main().beside(), 0.0f, true};
     (sides && !sides->is_other_left ? beside : ours).left = right;
     return {ours, beside};
 }
 
 // Overlays that show texel values of the current picture.
 void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene) {
-    draw_cell_texts(scene.views.closer().picture(), low, size, scene);
+    draw_cell_texts(scene.views.texels().picture(), low, size, scene);
     draw_scan_line(low, size, scene);
 }
 

@@ -45,7 +45,7 @@ constexpr double picture_patience_seconds = 0.25;
 
 // Whether displayed results are still pending. On a slow machine they take long.
 bool is_owing(const Lab& lab, const Views& views) {
-    const ComparedPictures& compared = views.compared();
+    const ComparedPictures& compared = views.main().compared();
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
     const bool owes_distances = compared.difference() && !compared.distances();
     const bool owes_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
@@ -335,7 +335,7 @@ void Application::draw() {
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
         m_lab.messages().say(std::move(complaint), true);
     m_window.swap();
-    m_output.show(m_views.output(), m_window);
+    m_output.show(m_views.main().output(), m_window);
     if (!m_options.state_file.empty())
         if (std::string text = state_text(scene, edits); text != m_state_text)
             write_state(m_options.state_file, m_state_text = std::move(text));

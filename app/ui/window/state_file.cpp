@@ -92,7 +92,7 @@ std::string probe_text(const Scene& scene) {
 // The target, levels and statistics of the inspector.
 std::string inspection_text(const Scene& scene) {
     const PassView& view = scene.window.inspected;
-    const auto all = scene.views.statistics();
+    const auto all = scene.views.inspector().statistics();
     const std::string measured =
         all ? fmt::format(R"({{"minimum":{},"maximum":{},"mean":{},"finite":{},"flaws":{}}})",
                           all->minimum, all->maximum, all->mean, all->finite,
@@ -103,16 +103,16 @@ std::string inspection_text(const Scene& scene) {
 }
 
 // The number of displayed texel values, in picture, inspector and waveform.
-std::string closer_text(const Scene& scene) {
-    const CloserLook& closer = scene.views.closer();
+std::string texels_text(const Scene& scene) {
+    const TexelInspector& texels = scene.views.texels();
     const auto count = [](const CellNumbers& cells) {
         return cells.block() ? cells.block()->numbers.size() : 0;
     };
     const ScanLine& line = scene.window.scan_line;
     return fmt::format(
         R"(,"cells":[{},{}],"scan_line":[{:.3f},{:.3f},{:.3f},{:.3f}],"waveform":{})",
-        count(closer.picture()), count(closer.inspected()), line.start.x, line.start.y, line.end.x,
-        line.end.y, closer.waveform().numbers().size());
+        count(texels.picture()), count(texels.inspected()), line.start.x, line.start.y, line.end.x,
+        line.end.y, texels.waveform().numbers().size());
 }
 
 // The red value of each pin in every pass; null: still pending.
@@ -137,7 +137,7 @@ std::string gains_text(const Scene& scene) {
     const std::size_t passes =
         scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
     for (std::size_t pass = 0; pass < passes; ++pass) {
-        const Gain* gain = scene.views.gain(pass);
+        const Gain* gain = scene.views.strip().gain(pass);
         gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
     }
     return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
@@ -152,7 +152,7 @@ std::string comparison_text(const Scene& scene) {
         slots.push_back(lab.frames().comparison().slots()[i]
                             ? fmt::format("{}", lab.frames().comparison().is_in_slot(i))
                             : "null");
-    const auto& compared = scene.views.compared();
+    const auto& compared = scene.views.main().compared();
     const auto sides = lab.frames().comparison().sides();
     return fmt::format(
         R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
@@ -175,7 +175,7 @@ std::string non_finite_text(const Lab& lab) {
 
 // The number of flashes, and whether the flash limiter is on.
 std::string flashes_text(const Scene& scene) {
-    const Flashes flashes = scene.views.flashes();
+    const Flashes flashes = scene.views.main().flashes();
     return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
                        scene.window.comfort.is_on);
 }
@@ -283,7 +283,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         json_string(!scene.window.output.is_open   ? "off"
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
-        probe_text(scene) + inspection_text(scene) + closer_text(scene) + pins_text(scene) +
+        probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab) +
             flashes_text(scene) + switches_text(lab) + tryouts_text(scene) + presets_text(scene),
         problems_json(lab), places_text(edits));

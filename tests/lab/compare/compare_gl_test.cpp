@@ -57,7 +57,7 @@ public:
     }
     /// The red value of a pixel of the view.
     double seen(int x = 4) {
-        const Picture picture = m_views->read_picture();
+        const Picture picture = m_views->main().read_picture();
         return static_cast<double>(picture.pixels[picture.index(x, 4)]);
     }
     fs::path picture_file(const char* name, Extent extent, std::array<float, 3> rgb) {
@@ -163,13 +163,13 @@ TEST_CASE("side-by-side pictures get half the view each") {
     small.lab().frames().comparison().compare_with({Other::Kind::slot, 0});
     small.lab().frames().comparison().set_mode(CompareMode::side_by_side);
     small.rest();
-    CHECK(small.views().picture().extent == Extent{8, 8});
-    CHECK(small.views().beside().extent == Extent{8, 8});
+    CHECK(small.views().main().picture().extent == Extent{8, 8});
+    CHECK(small.views().main().beside().extent == Extent{8, 8});
     CHECK(small.seen() == 1.0);
     small.lab().frames().comparison().set_mode(CompareMode::off);
     small.rest();
-    CHECK(small.views().picture().extent == Extent{18, 8});
-    CHECK(small.views().beside().handle == 0);
+    CHECK(small.views().main().picture().extent == Extent{18, 8});
+    CHECK(small.views().main().beside().handle == 0);
 }
 
 TEST_CASE("a comparison with a picture file follows the file on disk") {
@@ -199,7 +199,7 @@ TEST_CASE("a picture of another size is fitted, and the sizes are reported") {
           "Comparing with \"wide.png\" (32 × 16, scaled to 8 × 8)");
     CHECK(small.lab().frames().comparison().sides()->other == "wide.png · 32 × 16, scaled");
     small.rest();
-    const Picture seen = small.views().read_picture();
+    const Picture seen = small.views().main().read_picture();
     CHECK(seen.pixels[seen.index(1, 4)] == 1.0f);
     CHECK(seen.pixels[seen.index(1, 0)] == 0.0f);
     CHECK(seen.pixels[seen.index(1, 7)] == 0.0f);
@@ -225,8 +225,8 @@ TEST_CASE("the difference view applies its gain and reports its statistics") {
     small.rest();
     const double apart = 153.0 / 255.0 - 0.5;
     CHECK(small.seen() == about(4.0 * apart, step / apart));
-    small.look_until([&] { return small.views().compared().distances().has_value(); });
-    const Distances distances = *small.views().compared().distances();
+    small.look_until([&] { return small.views().main().compared().distances().has_value(); });
+    const Distances distances = *small.views().main().compared().distances();
     CHECK(distances.mean == about(apart, 1e-5));
     CHECK(distances.rms == about(apart, 1e-5));
     CHECK(distances.psnr_db == about(20.0, 1e-4));
@@ -248,10 +248,10 @@ TEST_CASE("equal brightness scales the other picture to the same mean light") {
     small.lab().frames().comparison().choose(comparison);
     small.set("level", 0.3);
     small.rest();
-    small.look_until([&] { return small.views().compared().stops().has_value(); });
+    small.look_until([&] { return small.views().main().compared().stops().has_value(); });
     const double factor = srgb_decode(0.3) / (0.7152 * srgb_decode(0.2));
-    CHECK(*small.views().compared().stops() == about(std::log2(factor), 1e-3));
-    const Picture seen = small.views().read_picture();
+    CHECK(*small.views().main().compared().stops() == about(std::log2(factor), 1e-3));
+    const Picture seen = small.views().main().read_picture();
     CHECK(static_cast<double>(seen.pixels[seen.index(1, 4) + 1]) ==
           about(srgb_encode(factor * srgb_decode(0.2)), 2 * step));
     CHECK(seen.pixels[seen.index(1, 4)] == 0.0f);
@@ -260,7 +260,7 @@ TEST_CASE("equal brightness scales the other picture to the same mean light") {
 TEST_CASE("without a comparison no other picture is kept on the GPU") {
     Grey small;
     small.rest();
-    CHECK(small.views().compared().other() == nullptr);
+    CHECK(small.views().main().compared().other() == nullptr);
     small.lab().frames().comparison().store(0);
     small.rest();
     CHECK(small.lab().renderer()->executors().variant() == nullptr);

@@ -230,7 +230,7 @@ public:
         m_lab->update(0.0);
         turn_until([&] { return !m_lab->is_moving(); });
         m_views->update(*m_lab, m_window);
-        return m_views->read_picture().pixels;
+        return m_views->main().read_picture().pixels;
     }
     void set_all(const std::vector<std::string>& switches, double value) {
         m_lab->edit([&](Document& document) {

@@ -10,7 +10,7 @@ int seen(const Lab& lab, Views& views) {
     window.views.picture = {8, 8};
     window.is_picture_only = true;
     views.update(lab, window);
-    const Picture picture = views.read_picture();
+    const Picture picture = views.main().read_picture();
     return picture.extent.is_empty()
                ? -1
                : static_cast<int>(std::lround(picture.pixels[picture.index(4, 4)] * 255.0f));

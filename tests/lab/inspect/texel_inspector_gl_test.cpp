@@ -4,14 +4,14 @@
 
 namespace {
 // 20 x 10: red is the column from the left, green the row from the top, blue the frame.
-struct CloserWatching : Headless {
+struct TexelInspection : Headless {
     Executor executor =
         executor_of(look_of({pass("places",
                                   "uniform int u_frame;\nvoid main() { color = "
                                   "vec4(gl_FragCoord.x - 0.5, 9.5 - gl_FragCoord.y, u_frame, 1); "
                                   "}\n")}),
                     {20, 10});
-    Result<CloserLook> closer = CloserLook::make();
+    Result<TexelInspector> texels = TexelInspector::make();
     std::string name = "places";
 
     CellNumbers::Subject cells(const PictureView& view, Extent size) const {
@@ -25,20 +25,19 @@ struct CloserWatching : Headless {
                 executor.textures().number()};
     }
     void turn(const PictureView& view, double seconds) {
-        REQUIRE(closer.has_value());
+        REQUIRE(texels.has_value());
         const CellNumbers::Subject subject = cells(view, {200, 100});
-        closer->update_picture(&subject, seconds);
+        texels->update_picture(&subject, seconds);
         gpu::finish();
     }
     float blue() const {
-        const auto* block = closer->picture().block();
+        const auto* block = texels->picture().block();
         return block ? block->numbers[0][2] : -1.0f;
     }
     void turn(const ScanLine& line, double seconds) {
-        REQUIRE(closer.has_value());
-        const Waveform::Subject subject{executor.target(0), name, line,
-                                        executor.textures().number()};
-        closer->update_waveform(&subject, seconds);
+        REQUIRE(texels.has_value());
+        const Waveform::Subject subject{executor.target(0), name, line, executor.textures().number()};
+        texels->update_waveform(&subject, seconds);
         gpu::finish();
     }
 };
@@ -46,7 +45,7 @@ struct CloserWatching : Headless {
 constexpr PictureView at_50{PictureView::Fit::free, 50.0};
 }  // namespace
 
-TEST_CASE_FIXTURE(CloserWatching, "texel values appear where there is room for them") {
+TEST_CASE_FIXTURE(TexelInspection, "texel values appear where there is room for them") {
     CHECK(seen_cells(cells({PictureView::Fit::free, 39.0}, {200, 100})).count.is_empty());
     // 50 px per texel around the centre (10, 5): columns 8 to 12 and rows 4 to 6 are visible.
     const CellNumbers::Block block = seen_cells(cells(at_50, {200, 100}));
@@ -61,39 +60,39 @@ TEST_CASE_FIXTURE(CloserWatching, "texel values appear where there is room for t
     CHECK(corner.count == Extent{3, 2});
 }
 
-TEST_CASE_FIXTURE(CloserWatching,
+TEST_CASE_FIXTURE(TexelInspection,
                   "values follow a moving view at once, otherwise five times per second") {
     PictureView there = at_50;
     there.x = 0.25;
     executor.draw(frame(1));
     turn(at_50, 1.0);
     turn(at_50, 1.01);
-    REQUIRE(closer->picture().block());
-    CHECK(closer->picture().block()->numbers[0] == Rgba{8, 4, 1, 1});
-    CHECK(closer->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
-    CHECK(closer->picture().sight().texel_width == 50.0);
-    CHECK(closer->picture().is_light(0));  // 8, 4, 1 is brighter than white
-    CHECK_FALSE(closer->is_owing());
+    REQUIRE(texels->picture().block());
+    CHECK(texels->picture().block()->numbers[0] == Rgba{8, 4, 1, 1});
+    CHECK(texels->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
+    CHECK(texels->picture().sight().texel_width == 50.0);
+    CHECK(texels->picture().is_light(0));  // 8, 4, 1 is brighter than white
+    CHECK_FALSE(texels->is_owing());
     executor.draw(frame(2));
     turn(at_50, 1.1);
     turn(at_50, 1.11);
     CHECK(blue() == 1.0f);
-    CHECK(closer->is_owing());
+    CHECK(texels->is_owing());
     turn(at_50, 1.21);
     turn(at_50, 1.22);
     CHECK(blue() == 2.0f);
     turn(there, 1.23);
     turn(there, 1.24);
-    CHECK(closer->picture().block()->left == 3);
-    CHECK(closer->picture().block()->numbers[0][0] == 3.0f);
+    CHECK(texels->picture().block()->left == 3);
+    CHECK(texels->picture().block()->numbers[0][0] == 3.0f);
     name = "another";
     turn(there, 1.25);
-    CHECK(closer->picture().block() == nullptr);  // the values belonged to another target
+    CHECK(texels->picture().block() == nullptr);  // the values belonged to another target
     turn(there, 1.26);
-    REQUIRE(closer->picture().block());
+    REQUIRE(texels->picture().block());
     turn({PictureView::Fit::free, 8.0}, 1.27);
-    CHECK(closer->picture().block() == nullptr);
-    CHECK_FALSE(closer->is_owing());
+    CHECK(texels->picture().block() == nullptr);
+    CHECK_FALSE(texels->is_owing());
 }
 
 TEST_CASE("a line covers the texels from its start to its end, or those of a row") {
@@ -108,13 +107,13 @@ TEST_CASE("a line covers the texels from its start to its end, or those of a row
     CHECK(texels_along({{0.0, 0.0}, {0.0, 1.0}}, {20, 10}).count == Extent{10, 1});
 }
 
-TEST_CASE_FIXTURE(CloserWatching, "the waveform of a line contains the values of its texels") {
+TEST_CASE_FIXTURE(TexelInspection, "the waveform of a line contains the values of its texels") {
     executor.draw(frame(3));
     // From (15, 2) to (7, 6): eight to the left, four down.
     const ScanLine line{{0.76, 0.25}, {0.36, 0.65}};
     turn(line, 1.0);
     turn(line, 1.01);
-    const Waveform& waveform = closer->waveform();
+    const Waveform& waveform = texels->waveform();
     const auto& numbers = waveform.numbers();
     REQUIRE(numbers.size() == 9);
     for (int i = 0; i < 9; ++i) {
@@ -125,9 +124,9 @@ TEST_CASE_FIXTURE(CloserWatching, "the waveform of a line contains the values of
     }
     CHECK(waveform.range() == PlotRange{0.0, 15.0});
     CHECK(waveform.channels() == 4);
-    closer->update_waveform(nullptr, 1.02);
+    texels->update_waveform(nullptr, 1.02);
     CHECK(waveform.numbers().empty());
-    CHECK_FALSE(closer->is_owing());
+    CHECK_FALSE(texels->is_owing());
 }
 
 TEST_CASE("luminance uses the ITU-R BT.709 weights") {

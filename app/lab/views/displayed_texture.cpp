@@ -1,0 +1,43 @@
+#include "lab/views/displayed_texture.h"
+
+CellNumbers::Subject DisplayedTexture::cells(Extent room, Extent least,
+                                             std::uint64_t picture) const {
+    return {.texture = *texture,
+            .name = name,
+            .whole = whole,
+            .place = place_of(view, whole, room),
+            .size = room,
+            .least = least,
+            .picture = picture,
+            .options = options};
+}
+
+namespace {
+bool fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
+    if (canvas && canvas->texture().extent() == extent)
+        return true;
+    canvas.reset();
+    if (extent.is_empty())
+        return false;
+    auto made = gpu::Canvas::make(extent, Format::rgba8);
+    if (made)
+        canvas.emplace(std::move(*made));
+    return made.has_value();
+}
+}  // namespace
+
+void draw_view(ContextViews& context, const gpu::Texture& from, std::optional<gpu::Canvas>& to,
+               Extent size, const DisplayedTexture& displayed) {
+    const gpu::ContextScope home(context.home.get());
+    if (!fit(to, size))
+        return;
+    const PicturePlace place = place_of(displayed.view, displayed.whole, size);
+    const double across = static_cast<double>(from.extent().width) / displayed.whole.width;
+    const double up = static_cast<double>(from.extent().height) / displayed.whole.height;
+    ViewOptions options = displayed.options;
+    options.width = size.width / place.zoom * across;
+    options.height = size.height / place.zoom * up;
+    options.left = -place.left / place.zoom * across;
+    options.bottom = from.extent().height + place.top / place.zoom * up - options.height;
+    context.viewer.draw(from, *to, options);
+}

@@ -1,0 +1,65 @@
+#include "lab/views/inspector_view.h"
+
+void InspectorView::set_context(std::shared_ptr<ContextViews> context) {
+    m_context = std::move(context);
+    m_selected.reset();
+}
+
+void InspectorView::select(const Executor& executor, const WindowState& window,
+                           TexelInspector& texels) {
+    const bool has_panel = !window.is_picture_only && window.shows_inspector;
+    const auto inspected = has_panel || window.shows_pass_large
+                               ? inspected_texture(executor, window.inspected)
+                               : std::nullopt;
+    m_selected.reset();
+    if (!inspected)
+        return;
+    const gpu::Texture& texture = texels.level_of(*inspected);
+    m_selected = DisplayedTexture{&texture,
+                                  inspected->choice.label(),
+                                  inspected->choice.is_present_pass() ? inspected->pass : -1,
+                                  texture.extent(),
+                                  window.inspected.view,
+                                  options_for(window.inspected, inspected->encoding)};
+}
+
+void InspectorView::update(const Executor& executor, const WindowState& window,
+                           TexelInspector& texels, double seconds) {
+    if (!m_selected || window.is_picture_only || !window.shows_inspector) {
+        m_context->inspected.reset();
+        m_context->inspection.stop();
+        texels.update_inspected(nullptr, 0.0);
+        return;
+    }
+    DisplayedTexture shown = *m_selected;
+    shown.view = inspector_view(window);
+    const Extent room = window.views.inspector;
+    {
+        const gpu::ContextScope home(m_context->home.get());
+        draw_view(*m_context, *shown.texture, m_context->inspected, room, shown);
+        m_context->inspection.update(
+            *shown.texture, {shown.name, shown.options.channels, shown.options.levels}, seconds);
+    }
+    const CellNumbers::Subject cells =
+        shown.cells(room, window.views.cell, executor.textures().number());
+    texels.update_inspected(&cells, seconds);
+}
+
+ViewOptions options_for(const PassView& view, Encoding encoding) {
+    return {.levels = view.levels,
+            .exposure_stops = view.exposure,
+            .channels = static_cast<ChannelChoice>(view.channels),
+            .encoding = encoding,
+            .marks_flaws = view.marks_flaws,
+            .marks_clipping = view.marks_clipping,
+            .is_false_color = view.is_false_color};
+}
+
+int inspected_pass(const Look& look, const WindowState& window) {
+    const int last = static_cast<int>(look.passes.size()) - 1;
+    return find_pass(look, window.inspected.pass).value_or(last);
+}
+
+PictureView inspector_view(const WindowState& window) {
+    return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
+}
