@@ -3,10 +3,10 @@
 
 #include <fmt/format.h>
 
-ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
-    ChoiceList list{"Heavy pass"};
+MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size) {
+    MenuSection section{"Heavy pass"};
     if (passed_input(pass))
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = fmt::format("Bypass {}", pass.name),
              .commands = {[name = pass.name](Lab& lab) {
                  lab.frames().passes().toggle(PassSwitch::bypass, name);
@@ -14,10 +14,10 @@ ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size) {
                      "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
              }}});
     if (const auto half = size.halved())
-        list.choices.push_back({.name = "Halve render size", .commands = {[half = *half](Lab& lab) {
-                                                                 use_half_size(lab, half);
-                                                             }}});
-    return list;
+        section.entries.push_back(
+            {.name = "Halve render size",
+             .commands = {[half = *half](Lab& lab) { use_half_size(lab, half); }}});
+    return section;
 }
 
 void use_half_size(Lab& lab, const PictureSize& half) {

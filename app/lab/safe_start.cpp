@@ -67,11 +67,12 @@ void offer_unopened(Lab& lab, const Session& session, const UnfinishedOpening& l
             opening.loader().open(request_of(left));
     };
     const fs::path file = left.file();
-    lab.messages().ask(message_about(left), {Choice{.name = "Try again", .commands = {open_again}},
-                                             Choice{.name = "Open in editor",
-                                                    .commands = {[file](Lab& opening) {
-                                                        opening.looks().open_in_editor({file, 1});
-                                                    }}}});
+    lab.messages().ask(
+        message_about(left),
+        {MenuEntry{.name = "Try again", .commands = {open_again}},
+         MenuEntry{.name = "Open in editor", .commands = {[file](Lab& opening) {
+                                                 opening.looks().open_in_editor({file, 1});
+                                             }}}});
 }
 
 void restore_safely(Lab& lab, const Session& session,

@@ -1,5 +1,5 @@
-#include "lab/choices/looking_choices.h"
 #include "lab/document/opened_preset.h"
+#include "lab/menus/window_menu.h"
 #include "lab/small_lab.h"
 
 TEST_CASE("an open look draws every frame of the clock") {
@@ -107,7 +107,7 @@ TEST_CASE("the output window offers its display's size if the fixed render size 
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->text ==
           "The render size is 8 × 8 px, the display 40 × 20 px");
-    const Choice match = small.lab().messages().notice()->choices.front();
+    const MenuEntry match = small.lab().messages().notice()->buttons.front();
     std::get<std::function<void(Lab&)>>(match.commands.front())(small.lab());
     CHECK(small.lab().work().size.extent() == Extent{40, 20});
     SmallLab following;

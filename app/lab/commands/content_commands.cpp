@@ -138,7 +138,7 @@ void ContentCommands::offer_outside(const OutsideContent& content) {
     };
     m_work.messages.ask(
         content.notice(),
-        {Choice{.name = content.count() == 1 ? "Use it" : "Use them", .commands = {use}}});
+        {MenuEntry{.name = content.count() == 1 ? "Use it" : "Use them", .commands = {use}}});
 }
 
 // While the user's own content is locked, a button offers the preset's.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "lab/rendering/pass_times.h"
 
 #include <optional>
@@ -16,8 +16,8 @@ constexpr double heavy_pass_milliseconds = 1000.0;
 /// report occasionally, are ignored.
 std::optional<std::size_t> heavy_pass(const PassTimes& times);
 
-/// The choices: bypass the pass, or halve the render size.
-ChoiceList heavy_pass_choices(const Pass& pass, const PictureSize& size);
+/// The entries: bypass the pass, or halve the render size.
+MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size);
 
 /// Sets the halved render size, and shows a notice where to change it.
 void use_half_size(Lab& lab, const PictureSize& half);

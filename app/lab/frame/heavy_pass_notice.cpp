@@ -29,7 +29,7 @@ void HeavyPassNotice::update() {
         return;
     m_work.messages.ask(
         fmt::format("Pass \"{}\" takes {:.1f} s per frame", m_pass, latest[*heavy] / 1000.0),
-        choices().choices, subject);
+        section().entries, subject);
 }
 
 void HeavyPassNotice::withdraw() {
@@ -42,10 +42,10 @@ void HeavyPassNotice::reset() {
     m_was_shown = false;
 }
 
-ChoiceList HeavyPassNotice::choices() const {
+MenuSection HeavyPassNotice::section() const {
     const auto pass = m_work.document ? find_pass(m_work.document->look(), m_pass) : std::nullopt;
     if (!pass)
-        return ChoiceList{"Heavy pass"};
-    return heavy_pass_choices(m_work.document->look().passes[static_cast<std::size_t>(*pass)],
+        return MenuSection{"Heavy pass"};
+    return heavy_pass_section(m_work.document->look().passes[static_cast<std::size_t>(*pass)],
                               m_work.size.chosen());
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/frame/pass_control.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 
 #include <string>
 
@@ -12,7 +12,7 @@ public:
     HeavyPassNotice(Workspace& work, const PassControl& passes) : m_work(work), m_passes(passes) {}
 
     /// The possible actions; empty while no pass takes too long.
-    ChoiceList choices() const;
+    MenuSection section() const;
     /// Call after a frame. A pass counts as heavy until it takes less than half of the limit.
     void update();
     /// Call when another look is opened, or the look was edited.

@@ -158,25 +158,25 @@ std::vector<std::string> ChosenImages::take_read(const Look& look, Executor& exe
     return names;
 }
 
-void ChosenImages::choose(const Look& look, const Choice& choice) {
-    const Parameter* parameter = find_parameter(look, choice.parameter);
+void ChosenImages::choose(const Look& look, const ChosenFile& chosen) {
+    const Parameter* parameter = find_parameter(look, chosen.parameter);
     if (!parameter)
         return;
     if (m_chosen)
         m_reading.push_back({{}, {}, std::move(m_chosen->picture)});
     m_chosen =
-        Read{choice.parameter, choice.file,
-             std::async(std::launch::async, read_chosen, choice.file, shape_of(look, *parameter))};
+        Read{chosen.parameter, chosen.file,
+             std::async(std::launch::async, read_chosen, chosen.file, shape_of(look, *parameter))};
 }
 
-std::optional<Result<ChosenImages::Choice>> ChosenImages::take_chosen() {
+std::optional<Result<ChosenImages::ChosenFile>> ChosenImages::take_chosen() {
     if (!m_chosen ||
         m_chosen->picture.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
         return std::nullopt;
     Read read = std::move(*std::exchange(m_chosen, std::nullopt));
     if (const auto picture = read.picture.get(); !picture)
         return fail(picture.error());
-    return Choice{std::move(read.parameter), std::move(read.file)};
+    return ChosenFile{std::move(read.parameter), std::move(read.file)};
 }
 
 bool ChosenImages::is_reading() const {

@@ -26,14 +26,14 @@ public:
     /// Returns the parameters of their samplers.
     std::vector<std::string> take_read(const Look& look, Executor& executor, Diagnostics& problems);
     /// A picture that the user picked for a sampler's parameter.
-    struct Choice {
+    struct ChosenFile {
         std::string parameter;
         std::filesystem::path file;
     };
     /// Reads a picked file on a background thread. Nothing changes until it has been read.
-    void choose(const Look& look, const Choice& choice);
+    void choose(const Look& look, const ChosenFile& chosen);
     /// The picked file when it is ready. An error names the file. nullopt: not ready.
-    std::optional<Result<Choice>> take_chosen();
+    std::optional<Result<ChosenFile>> take_chosen();
     /// Whether a chosen file is being read.
     bool is_reading() const;
     /// Discards all state, for another executor or another way of reading.

@@ -24,23 +24,23 @@ void Messages::say(const Diagnostic& problem) {
         problem.file.string());
 }
 
-void Messages::offer(std::string text, Choice choice) {
+void Messages::offer(std::string text, MenuEntry button) {
     say(std::move(text));
-    m_notice->choices.push_back(std::move(choice));
+    m_notice->buttons.push_back(std::move(button));
     m_notice->seconds_left = 8.0;
 }
 
-void Messages::ask(std::string text, std::vector<Choice> choices, std::string subject,
+void Messages::ask(std::string text, std::vector<MenuEntry> buttons, std::string subject,
                    bool is_problem) {
     say(std::move(text), is_problem, std::move(subject));
-    m_notice->choices = std::move(choices);
+    m_notice->buttons = std::move(buttons);
     m_notice->goes_by = false;
 }
 
-void Messages::append(std::string text, Choice choice) {
-    const bool can_append = m_notice && !m_notice->is_problem && m_notice->choices.empty();
+void Messages::append(std::string text, MenuEntry button) {
+    const bool can_append = m_notice && !m_notice->is_problem && m_notice->buttons.empty();
     say(can_append ? fmt::format("{} · {}", m_notice->text, text) : std::move(text));
-    m_notice->choices.push_back(std::move(choice));
+    m_notice->buttons.push_back(std::move(button));
 }
 
 void Messages::withdraw(std::string_view subject) {

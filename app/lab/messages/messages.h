@@ -16,12 +16,12 @@ public:
     /// Shows a problem as "FILE:LINE: MESSAGE".
     void say(const Diagnostic& problem);
     /// Shows a notice with a button for 8 seconds.
-    void offer(std::string text, Choice choice);
+    void offer(std::string text, MenuEntry button);
     /// Shows a notice with buttons until the user chooses or dismisses it.
-    void ask(std::string text, std::vector<Choice> choices, std::string subject = {},
+    void ask(std::string text, std::vector<MenuEntry> buttons, std::string subject = {},
              bool is_problem = true);
     /// Adds to the current notice. If it is a problem or missing, shows a new notice.
-    void append(std::string text, Choice choice);
+    void append(std::string text, MenuEntry button);
     /// Shows the first problem of a failed result. Returns whether it succeeded.
     template <class T>
     bool succeeded(const Result<T>& result) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 
 #include <string>
 #include <vector>
@@ -18,6 +18,6 @@ struct Notice {
     bool is_problem = false;
     double seconds_left = 6.0;
     std::string subject;  // the file or device of a problem, to withdraw it when solved
-    std::vector<Choice> choices = {};  // shown as buttons
-    bool goes_by = true;               // false: stays until dismissed
+    std::vector<MenuEntry> buttons = {};
+    bool goes_by = true;  // false: stays until dismissed
 };

@@ -1,8 +1,8 @@
 #include "ui/actions/pass_actions.h"
 
 #include "gpu/input_event.h"
-#include "lab/choices/looking_choices.h"
 #include "lab/document/stack_edits.h"
+#include "lab/menus/window_menu.h"
 #include "model/plan/parameter_use.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"

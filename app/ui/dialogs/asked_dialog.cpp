@@ -1,9 +1,9 @@
 #include "ui/dialogs/asked_dialog.h"
 
-#include "lab/choices/lab_choices.h"
-#include "lab/choices/palette.h"
+#include "lab/menus/menu_sections.h"
+#include "lab/menus/palette.h"
 #include "ui/dialogs/dialog_frame.h"
-#include "ui/widgets/choice_items.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"
@@ -13,13 +13,14 @@
 #include <imgui/imgui_stdlib.h>
 
 namespace {
-// nullopt: the choice no longer exists.
-std::optional<Choice> asking(const Scene& scene) {
+// nullopt: the entry no longer exists.
+std::optional<MenuEntry> asking(const Scene& scene) {
     const std::string& label = scene.window.dialog.subject;
-    for (const ChoiceList& list : all_choices(scene.lab, scene.window, scene.library_view.looks()))
-        for (const Choice& choice : list.choices)
-            if (list.label_of(choice) == label)
-                return choice;
+    for (const MenuSection& section :
+         menu_sections(scene.lab, scene.window, scene.library_view.looks()))
+        for (const MenuEntry& entry : section.entries)
+            if (section.label_of(entry) == label)
+                return entry;
     return std::nullopt;
 }
 
@@ -38,10 +39,10 @@ std::string words_about(const AskedNumber& asked) {
 }
 
 // The typed text, including the input of this frame.
-std::string draw_answer(const Choice& choice, const Dialog& dialog, Edits& edits) {
+std::string draw_answer(const MenuEntry& entry, const Dialog& dialog, Edits& edits) {
     std::string text = dialog.text;
     if (dialog.is_new) {
-        text = choice.number ? fmt::format("{:.7g}", choice.number->present) : choice.text->present;
+        text = entry.number ? fmt::format("{:.7g}", entry.number->present) : entry.text->present;
         ImGui::SetKeyboardFocusHere();
     }
     ImGui::SetNextItemWidth(-1.0f);
@@ -54,12 +55,12 @@ std::string draw_answer(const Choice& choice, const Dialog& dialog, Edits& edits
     return text;
 }
 
-void answer(const Choice& choice, const std::string& text, Edits& edits) {
-    if (choice.text)
-        return run(choice.text->answer(text), edits);
-    TypedNumber typed = read_typed_number(text, facts_of(*choice.number));
+void answer(const MenuEntry& entry, const std::string& text, Edits& edits) {
+    if (entry.text)
+        return run(entry.text->answer(text), edits);
+    TypedNumber typed = read_typed_number(text, facts_of(*entry.number));
     if (typed.value)
-        run(choice.number->answer(*typed.value), edits);
+        run(entry.number->answer(*typed.value), edits);
     if (!typed.complaint.empty())
         edits.add(
             [words = std::move(typed.complaint)](Lab& lab) { lab.messages().say(words, true); });
@@ -67,20 +68,20 @@ void answer(const Choice& choice, const std::string& text, Edits& edits) {
 }  // namespace
 
 void draw_asked_dialog(const Scene& scene, Edits& edits) {
-    const std::optional<Choice> choice = asking(scene);
-    if (!choice || (!choice->number && !choice->text))
+    const std::optional<MenuEntry> entry = asking(scene);
+    if (!entry || (!entry->number && !entry->text))
         return close_dialog(edits);
     const DialogFrame frame(scene.window.dialog.subject.c_str(), 26.0f, scene, edits);
     if (!frame.is_open())
         return;
-    if (choice->number) {
-        if (!choice->number->help.empty())
-            wrapped_dim_text(choice->number->help);
-        dim_text(words_about(*choice->number));
+    if (entry->number) {
+        if (!entry->number->help.empty())
+            wrapped_dim_text(entry->number->help);
+        dim_text(words_about(*entry->number));
     }
-    const std::string text = draw_answer(*choice, scene.window.dialog, edits);
+    const std::string text = draw_answer(*entry, scene.window.dialog, edits);
     if (!draw_dialog_buttons("Apply", true, edits))
         return;
     close_dialog(edits);
-    answer(*choice, text, edits);
+    answer(*entry, text, edits);
 }

@@ -1,6 +1,6 @@
 #include "ui/dialogs/compare_dialog.h"
 
-#include "lab/choices/preset_difference.h"
+#include "lab/menus/preset_difference.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"

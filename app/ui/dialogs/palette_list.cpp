@@ -1,10 +1,10 @@
 #include "ui/dialogs/palette_list.h"
 
-#include "lab/choices/lab_choices.h"
 #include "lab/document/opened_preset.h"
+#include "lab/menus/menu_sections.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/frame/action.h"
-#include "ui/widgets/choice_items.h"
+#include "ui/widgets/menu_items.h"
 
 namespace {
 const char* menu_name(Menu menu) {
@@ -145,7 +145,7 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
                                why_not(action, scene)});
     const Document* document = scene.lab.document();
     const std::vector<ListedLook>& looks = scene.library_view.looks();
-    add(choice_entries(all_choices(scene.lab, scene.window, looks)), entries);
+    add(section_entries(menu_sections(scene.lab, scene.window, looks)), entries);
     add(palette_entries(document ? &document->look() : nullptr, looks), entries);
     if (document)
         add(difference_entries(document->look(), looks), entries);
@@ -165,8 +165,8 @@ void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
             return inspect(entry.subject, edits);
         case PaletteEntry::Kind::parameter:
             return reveal(entry.subject, edits);
-        case PaletteEntry::Kind::choice:
-            return take(entry.choice, entry.id, edits);
+        case PaletteEntry::Kind::menu_entry:
+            return take(entry.menu_entry, entry.id, edits);
         case PaletteEntry::Kind::file:
             return edits.open_file(entry.subject);
         case PaletteEntry::Kind::difference:

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "lab/choices/palette.h"
+#include "lab/menus/palette.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
 #include <vector>
 
-/// All palette entries: every action, then the choices of the lab.
+/// All palette entries: every action, then the menu entries of the lab.
 std::vector<PaletteEntry> palette_list(const Scene& scene);
 
 /// Runs the entry and records its use.

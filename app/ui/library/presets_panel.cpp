@@ -1,6 +1,6 @@
 #include "ui/library/presets_panel.h"
 
-#include "lab/choices/preset_choices.h"
+#include "lab/menus/preset_menu.h"
 #include "ui/library/preset_menu.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"

@@ -1,8 +1,8 @@
 #include "ui/library/stack_panel.h"
 
-#include "lab/choices/stack_choices.h"
-#include "ui/widgets/choice_items.h"
+#include "lab/menus/stack_menu.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -1,10 +1,10 @@
 #include "ui/parameters/sheet_panel.h"
 
-#include "lab/choices/tuning_choices.h"
+#include "lab/menus/parameter_menu.h"
 #include "lab/previews/previews.h"
 #include "ui/parameters/parameter_help.h"
-#include "ui/widgets/choice_items.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

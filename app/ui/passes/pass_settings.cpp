@@ -1,7 +1,8 @@
 #include "ui/passes/pass_settings.h"
 
-#include "lab/choices/looking_choices.h"
 #include "lab/document/stack_edits.h"
+#include "lab/menus/inspector_menu.h"
+#include "lab/menus/window_menu.h"
 #include "ui/picture/picture_menus.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"

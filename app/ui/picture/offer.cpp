@@ -1,8 +1,8 @@
 #include "ui/picture/offer.h"
 
 #include "ui/picture/compare_bar.h"
-#include "ui/widgets/choice_items.h"
 #include "ui/widgets/icons.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -13,8 +13,8 @@ namespace {
 float buttons_width(const Notice& notice) {
     const ImGuiStyle& style = ImGui::GetStyle();
     float width = ImGui::GetFrameHeight();
-    for (const Choice& choice : notice.choices)
-        width += ImGui::CalcTextSize(choice.name.c_str()).x + 2.0f * style.FramePadding.x +
+    for (const MenuEntry& button : notice.buttons)
+        width += ImGui::CalcTextSize(button.name.c_str()).x + 2.0f * style.FramePadding.x +
                  style.ItemSpacing.x;
     return width;
 }
@@ -40,10 +40,10 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
         const ScopedColor color(ImGuiCol_Text, notice.is_problem ? theme::problem : theme::text);
         ImGui::TextUnformatted(words.c_str());
     }
-    for (const Choice& choice : notice.choices) {
-        if (ImGui::Button(choice.name.c_str()))
-            run(choice.commands, edits);
-        edits.mark("offer:" + choice.name);
+    for (const MenuEntry& button : notice.buttons) {
+        if (ImGui::Button(button.name.c_str()))
+            run(button.commands, edits);
+        edits.mark("offer:" + button.name);
         ImGui::SameLine();
     }
     if (icon_button("##leave", Icon::close, "Dismiss", theme::dim))

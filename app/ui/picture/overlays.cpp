@@ -124,7 +124,7 @@ void draw_notice(const Scene& scene, Edits& edits) {
     const auto& notice = scene.lab.messages().notice();
     if (!notice)
         return;
-    if (!notice->choices.empty())
+    if (!notice->buttons.empty())
         return draw_offer(*notice, scene, edits);
     const float opacity = std::clamp(static_cast<float>(notice->seconds_left), 0.0f, 1.0f);
     draw_pill({"##notice", notice->text, notice->is_problem ? theme::problem : theme::text, 0.0f,
@@ -163,25 +163,25 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
     ImGui::BeginChild("##trip", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
     ImGui::TextWrapped("%s", words.c_str());
-    struct Choice {
+    struct NanButton {
         NonFiniteAction answer;
         const char* label;
         const char* help;
         const char* name;
     };
-    for (const Choice& choice :
-         {Choice{NonFiniteAction::clear, "Restart history", "Clears the history and continues.",
-                 "trip_clear"},
-          Choice{NonFiniteAction::clamp, "Clamp",
-                 "Replaces NaN with 0 and Inf with the largest number, in every pass.",
-                 "trip_clamp"},
-          Choice{NonFiniteAction::go_on, "Ignore", "Ignores NaN and Inf until the look is edited.",
-                 "trip_go_on"}}) {
-        if (ImGui::Button(choice.label))
+    for (const NanButton& button :
+         {NanButton{NonFiniteAction::clear, "Restart history", "Clears the history and continues.",
+                    "trip_clear"},
+          NanButton{NonFiniteAction::clamp, "Clamp",
+                    "Replaces NaN with 0 and Inf with the largest number, in every pass.",
+                    "trip_clamp"},
+          NanButton{NonFiniteAction::go_on, "Ignore",
+                    "Ignores NaN and Inf until the look is edited.", "trip_go_on"}}) {
+        if (ImGui::Button(button.label))
             edits.add(
-                [answer = choice.answer](Lab& lab) { lab.frames().nan_guard().answer(answer); });
-        edits.mark(choice.name);
-        tooltip(choice.help);
+                [answer = button.answer](Lab& lab) { lab.frames().nan_guard().answer(answer); });
+        edits.mark(button.name);
+        tooltip(button.help);
         ImGui::SameLine();
     }
     if (quiet_button("Show pass"))

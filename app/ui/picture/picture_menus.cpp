@@ -1,6 +1,6 @@
 #include "ui/picture/picture_menus.h"
 
-#include "lab/choices/looking_choices.h"
+#include "lab/menus/window_menu.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/slider.h"
 #include "ui/widgets/theme.h"

@@ -1,6 +1,6 @@
 #include "ui/playback/sound_controls.h"
 
-#include "lab/choices/device_choices.h"
+#include "lab/menus/device_menu.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"

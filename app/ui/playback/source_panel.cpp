@@ -1,7 +1,7 @@
 #include "ui/playback/source_panel.h"
 
-#include "lab/choices/source_choices.h"
 #include "lab/document/content_edits.h"
+#include "lab/menus/source_menu.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "ui/playback/content_lock.h"

@@ -2,9 +2,9 @@
 
 #include "gpu/objects/draw.h"
 #include "gpu/window.h"
-#include "lab/choices/looking_choices.h"
-#include "lab/choices/palette.h"
 #include "lab/document/content_edits.h"
+#include "lab/menus/palette.h"
+#include "lab/menus/window_menu.h"
 #include "lab/safe_start.h"
 #include "lab/session.h"
 #include "lab/session/first_file.h"

@@ -4,7 +4,7 @@
 #include "ui/frame/action.h"
 #include "ui/library/unsaved_menu.h"
 #include "ui/picture/picture_menus.h"
-#include "ui/widgets/choice_items.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -37,14 +37,14 @@ void draw_picture_submenus(const Scene& scene, Edits& edits) {
     }
 }
 
-// The submenus of choices, above the actions.
-void draw_lists(Menu menu, const Scene& scene, Edits& edits) {
-    using In = ChoiceList::Place;
-    for (const auto& [of, place] :
+// The sections of a menu, above the actions.
+void draw_sections(Menu menu, const Scene& scene, Edits& edits) {
+    using In = MenuSection::Menu;
+    for (const auto& [of, section_menu] :
          {std::pair{Menu::file, In::file}, std::pair{Menu::edit, In::edit},
           std::pair{Menu::compare, In::compare}, std::pair{Menu::pass, In::pass}})
         if (of == menu)
-            draw_choice_menus(place, scene, edits);
+            draw_menu_sections(section_menu, scene, edits);
 }
 
 void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
@@ -61,7 +61,7 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
         draw_menu(Menu::parameter, "Parameter", scene, edits);
     if (menu == Menu::file)
         draw_unsaved_menu(scene, edits);
-    draw_lists(menu, scene, edits);
+    draw_sections(menu, scene, edits);
     for (const Action& action : scene.actions.rows())
         if (action.menu == menu)
             draw_item(action, scene, edits);

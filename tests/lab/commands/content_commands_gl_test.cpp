@@ -77,8 +77,8 @@ private:
 std::vector<std::string> offers(Lab& lab) {
     std::vector<std::string> names;
     if (lab.messages().notice())
-        for (const Choice& choice : lab.messages().notice()->choices)
-            names.push_back(choice.name);
+        for (const MenuEntry& button : lab.messages().notice()->buttons)
+            names.push_back(button.name);
     return names;
 }
 }  // namespace
@@ -106,7 +106,7 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     REQUIRE(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
 
     const auto command = std::get<std::function<void(Document&)>>(
-        small.lab().messages().notice()->choices.front().commands.front());
+        small.lab().messages().notice()->buttons.front().commands.front());
     small.lab().edit(command);
     small.turn(2);
     CHECK(small.document().state().signal.kind == "waveform");

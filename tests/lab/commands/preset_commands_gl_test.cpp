@@ -104,8 +104,8 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     CHECK(preset_file(small.document()).empty());
     CHECK(small.presets().navigation().stars().empty());
     CHECK(small.presets().undo_name() == "Delete \"Mine\"");
-    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
-    CHECK(small.lab().messages().notice()->choices.front().name == "Undo");
+    REQUIRE(small.lab().messages().notice()->buttons.size() == 1);
+    CHECK(small.lab().messages().notice()->buttons.front().name == "Undo");
 
     small.lab().undo();
     CHECK(read_text(file) == text);
@@ -180,8 +180,8 @@ TEST_CASE("a shipped look is not modified, and a copy of it is offered") {
     small.lab().edit([&half](Document& document) { set_override(document, "sum", half); });
     small.lab().looks().write_overrides();
     CHECK(read_text(small.look_folder() / "look.json") == manifest);
-    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
-    CHECK(small.lab().messages().notice()->choices.front().name == "Duplicate look");
+    REQUIRE(small.lab().messages().notice()->buttons.size() == 1);
+    CHECK(small.lab().messages().notice()->buttons.front().name == "Duplicate look");
     CHECK_FALSE(small.document().state().overrides.empty());
 }
 
@@ -204,6 +204,6 @@ TEST_CASE("F4 on a read-only shipped look offers a copy") {
         REQUIRE(seteuid(0) == 0);
     REQUIRE(small.lab().messages().notice().has_value());
     INFO(small.lab().messages().notice()->text);
-    REQUIRE(small.lab().messages().notice()->choices.size() == 1);
-    CHECK(small.lab().messages().notice()->choices.front().name == "Duplicate look");
+    REQUIRE(small.lab().messages().notice()->buttons.size() == 1);
+    CHECK(small.lab().messages().notice()->buttons.front().name == "Duplicate look");
 }

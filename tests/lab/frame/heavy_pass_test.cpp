@@ -46,37 +46,37 @@ PictureSize scaled_by(double scale) {
     return size;
 }
 
-std::vector<std::string> names_of(const ChoiceList& list) {
+std::vector<std::string> names_of(const MenuSection& section) {
     std::vector<std::string> names;
-    for (const Choice& choice : list.choices)
-        names.push_back(choice.name);
+    for (const MenuEntry& entry : section.entries)
+        names.push_back(entry.name);
     return names;
 }
 
-void take(const Choice& choice, Lab& lab) {
-    for (const MenuCommand& command : choice.commands)
+void take(const MenuEntry& entry, Lab& lab) {
+    for (const MenuCommand& command : entry.commands)
         std::get<std::function<void(Lab&)>>(command)(lab);
 }
 }  // namespace
 
 TEST_CASE("a heavy pass with an input can be bypassed, and the size halved down to 1/4") {
     const std::vector<std::string> both{"Bypass glow", "Halve render size"};
-    CHECK(names_of(heavy_pass_choices(glow_of_source(), {})) == both);
-    CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.5))) == both);
-    CHECK(names_of(heavy_pass_choices(glow_of_source(), scaled_by(0.25))) ==
+    CHECK(names_of(heavy_pass_section(glow_of_source(), {})) == both);
+    CHECK(names_of(heavy_pass_section(glow_of_source(), scaled_by(0.5))) == both);
+    CHECK(names_of(heavy_pass_section(glow_of_source(), scaled_by(0.25))) ==
           std::vector<std::string>{"Bypass glow"});
-    CHECK(names_of(heavy_pass_choices(glow(), {})) ==
+    CHECK(names_of(heavy_pass_section(glow(), {})) ==
           std::vector<std::string>{"Halve render size"});
 }
 
-TEST_CASE("choices for a heavy pass act like the strip and the menu") {
+TEST_CASE("entries for a heavy pass act like the strip and the menu") {
     SmallLab small;
-    const ChoiceList list =
-        heavy_pass_choices(small.document().look().passes[1], small.lab().work().size.chosen());
-    REQUIRE(list.choices.size() == 2);
-    take(list.choices[0], small.lab());
+    const MenuSection section =
+        heavy_pass_section(small.document().look().passes[1], small.lab().work().size.chosen());
+    REQUIRE(section.entries.size() == 2);
+    take(section.entries[0], small.lab());
     CHECK(small.lab().frames().passes().switches().bypassed == std::set<std::string>{"show"});
-    take(list.choices[1], small.lab());
+    take(section.entries[1], small.lab());
     CHECK(small.lab().work().size.extent() == Extent{4, 4});  // of 8 x 8
     CHECK_FALSE(small.lab().messages().notice()->is_problem);
     small.lab().frames().passes().toggle(PassSwitch::bypass, "show");

@@ -267,7 +267,7 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
     CHECK(small.lab().messages().notice()->text ==
           "The preset uses content outside its folder: file \"" + outside.string() +
               "\". It was not loaded.");
-    const Choice use = small.lab().messages().notice()->choices.front();
+    const MenuEntry use = small.lab().messages().notice()->buttons.front();
     CHECK(use.name == "Use it");
     std::get<std::function<void(Lab&)>>(use.commands.front())(small.lab());
     CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));

@@ -44,7 +44,7 @@ TEST_CASE("text is appended to a notice without buttons, and replaces a problem"
     messages.say("Opened");
     messages.append("Kept song.wav", {.name = "Use the preset's signal"});
     CHECK(messages.notice()->text == "Opened · Kept song.wav");
-    REQUIRE(messages.notice()->choices.size() == 1);
+    REQUIRE(messages.notice()->buttons.size() == 1);
     messages.append("Kept other.wav", {.name = "Use"});
     CHECK(messages.notice()->text == "Kept other.wav");
     messages.say("failed", true);

@@ -1,4 +1,4 @@
-#include "lab/choices/preset_difference.h"
+#include "lab/menus/preset_difference.h"
 
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"

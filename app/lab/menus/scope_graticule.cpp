@@ -1,4 +1,4 @@
-#include "lab/choices/scope_graticule.h"
+#include "lab/menus/scope_graticule.h"
 
 #include "signals/signal/settings.h"
 #include "signals/signal_table.h"

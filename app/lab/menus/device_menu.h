@@ -1,7 +1,7 @@
 #pragma once
 
 #include "io/sound/sound_devices.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "model/devices/remote_settings.h"
 #include "model/devices/sound_settings.h"
 
@@ -13,10 +13,10 @@ struct SoundFacts {
     double place = 0.0;  // s
     double sound_seconds = 0.0;
 };
-ChoiceList sound_choices(const SoundFacts& facts);
+MenuSection sound_section(const SoundFacts& facts);
 
 /// Settings of remote control: OSC and MIDI.
-ChoiceList remote_choices(const RemoteSettings& settings, bool hears_osc, bool hears_midi);
+MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool hears_midi);
 
 inline constexpr std::array sound_rates{0, 44100, 48000, 96000, 192000};
 inline constexpr std::array sound_buffers{128, 256, 512, 1024, 2048, 4096};

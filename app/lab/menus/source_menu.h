@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "model/picture/source_spec.h"
 
 class MediaInput;
@@ -30,5 +30,5 @@ struct OpenSource {
 };
 OpenSource open_source(const MediaInput& media);
 
-/// The choices of pattern, file and fit; empty if the look does not use a picture.
-std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open);
+/// Pattern, file and fit; empty if the look does not use a picture.
+std::vector<MenuSection> source_sections(const Document& document, const OpenSource& open);

@@ -1,14 +1,14 @@
 #pragma once
 
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "lab/window/preset_list.h"
 
 /// The commands for presets of the open look, except opening them.
-std::vector<ChoiceList> preset_choices(const std::vector<ListedPreset>& presets,
-                                       const PresetBrowsing& wanted);
+std::vector<MenuSection> preset_sections(const std::vector<ListedPreset>& presets,
+                                         const PresetBrowsing& wanted);
 
 /// The commands that need a source checkout.
-ChoiceList shipped_preset_choices();
+MenuSection shipped_preset_section();
 
 /// Durations of a morph in seconds.
 inline constexpr std::array morph_lengths{1.0, 3.0, 10.0, 30.0, 60.0};

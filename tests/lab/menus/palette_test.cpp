@@ -1,4 +1,4 @@
-#include "lab/choices/palette.h"
+#include "lab/menus/palette.h"
 
 #include <doctest/doctest.h>
 

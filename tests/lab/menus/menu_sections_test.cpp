@@ -1,13 +1,14 @@
 // Entries of menus and the command palette, without a window.
-#include "lab/choices/device_choices.h"
-#include "lab/choices/looking_choices.h"
-#include "lab/choices/palette.h"
-#include "lab/choices/preset_choices.h"
-#include "lab/choices/signal_choices.h"
-#include "lab/choices/source_choices.h"
-#include "lab/choices/stack_choices.h"
-#include "lab/choices/tuning_choices.h"
 #include "lab/document/content_edits.h"
+#include "lab/menus/device_menu.h"
+#include "lab/menus/inspector_menu.h"
+#include "lab/menus/palette.h"
+#include "lab/menus/parameter_menu.h"
+#include "lab/menus/preset_menu.h"
+#include "lab/menus/signal_menu.h"
+#include "lab/menus/source_menu.h"
+#include "lab/menus/stack_menu.h"
+#include "lab/menus/window_menu.h"
 #include "lab/window/pane_sizes.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
@@ -18,7 +19,7 @@
 #include <algorithm>
 
 namespace {
-Look choosing_look(Driver driver) {
+Look menu_look(Driver driver) {
     Look look;
     look.id = "phosphor";
     look.name = "Phosphor";
@@ -38,23 +39,24 @@ Look choosing_look(Driver driver) {
     return look;
 }
 
-ListedLook choosable_look(const char* id, const char* name) {
+ListedLook listed_look(const char* id, const char* name) {
     ListedLook look;
     look.entry = {id, std::string("/looks/") + id, false};
     look.name = name;
     return look;
 }
 
-const Choice* find_choice(const std::vector<ChoiceList>& lists, const std::string& label) {
-    for (const ChoiceList& list : lists)
-        for (const Choice& choice : list.choices)
-            if (list.label_of(choice) == label)
-                return &choice;
+const MenuEntry* find_menu_entry(const std::vector<MenuSection>& sections,
+                                 const std::string& label) {
+    for (const MenuSection& section : sections)
+        for (const MenuEntry& entry : section.entries)
+            if (section.label_of(entry) == label)
+                return &entry;
     return nullptr;
 }
 
-const Choice& choice_of(const std::vector<ChoiceList>& lists, const std::string& label) {
-    const Choice* found = find_choice(lists, label);
+const MenuEntry& menu_entry_of(const std::vector<MenuSection>& sections, const std::string& label) {
+    const MenuEntry* found = find_menu_entry(sections, label);
     REQUIRE_MESSAGE(found, label);
     return *found;
 }
@@ -72,115 +74,118 @@ std::string first_found(const std::vector<PaletteEntry>& entries, const char* qu
 }  // namespace
 
 TEST_CASE("every kind of signal can be chosen by name in one undo step") {
-    Document document(choosing_look(Driver::signal));
-    const auto lists = signal_choices(document);
-    CHECK(lists.front().choices.size() == signal_kinds().size());
+    Document document(menu_look(Driver::signal));
+    const auto sections = signal_sections(document);
+    CHECK(sections.front().entries.size() == signal_kinds().size());
     for (const SignalKind& kind : signal_kinds()) {
         const std::string name =
             kind.label + (kind.kind == "audio" || kind.kind == "scene" ? "…" : "");
-        CHECK(choice_of(lists, "Signal: " + name).is_present == (kind.kind == "lissajous"));
+        CHECK(menu_entry_of(sections, "Signal: " + name).is_present == (kind.kind == "lissajous"));
     }
-    take(choice_of(lists, "Signal: " + find_kind("waveform")->label).commands, document);
+    take(menu_entry_of(sections, "Signal: " + find_kind("waveform")->label).commands, document);
     CHECK(document.state().signal.kind == "waveform");
     CHECK(document.history().undo_name() == "Signal");
     document.undo();
     CHECK(document.state().signal.kind == "lissajous");
     WindowState window;
-    take(choice_of(lists, "Signal: " + find_kind("audio")->label + "…").commands, window);
+    take(menu_entry_of(sections, "Signal: " + find_kind("audio")->label + "…").commands, window);
     CHECK(window.dialog.kind == Dialog::Kind::open_file);
-    CHECK(signal_choices(Document(choosing_look(Driver::picture))).empty());
+    CHECK(signal_sections(Document(menu_look(Driver::picture))).empty());
 }
 
 TEST_CASE("every used setting of the current signal can be typed or chosen") {
-    Document document(choosing_look(Driver::signal));
+    Document document(menu_look(Driver::signal));
     set_signal(document, *completed(Spec{"waveform", {}}));
     const SignalKind& kind = *find_kind("waveform");
     const Spec spec = *completed(document.state().signal);
-    const auto lists = signal_choices(document);
+    const auto sections = signal_sections(document);
     for (const SettingFacts& setting : kind.settings) {
         if (setting.is_hidden || !is_used(setting, spec))
             continue;
         const std::string name =
             setting.group.empty() ? setting.label : setting.group + " · " + setting.label;
         if (setting.type != SettingType::word) {
-            CHECK_MESSAGE(find_choice(lists, "Signal: " + name + "…"), setting.key);
+            CHECK_MESSAGE(find_menu_entry(sections, "Signal: " + name + "…"), setting.key);
             continue;
         }
         for (const std::string& word : setting.words)
-            CHECK_MESSAGE(find_choice(lists, "Signal: " + name + ": " + label_of_word(word)), word);
+            CHECK_MESSAGE(find_menu_entry(sections, "Signal: " + name + ": " + label_of_word(word)),
+                          word);
     }
     const auto number = std::ranges::find_if(kind.settings, [&](const SettingFacts& setting) {
         return setting.type == SettingType::number && !setting.is_hidden && is_used(setting, spec);
     });
     REQUIRE(number != kind.settings.end());
-    const Choice& choice =
-        choice_of(lists, "Signal: " + number->group + " · " + number->label + "…");
-    REQUIRE(choice.number);
-    CHECK(find_choice(lists, "Signal: Wave 2 · Frequency…"));  // each wave has its own entry
-    CHECK(choice.number->limit == number->limit);
-    const double typed = choice.number->present + 1.0;
-    take(choice.number->answer(typed), document);
+    const MenuEntry& entry =
+        menu_entry_of(sections, "Signal: " + number->group + " · " + number->label + "…");
+    REQUIRE(entry.number);
+    CHECK(find_menu_entry(sections, "Signal: Wave 2 · Frequency…"));  // each wave has its own entry
+    CHECK(entry.number->limit == number->limit);
+    const double typed = entry.number->present + 1.0;
+    take(entry.number->answer(typed), document);
     const auto changed = completed(document.state().signal);
     CHECK(std::get<double>(changed->settings.at(number->key)) == typed);
 }
 
 TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name") {
-    Document document(choosing_look(Driver::picture));
+    Document document(menu_look(Driver::picture));
     const PatternFacts& last = all_patterns().back();
-    take(choice_of(source_choices(document, {}), "Source: " + last.label).commands, document);
+    take(menu_entry_of(source_sections(document, {}), "Source: " + last.label).commands, document);
     CHECK(document.state().source == "pattern:" + last.name);
-    take(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").commands, document);
+    take(menu_entry_of(source_sections(document, {}), "Source: Size: 256 × 224").commands,
+         document);
     CHECK(document.state().source == "pattern:" + last.name + ",size=256x224");
-    CHECK(choice_of(source_choices(document, {}), "Source: Size: 256 × 224").is_present);
-    CHECK(choice_of(source_choices(document, {}), "Source: " + last.label).is_present);
-    take(choice_of(source_choices(document, {}), "Source: Size: Native size").commands, document);
+    CHECK(menu_entry_of(source_sections(document, {}), "Source: Size: 256 × 224").is_present);
+    CHECK(menu_entry_of(source_sections(document, {}), "Source: " + last.label).is_present);
+    take(menu_entry_of(source_sections(document, {}), "Source: Size: Native size").commands,
+         document);
     CHECK(document.state().source == "pattern:" + last.name);
-    take(choice_of(source_choices(document, {}), "Source: Scaling: Fit").commands, document);
-    CHECK_FALSE(find_choice(source_choices(document, {}), "Source: Pre-scaled: Auto"));
-    const auto lists = source_choices(document, {});
-    CHECK(choice_of(lists, "Source: Scaling: Fit").is_present);
-    take(choice_of(lists, "Source: Pixel aspect…").number->answer(1.5), document);
+    take(menu_entry_of(source_sections(document, {}), "Source: Scaling: Fit").commands, document);
+    CHECK_FALSE(find_menu_entry(source_sections(document, {}), "Source: Pre-scaled: Auto"));
+    const auto sections = source_sections(document, {});
+    CHECK(menu_entry_of(sections, "Source: Scaling: Fit").is_present);
+    take(menu_entry_of(sections, "Source: Pixel aspect…").number->answer(1.5), document);
     CHECK(document.state().source == "pattern:" + last.name + ",fit=whole,aspect=1.5");
-    CHECK_FALSE(find_choice(lists, "Source: Frame rate…"));
-    const auto film = source_choices(document, {.film_rate = 25.0});
-    CHECK(choice_of(film, "Source: Frame rate…").number->present == 25.0);
-    take(choice_of(film, "Source: At end: Hold").commands, document);
+    CHECK_FALSE(find_menu_entry(sections, "Source: Frame rate…"));
+    const auto film = source_sections(document, {.film_rate = 25.0});
+    CHECK(menu_entry_of(film, "Source: Frame rate…").number->present == 25.0);
+    take(menu_entry_of(film, "Source: At end: Hold").commands, document);
     CHECK_FALSE(parse_source(document.state().source)->loops);
 }
 
 TEST_CASE("shape and prescale of a file can be chosen by name") {
-    Document document(choosing_look(Driver::picture));
+    Document document(menu_look(Driver::picture));
     set_source(document, "game.png,fit=whole,prescaled=auto");
-    const auto lists = [&document] {
-        return source_choices(document, {.extent = {256, 224}, .prescale = 3});
+    const auto sections = [&document] {
+        return source_sections(document, {.extent = {256, 224}, .prescale = 3});
     };
-    CHECK(choice_of(lists(), "Source: Pre-scaled: Auto (3×)").is_present);
-    CHECK(choice_of(lists(), "Source: Shape: Square pixels").is_present);
-    take(choice_of(lists(), "Source: Shape: 4:3").commands, document);
+    CHECK(menu_entry_of(sections(), "Source: Pre-scaled: Auto (3×)").is_present);
+    CHECK(menu_entry_of(sections(), "Source: Shape: Square pixels").is_present);
+    take(menu_entry_of(sections(), "Source: Shape: 4:3").commands, document);
     CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=auto");
-    CHECK(choice_of(lists(), "Source: Shape: 4:3").is_present);
-    take(choice_of(lists(), "Source: Pre-scaled: 2×").commands, document);
+    CHECK(menu_entry_of(sections(), "Source: Shape: 4:3").is_present);
+    take(menu_entry_of(sections(), "Source: Pre-scaled: 2×").commands, document);
     CHECK(document.state().source == "game.png,fit=whole,shape=4:3,prescaled=2");
-    take(choice_of(lists(), "Source: Shape: Custom").commands, document);
+    take(menu_entry_of(sections(), "Source: Shape: Custom").commands, document);
     CHECK(parse_source(document.state().source)->aspect == doctest::Approx(7.0 / 6.0));
-    CHECK(choice_of(lists(), "Source: Shape: Custom").is_present);
+    CHECK(menu_entry_of(sections(), "Source: Shape: Custom").is_present);
     set_source(document, "game.png,shape=16:10");
-    CHECK(choice_of(lists(), "Source: Shape: 16:10").is_present);
+    CHECK(menu_entry_of(sections(), "Source: Shape: 16:10").is_present);
     set_source(document, "game.png,shape=16:10,prescaled=auto");
     const PatternFacts& pattern = all_patterns().back();
-    take(choice_of(lists(), "Source: " + pattern.label).commands, document);
+    take(menu_entry_of(sections(), "Source: " + pattern.label).commands, document);
     CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
 }
 
 TEST_CASE("looks are added, moved, bypassed and removed by name") {
-    Document document(choosing_look(Driver::signal));
-    const std::vector<ListedLook> looks{choosable_look("phosphor", "Phosphor"),
-                                        choosable_look("crt", "CRT")};
+    Document document(menu_look(Driver::signal));
+    const std::vector<ListedLook> looks{listed_look("phosphor", "Phosphor"),
+                                        listed_look("crt", "CRT")};
     const auto stack = [&]() -> const Stack& { return document.state().stack; };
     const auto choose = [&](const std::string& label) {
-        take(choice_of({stack_choices(stack(), looks)}, "Stack: " + label).commands, document);
+        take(menu_entry_of({stack_section(stack(), looks)}, "Stack: " + label).commands, document);
     };
-    CHECK_FALSE(find_choice({stack_choices(stack(), looks)}, "Stack: Remove Phosphor"));
+    CHECK_FALSE(find_menu_entry({stack_section(stack(), looks)}, "Stack: Remove Phosphor"));
     choose("Add CRT");
     choose("Add CRT");
     CHECK(stack_id(stack()) == "phosphor+crt+crt");
@@ -208,70 +213,72 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
                                2};
     WindowState window;
     window.inspected.look_into(past);
-    const auto lists = inspector_choices(parts, window.inspected);
-    CHECK(choice_of(lists, "Inspect: beam, 1 frame ago").is_present);
-    CHECK(find_choice(lists, "Inspect: beam, 2 frames ago"));
-    CHECK_FALSE(find_choice(lists, "Inspect: beam, 3 frames ago"));
-    take(choice_of(lists, "Inspect: noise").commands, window);
+    const auto sections = inspector_sections(parts, window.inspected);
+    CHECK(menu_entry_of(sections, "Inspect: beam, 1 frame ago").is_present);
+    CHECK(find_menu_entry(sections, "Inspect: beam, 2 frames ago"));
+    CHECK_FALSE(find_menu_entry(sections, "Inspect: beam, 3 frames ago"));
+    take(menu_entry_of(sections, "Inspect: noise").commands, window);
     CHECK(window.inspected.label() == "noise");
-    take(choice_of(lists, "Channels: Red as grey").commands, window);
+    take(menu_entry_of(sections, "Channels: Red as grey").commands, window);
     CHECK(window.inspected.channels == Channels::red);
-    take(choice_of(lists, "Inspect: White point…").number->answer(4.0), window);
-    take(choice_of(lists, "Inspect: Black point…").number->answer(0.5), window);
+    take(menu_entry_of(sections, "Inspect: White point…").number->answer(4.0), window);
+    take(menu_entry_of(sections, "Inspect: Black point…").number->answer(0.5), window);
     CHECK(window.inspected.levels == Levels{0.5, 4.0});
 }
 
 TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
-    Document document(choosing_look(Driver::signal));
-    const auto lists = parameter_choices(document, document.look().parameters.front());
+    Document document(menu_look(Driver::signal));
+    const auto sections = parameter_sections(document, document.look().parameters.front());
     const std::string blue = part_label(document.look().parameters.front(), 2);
-    take(choice_of(lists, "Tint: " + blue + "…").number->answer(0.25), document);
+    take(menu_entry_of(sections, "Tint: " + blue + "…").number->answer(0.25), document);
     CHECK(document.value(document.look().parameters.front()).numbers ==
           std::vector<double>{1.0, 1.0, 0.25});
-    take(choice_of(lists, "Tint: Locked").commands, document);
+    take(menu_entry_of(sections, "Tint: Locked").commands, document);
     CHECK(document.parameter_settings().at("tint").is_locked);
-    CHECK_FALSE(find_choice(listing_choices(Document(choosing_look(Driver::signal)), {}),
-                            "Parameters: Reset Glass"));
-    take(choice_of(lists, "Tint: Locked").commands, document);
-    take(choice_of(parameter_choices(document, document.look().parameters.front()), "Tint: Locked")
+    CHECK_FALSE(find_menu_entry(parameter_list_sections(Document(menu_look(Driver::signal)), {}),
+                                "Parameters: Reset Glass"));
+    take(menu_entry_of(sections, "Tint: Locked").commands, document);
+    take(menu_entry_of(parameter_sections(document, document.look().parameters.front()),
+                       "Tint: Locked")
              .commands,
          document);
-    take(choice_of(listing_choices(document, {}), "Parameters: Reset Glass").commands, document);
+    take(menu_entry_of(parameter_list_sections(document, {}), "Parameters: Reset Glass").commands,
+         document);
     CHECK(document.values().empty());
 }
 
 TEST_CASE("panes are resized by name, within their limits") {
     WindowState window;
-    const auto lists = window_choices(window, {{}, ViewShape::view, {320, 180}});
+    const auto sections = window_sections(window, {{}, ViewShape::view, {320, 180}});
     const double before = window.panes.left;
-    take(choice_of(lists, "Pane: Widen left pane").commands, window);
+    take(menu_entry_of(sections, "Pane: Widen left pane").commands, window);
     CHECK(window.panes.left == before + 40.0);
     for (int i = 0; i < 20; ++i)
-        take(choice_of(lists, "Pane: Widen left pane").commands, window);
+        take(menu_entry_of(sections, "Pane: Widen left pane").commands, window);
     CHECK(window.panes.left == 520.0);
-    take(choice_of(lists, "Waveform: Row…").number->answer(20.0), window);
+    take(menu_entry_of(sections, "Waveform: Row…").number->answer(20.0), window);
     CHECK(window.scan_line.row({320, 180}) == 20);
     CHECK(window.sees(BottomPart::waveform));
-    take(choice_of(lists, "Pins: Pin picture centre").commands, window);
+    take(menu_entry_of(sections, "Pins: Pin picture centre").commands, window);
     CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
 }
 
-TEST_CASE("two words find a choice, and actions rank first among equal matches") {
-    Document document(choosing_look(Driver::signal));
+TEST_CASE("two words find a menu entry, and actions rank first among equal matches") {
+    Document document(menu_look(Driver::signal));
     WindowState window;
-    std::vector<ChoiceList> lists = signal_choices(document);
-    lists.push_back(stack_choices(document.state().stack, {choosable_look("mask", "Shadow mask")}));
-    for (const ChoiceList& list :
-         inspector_choices({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
-        lists.push_back(list);
-    for (const ChoiceList& list : window_choices(window, {{}, ViewShape::view, {320, 180}}))
-        lists.push_back(list);
-    lists.push_back({"Presets", ChoiceList::Place::palette, {{.name = "Favourites only"}}});
+    std::vector<MenuSection> sections = signal_sections(document);
+    sections.push_back(stack_section(document.state().stack, {listed_look("mask", "Shadow mask")}));
+    for (const MenuSection& section :
+         inspector_sections({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
+        sections.push_back(section);
+    for (const MenuSection& section : window_sections(window, {{}, ViewShape::view, {320, 180}}))
+        sections.push_back(section);
+    sections.push_back({"Presets", MenuSection::Menu::palette, {{.name = "Favourites only"}}});
     std::vector<PaletteEntry> entries{
         {PaletteEntry::Kind::action, "Zoom in", "Zoom in", "View", {}, {}, {}},
         {PaletteEntry::Kind::action, "Inspector", "Inspector", "View", {}, {}, {}},
         {PaletteEntry::Kind::action, "Fav", "Show only favourites", "Edit", {}, {}, {}}};
-    for (PaletteEntry& entry : choice_entries(lists))
+    for (PaletteEntry& entry : section_entries(sections))
         entries.push_back(std::move(entry));
     CHECK(first_found(entries, "signal wave") == "Signal: " + find_kind("waveform")->label);
     CHECK(first_found(entries, "add shadow") == "Stack: Add Shadow mask");
@@ -293,18 +300,18 @@ TEST_CASE("sound and remote control settings can be chosen by name") {
     SoundFacts facts;
     facts.devices = {{.name = "Scope"}};
     facts.devices.front().has_output = true;
-    const ChoiceList sound = sound_choices(facts);
-    CHECK(choice_of({sound}, "Sound: Output: System default").is_present);
-    CHECK(find_choice({sound}, "Sound: Output: Scope"));
-    CHECK_FALSE(find_choice({sound}, "Sound: Input: Scope"));
-    CHECK_FALSE(find_choice({sound}, "Sound: Volume…"));
+    const MenuSection sound = sound_section(facts);
+    CHECK(menu_entry_of({sound}, "Sound: Output: System default").is_present);
+    CHECK(find_menu_entry({sound}, "Sound: Output: Scope"));
+    CHECK_FALSE(find_menu_entry({sound}, "Sound: Input: Scope"));
+    CHECK_FALSE(find_menu_entry({sound}, "Sound: Volume…"));
     facts.sound_seconds = 12.0;
-    CHECK(choice_of({sound_choices(facts)}, "Sound: Go to…").number->limit == Limit{0.0, 12.0});
+    CHECK(menu_entry_of({sound_section(facts)}, "Sound: Go to…").number->limit == Limit{0.0, 12.0});
     RemoteSettings settings;
     settings.bind({.goal = {"decay"}, .channel = 1, .controller = 21});
-    const ChoiceList remote = remote_choices(settings, true, false);
-    CHECK(choice_of({remote}, "Remote: Listen to OSC").is_present);
-    CHECK(find_choice({remote}, "Remote: Unmap decay (CC 21, channel 1)"));
+    const MenuSection remote = remote_section(settings, true, false);
+    CHECK(menu_entry_of({remote}, "Remote: Listen to OSC").is_present);
+    CHECK(find_menu_entry({remote}, "Remote: Unmap decay (CC 21, channel 1)"));
 }
 
 TEST_CASE("presets are morphed to, starred and searched by name") {
@@ -314,13 +321,13 @@ TEST_CASE("presets are morphed to, starred and searched by name") {
     amber.preset.name = "Amber";
     amber.preset.entry.file = "/presets/amber.json";
     amber.has_star = true;
-    const auto lists = preset_choices({plain, amber}, {});
-    CHECK(find_choice(lists, "Morph: To Amber"));
-    CHECK(choice_of(lists, "Morph: Duration 3 s").is_present);
-    CHECK(choice_of(lists, "Star: Amber").is_present);
-    CHECK_FALSE(find_choice(lists, "Star: Phosphor"));  // the look's defaults
+    const auto sections = preset_sections({plain, amber}, {});
+    CHECK(find_menu_entry(sections, "Morph: To Amber"));
+    CHECK(menu_entry_of(sections, "Morph: Duration 3 s").is_present);
+    CHECK(menu_entry_of(sections, "Star: Amber").is_present);
+    CHECK_FALSE(find_menu_entry(sections, "Star: Phosphor"));  // the look's defaults
     WindowState window;
-    take(choice_of(lists, "Presets: Search…").text->answer("amb"), window);
+    take(menu_entry_of(sections, "Presets: Search…").text->answer("amb"), window);
     CHECK(window.presets.search == "amb");
     CHECK(window.sees(BottomPart::presets));
 }

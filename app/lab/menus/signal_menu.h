@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 
 struct SignalKind;
 
@@ -13,7 +13,7 @@ MenuCommand command_for(const SignalKind& kind);
 std::string label_of_word(std::string word);
 
 /// Locks or unlocks the signal or source.
-Choice content_lock_choice(const Document& document);
+MenuEntry content_lock_entry(const Document& document);
 
 /// The kinds of signal and the settings of the current one; empty if the look uses no signal.
-std::vector<ChoiceList> signal_choices(const Document& document);
+std::vector<MenuSection> signal_sections(const Document& document);

@@ -1,4 +1,4 @@
-#include "lab/choices/palette.h"
+#include "lab/menus/palette.h"
 
 #include "base/fuzzy.h"
 
@@ -97,21 +97,21 @@ std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<Li
     return entries;
 }
 
-std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists) {
+std::vector<PaletteEntry> section_entries(const std::vector<MenuSection>& sections) {
     std::vector<PaletteEntry> entries;
     std::set<std::string> labels;
-    for (const ChoiceList& list : lists)
-        for (const Choice& choice : list.choices) {
-            const std::string label = list.label_of(choice);
+    for (const MenuSection& section : sections)
+        for (const MenuEntry& entry : section.entries) {
+            const std::string label = section.label_of(entry);
             if (labels.insert(label).second)
-                entries.push_back({Kind::choice,
+                entries.push_back({Kind::menu_entry,
                                    label,
                                    label,
-                                   choice.is_present ? "current" : "",
+                                   entry.is_present ? "current" : "",
                                    {},
                                    {},
                                    {},
-                                   choice});
+                                   entry});
         }
     return entries;
 }
@@ -158,10 +158,10 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
         const auto use = std::find(used.begin(), used.end(), entries[i].id);
         const std::size_t start = name_start(entries[i]);
         const bool is_named = !match->places.empty() && match->places.back() >= start;
-        ranked.push_back(
-            {{-match->score, static_cast<std::size_t>(use - used.begin()),
-              entries[i].kind == Kind::choice, is_named ? entries[i].label.size() - start : 0, i},
-             {i, match->places}});
+        ranked.push_back({{-match->score, static_cast<std::size_t>(use - used.begin()),
+                           entries[i].kind == Kind::menu_entry,
+                           is_named ? entries[i].label.size() - start : 0, i},
+                          {i, match->places}});
     }
     std::sort(ranked.begin(), ranked.end(),
               [](const Ranked& a, const Ranked& b) { return a.order < b.order; });

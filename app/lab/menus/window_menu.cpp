@@ -1,4 +1,5 @@
-#include "lab/choices/looking_choices.h"
+#include "lab/menus/window_menu.h"
+
 #include "lab/window/pane_sizes.h"
 
 #include <fmt/format.h>
@@ -7,41 +8,42 @@
 #include <cmath>
 
 namespace {
-Choice sized(std::string name, const PictureSize& size, bool is_present) {
+MenuEntry sized(std::string name, const PictureSize& size, bool is_present) {
     return {.name = std::move(name),
             .commands = {[size](Lab& lab) { lab.work().size.choose(size); }},
             .is_present = is_present};
 }
 
-ChoiceList size_choices(const SizeInForce& in_force) {
-    ChoiceList list{"Render size"};
+MenuSection size_section(const SizeInForce& in_force) {
+    MenuSection section{"Render size"};
     const PictureSize& present = in_force.chosen;
     PictureSize size = present;
     for (const auto& [shape, name] : picture_shapes)
-        list.choices.push_back(sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
-    list.choices.push_back(
+        section.entries.push_back(
+            sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
+    section.entries.push_back(
         {.name = "Match pane once", .commands = {[](Lab& lab) { lab.work().size.fix_to_view(); }}});
     for (const Extent& extent : picture_sizes)
-        list.choices.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
-                                     {false, extent, present.scale, present.shape},
-                                     present.is_exactly(extent)));
+        section.entries.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
+                                        {false, extent, present.scale, present.shape},
+                                        present.is_exactly(extent)));
     for (const double scale : picture_scales) {
         size = present;
         size.scale = scale;
-        list.choices.push_back(
+        section.entries.push_back(
             sized(fmt::format("Scale {}", times_text(scale)), size, present.scale == scale));
     }
-    return list;
+    return section;
 }
 
-ChoiceList zoom_choices(const PictureView& present) {
-    ChoiceList list{"Zoom"};
-    list.choices.push_back(
+MenuSection zoom_section(const PictureView& present) {
+    MenuSection section{"Zoom"};
+    section.entries.push_back(
         {.name = "Largest integer zoom",
          .commands = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
          .is_present = present.fit == PictureView::Fit::whole});
     for (const double zoom : picture_zooms)
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = times_text(zoom),
              .commands = {[zoom](WindowState& window) {
                  window.large_view().fit = PictureView::Fit::free;
@@ -51,38 +53,38 @@ ChoiceList zoom_choices(const PictureView& present) {
     for (const auto& [name, x, y] :
          {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
           std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
-        list.choices.push_back({.name = name, .commands = {[x = x, y = y](WindowState& window) {
-                                                  PictureView& view = window.large_view();
-                                                  view.x = std::clamp(view.x + x, 0.0, 1.0);
-                                                  view.y = std::clamp(view.y + y, 0.0, 1.0);
-                                              }}});
-    return list;
+        section.entries.push_back({.name = name, .commands = {[x = x, y = y](WindowState& window) {
+                                                     PictureView& view = window.large_view();
+                                                     view.x = std::clamp(view.x + x, 0.0, 1.0);
+                                                     view.y = std::clamp(view.y + y, 0.0, 1.0);
+                                                 }}});
+    return section;
 }
 
-ChoiceList pane_choices() {
-    ChoiceList list{"Pane"};
+MenuSection pane_section() {
+    MenuSection section{"Pane"};
     constexpr float step = 40.0f;
     for (const PaneSide& side : pane_sides())
         for (const float by : {step, -step})
-            list.choices.push_back({.name = by > 0.0f ? side.larger : side.smaller,
-                                    .commands = {[size = side.size, by](WindowState& window) {
-                                        resize_pane(window.panes, size, by);
-                                    }}});
-    return list;
+            section.entries.push_back({.name = by > 0.0f ? side.larger : side.smaller,
+                                       .commands = {[size = side.size, by](WindowState& window) {
+                                           resize_pane(window.panes, size, by);
+                                       }}});
+    return section;
 }
 
-ChoiceList pin_choices(const std::vector<Pin>& pins) {
-    ChoiceList list{"Pins"};
-    list.choices.push_back({.name = "Pin picture centre",
-                            .commands = {[](WindowState& window) { add_pin(window, {}); }}});
+MenuSection pin_section(const std::vector<Pin>& pins) {
+    MenuSection section{"Pins"};
+    section.entries.push_back({.name = "Pin picture centre",
+                               .commands = {[](WindowState& window) { add_pin(window, {}); }}});
     for (std::size_t i = 0; i < pins.size(); ++i)
-        list.choices.push_back({.name = fmt::format("Remove pin {}", i + 1),
-                                .commands = {[i](WindowState& window) {
-                                    if (i < window.pins.size())
-                                        window.pins.erase(window.pins.begin() +
-                                                          static_cast<std::ptrdiff_t>(i));
-                                }}});
-    return list;
+        section.entries.push_back({.name = fmt::format("Remove pin {}", i + 1),
+                                   .commands = {[i](WindowState& window) {
+                                       if (i < window.pins.size())
+                                           window.pins.erase(window.pins.begin() +
+                                                             static_cast<std::ptrdiff_t>(i));
+                                   }}});
+    return section;
 }
 
 void show_waveform(WindowState& window) {
@@ -91,18 +93,18 @@ void show_waveform(WindowState& window) {
     window.is_picture_only = false;
 }
 
-ChoiceList waveform_choices(const WindowState& window, Extent picture) {
-    ChoiceList list{"Waveform"};
+MenuSection waveform_section(const WindowState& window, Extent picture) {
+    MenuSection section{"Waveform"};
     for (const bool is_luminance : {false, true})
-        list.choices.push_back({.name = is_luminance ? "Luminance" : "Red, green and blue",
-                                .commands = {[is_luminance](WindowState& changed) {
-                                    changed.plots_luminance = is_luminance;
-                                    show_waveform(changed);
-                                }},
-                                .is_present = window.plots_luminance == is_luminance});
+        section.entries.push_back({.name = is_luminance ? "Luminance" : "Red, green and blue",
+                                   .commands = {[is_luminance](WindowState& changed) {
+                                       changed.plots_luminance = is_luminance;
+                                       show_waveform(changed);
+                                   }},
+                                   .is_present = window.plots_luminance == is_luminance});
     const double row =
         window.scan_line.row(picture).value_or(window.scan_line.start.texel(picture)[1]);
-    list.choices.push_back(
+    section.entries.push_back(
         {.name = "Row…",
          .number = AskedNumber{.present = row,
                                .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
@@ -114,11 +116,11 @@ ChoiceList waveform_choices(const WindowState& window, Extent picture) {
                                        show_waveform(changed);
                                    }};
                                }}});
-    return list;
+    return section;
 }
 
-Choice window_number(const char* name, const char* unit, double present, Limit limit,
-                     void (*set)(WindowState& window, double number)) {
+MenuEntry window_number(const char* name, const char* unit, double present, Limit limit,
+                        void (*set)(WindowState& window, double number)) {
     return {.name = name,
             .number = AskedNumber{.present = present,
                                   .unit = unit,
@@ -130,9 +132,9 @@ Choice window_number(const char* name, const char* unit, double present, Limit l
                                   }}};
 }
 
-ChoiceList number_choices(const WindowState& window) {
-    ChoiceList list{"Set"};
-    list.choices = {
+MenuSection number_section(const WindowState& window) {
+    MenuSection section{"Set"};
+    section.entries = {
         window_number(
             "Frame budget…", "ms", window.budget_milliseconds, {0.1, 1000.0},
             [](WindowState& changed, double number) { changed.budget_milliseconds = number; }),
@@ -144,7 +146,7 @@ ChoiceList number_choices(const WindowState& window) {
         window_number(
             "Wipe position…", "%", 100.0 * window.wipe_share, {0.0, 100.0},
             [](WindowState& changed, double number) { changed.wipe_share = number / 100.0; })};
-    return list;
+    return section;
 }
 }  // namespace
 
@@ -184,8 +186,8 @@ PictureSize with_shape(PictureSize size, ViewShape shape) {
     return size;
 }
 
-std::vector<ChoiceList> window_choices(const WindowState& window, const SizeInForce& size) {
+std::vector<MenuSection> window_sections(const WindowState& window, const SizeInForce& size) {
     return {
-        size_choices(size),       zoom_choices(window.large_view()),     pane_choices(),
-        pin_choices(window.pins), waveform_choices(window, size.extent), number_choices(window)};
+        size_section(size),       zoom_section(window.large_view()),     pane_section(),
+        pin_section(window.pins), waveform_section(window, size.extent), number_section(window)};
 }

@@ -1,8 +1,8 @@
-#include "lab/choices/source_choices.h"
+#include "lab/menus/source_menu.h"
 
-#include "lab/choices/signal_choices.h"
 #include "lab/document/content_edits.h"
 #include "lab/media/media_input.h"
+#include "lab/menus/signal_menu.h"
 #include "lab/window/window_state.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
@@ -29,23 +29,23 @@ AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, 
             }};
 }
 
-void add_fits(SourceSpec source, std::vector<Choice>& choices) {
+void add_fits(SourceSpec source, std::vector<MenuEntry>& entries) {
     const Fit present = source.fit;
     for (const auto& [fit, label] :
          {std::pair{Fit::stretch, "Stretch"}, std::pair{Fit::whole, "Fit"},
           std::pair{Fit::crop, "Fill (crop)"}, std::pair{Fit::integer, "Integer scale"}}) {
         source.fit = fit;
-        choices.push_back({.name = fmt::format("Scaling: {}", label),
+        entries.push_back({.name = fmt::format("Scaling: {}", label),
                            .commands = {set_source_to(source)},
                            .is_present = fit == present});
     }
 }
 
-void add_ends(SourceSpec source, std::vector<Choice>& choices) {
+void add_ends(SourceSpec source, std::vector<MenuEntry>& entries) {
     const bool present = source.loops;
     for (const bool loops : {true, false}) {
         source.loops = loops;
-        choices.push_back({.name = loops ? "At end: Loop" : "At end: Hold",
+        entries.push_back({.name = loops ? "At end: Loop" : "At end: Hold",
                            .commands = {set_source_to(source)},
                            .is_present = loops == present});
     }
@@ -123,46 +123,46 @@ std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optiona
 
 namespace {
 void add_named(const std::string& heading, const std::vector<NamedSource>& from,
-               const SourceSpec& present, std::vector<Choice>& choices) {
+               const SourceSpec& present, std::vector<MenuEntry>& entries) {
     for (const NamedSource& named : from)
-        choices.push_back({.name = fmt::format("{}: {}", heading, named.name),
+        entries.push_back({.name = fmt::format("{}: {}", heading, named.name),
                            .commands = {set_source_to(named.source)},
                            .is_present = named.source == present});
 }
 }  // namespace
 
-std::vector<ChoiceList> source_choices(const Document& document, const OpenSource& open) {
+std::vector<MenuSection> source_sections(const Document& document, const OpenSource& open) {
     if (document.look().driven_by != Driver::picture)
         return {};
     const SourceSpec source = parse_source(document.state().source).value_or(SourceSpec{});
-    ChoiceList list{"Source", ChoiceList::Place::edit};
+    MenuSection section{"Source", MenuSection::Menu::edit};
     for (const PatternFacts& pattern : all_patterns()) {
         const SourceSpec chosen = with_pattern(source, pattern.name);
-        list.choices.push_back({.name = pattern.label,
-                                .commands = {set_source_to(chosen)},
-                                .is_present = name_of_pattern(source) == pattern.name});
+        section.entries.push_back({.name = pattern.label,
+                                   .commands = {set_source_to(chosen)},
+                                   .is_present = name_of_pattern(source) == pattern.name});
     }
-    list.choices.push_back(
+    section.entries.push_back(
         {.name = "Picture or video file…", .commands = {[](WindowState& window) {
                                                window.dialog = {.kind = Dialog::Kind::open_file};
                                            }}});
-    list.choices.push_back(content_lock_choice(document));
-    add_named("Size", source_sizes(source), source, list.choices);
-    add_fits(source, list.choices);
-    add_named("Shape", source_shapes(source, open.extent), source, list.choices);
-    add_named("Pre-scaled", source_prescales(source, open.prescale), source, list.choices);
+    section.entries.push_back(content_lock_entry(document));
+    add_named("Size", source_sizes(source), source, section.entries);
+    add_fits(source, section.entries);
+    add_named("Shape", source_shapes(source, open.extent), source, section.entries);
+    add_named("Pre-scaled", source_prescales(source, open.prescale), source, section.entries);
     SourceSpec by_pixel = source;
     by_pixel.shape.reset();
-    list.choices.push_back(
+    section.entries.push_back(
         {.name = "Pixel aspect…",
          .number = source_number(by_pixel, &SourceSpec::aspect, {1.0 / 16.0, 16.0}, {})});
     if (open.film_rate) {
         SourceSpec with_rate = source;
         with_rate.rate = *open.film_rate;
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = "Frame rate…",
              .number = source_number(with_rate, &SourceSpec::rate, {0.125, 960.0}, "fps")});
-        add_ends(source, list.choices);
+        add_ends(source, section.entries);
     }
-    return {list};
+    return {section};
 }

@@ -1,4 +1,4 @@
-#include "lab/choices/preset_difference.h"
+#include "lab/menus/preset_difference.h"
 
 #include "lab/document/opened_preset.h"
 #include "lab/document/stack_edits.h"

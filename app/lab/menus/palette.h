@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/library/library_view.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "model/look/look.h"
 
 #include <string>
@@ -10,24 +10,24 @@
 
 /// An entry of the command palette.
 struct PaletteEntry {
-    enum class Kind { action, look, preset, pass, parameter, choice, file, difference };
+    enum class Kind { action, look, preset, pass, parameter, menu_entry, file, difference };
 
     Kind kind = Kind::action;
-    std::string id;       // for the recent list: "Undo", "parameter:decay"
-    std::string label;    // "Undo: Decay", "Parameter: Decay"
-    std::string detail;   // menu, group, or look of a preset
-    std::string subject;  // argument to open, or name of pass or parameter; "": an action
-    std::string keys;     // "Ctrl+Z"
-    std::string why_not;  // why it is disabled; "": enabled
-    Choice choice = {};   // for the kind `choice`
+    std::string id;             // for the recent list: "Undo", "parameter:decay"
+    std::string label;          // "Undo: Decay", "Parameter: Decay"
+    std::string detail;         // menu, group, or look of a preset
+    std::string subject;        // argument to open, or name of pass or parameter; "": an action
+    std::string keys;           // "Ctrl+Z"
+    std::string why_not;        // why it is disabled; "": enabled
+    MenuEntry menu_entry = {};  // for the kind `menu_entry`
 };
 
 /// All entries except actions: the presets, passes and parameters of the open look, then all looks
 /// and their presets. `open` may be null.
 std::vector<PaletteEntry> palette_entries(const Look* open, const std::vector<ListedLook>& looks);
 
-/// All choices of lists; the id is the label. Duplicates are removed.
-std::vector<PaletteEntry> choice_entries(const std::vector<ChoiceList>& lists);
+/// All entries of menu sections; the id is the label. Duplicates are removed.
+std::vector<PaletteEntry> section_entries(const std::vector<MenuSection>& sections);
 
 /// The recent files, and the presets that can be compared with the open document.
 std::vector<PaletteEntry> file_entries(const std::vector<std::string>& recent);
@@ -41,8 +41,8 @@ struct PaletteMatch {
 };
 
 /// The matches of `query`, the best first. Ties are sorted by last use (`used`: ids, last used
-/// first), then entries other than choices, then shorter names. An empty query returns all entries,
-/// the used ones first.
+/// first), then entries that are not of menus, then shorter names. An empty query returns all
+/// entries, the used ones first.
 std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
                                        std::string_view query,
                                        const std::vector<std::string>& used);

@@ -1,4 +1,4 @@
-#include "lab/choices/tuning_choices.h"
+#include "lab/menus/parameter_menu.h"
 
 #include "lab/document/parameter_edits.h"
 #include "lab/lab.h"
@@ -14,8 +14,8 @@
 namespace {
 using ParameterMark = bool ParameterSetting::*;
 
-Choice mark_choice(const char* name, const std::string& parameter, const ParameterSetting& setting,
-                   ParameterMark mark) {
+MenuEntry mark_entry(const char* name, const std::string& parameter,
+                     const ParameterSetting& setting, ParameterMark mark) {
     ParameterSetting next = setting;
     next.*mark = !(next.*mark);
     return {.name = name,
@@ -39,7 +39,7 @@ AskedNumber asked_of(const Parameter& parameter, double present) {
             .is_whole = parameter.type.scalar != Scalar::floating};
 }
 
-Choice end_choice(const Parameter& parameter, bool is_low) {
+MenuEntry end_entry(const Parameter& parameter, bool is_low) {
     const Limit ends{parameter.range.low, parameter.range.high};
     AskedNumber asked = asked_of(parameter, is_low ? ends.low : ends.high);
     asked.answer = [ends, is_low, factor = typed_factor(parameter),
@@ -52,21 +52,21 @@ Choice end_choice(const Parameter& parameter, bool is_low) {
 }
 
 void add_ends(const Parameter& declared, const ParameterSetting& setting,
-              std::vector<Choice>& choices) {
+              std::vector<MenuEntry>& entries) {
     if (!has_ends(declared))
         return;
     const Parameter parameter = with_ends(declared, setting);
-    choices.push_back(end_choice(parameter, true));
-    choices.push_back(end_choice(parameter, false));
+    entries.push_back(end_entry(parameter, true));
+    entries.push_back(end_entry(parameter, false));
     if (setting.ends)
-        choices.push_back(
+        entries.push_back(
             {.name = "Reset slider range", .commands = {[name = declared.name](Lab& lab) {
                                                lab.parameters().set_slider_ends(name, std::nullopt);
                                            }}});
 }
 
 // The components of a vector, a colour or a matrix.
-void add_parts(const Parameter& parameter, const Value& value, std::vector<Choice>& choices) {
+void add_parts(const Parameter& parameter, const Value& value, std::vector<MenuEntry>& entries) {
     for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
         AskedNumber asked = asked_of(parameter, value.numbers[i]);
         asked.answer = [value, i, factor = typed_factor(parameter),
@@ -75,17 +75,17 @@ void add_parts(const Parameter& parameter, const Value& value, std::vector<Choic
             next.numbers[i] = typed / factor;
             return {[name, next](Document& document) { document.set_value(name, next); }};
         };
-        choices.push_back(
+        entries.push_back(
             {.name = fmt::format("{}…", part_label(parameter, i)), .number = std::move(asked)});
     }
 }
 
-void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
+void add_midi(const Parameter& parameter, std::vector<MenuEntry>& entries) {
     if (!can_be_turned(parameter))
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
     for (std::size_t i = 0; i < count; ++i)
-        choices.push_back({.name = count == 1
+        entries.push_back({.name = count == 1
                                        ? "MIDI learn"
                                        : fmt::format("MIDI learn: {}", part_label(parameter, i)),
                            .commands = {[goal = MidiGoal{parameter.name, i}](Lab& lab) {
@@ -93,49 +93,49 @@ void add_midi(const Parameter& parameter, std::vector<Choice>& choices) {
                            }}});
 }
 
-ChoiceList hand_choices(const Document& document, const Parameter& parameter) {
-    ChoiceList list{parameter.label};
+MenuSection parameter_section(const Document& document, const Parameter& parameter) {
+    MenuSection section{parameter.label};
     const ParameterSetting& setting = setting_of(parameter.name, document.parameter_settings());
-    list.choices = {
-        mark_choice("Favourite", parameter.name, setting, &ParameterSetting::is_favourite),
-        mark_choice("Locked", parameter.name, setting, &ParameterSetting::is_locked)};
+    section.entries = {
+        mark_entry("Favourite", parameter.name, setting, &ParameterSetting::is_favourite),
+        mark_entry("Locked", parameter.name, setting, &ParameterSetting::is_locked)};
     if (parameter.control == Control::image || parameter.control == Control::sound)
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = "Choose file…", .commands = {[name = parameter.name](WindowState& window) {
                                          window.dialog = {.kind = Dialog::Kind::choose_file,
                                                           .subject = name};
                                      }}});
     for (const Item& item : parameter.items)
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = item.label,
              .commands = {[name = parameter.name, to = item.value](Document& changed) {
                  changed.set_value(name, Value(to));
              }},
              .is_present = document.value(parameter).number() == item.value});
-    add_parts(parameter, document.value(parameter), list.choices);
-    add_ends(parameter, setting, list.choices);
-    add_midi(parameter, list.choices);
+    add_parts(parameter, document.value(parameter), section.entries);
+    add_ends(parameter, setting, section.entries);
+    add_midi(parameter, section.entries);
     if (!parameter.declared.file.empty())
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = "Open declaration", .commands = {[place = parameter.declared](Lab& lab) {
                                              lab.looks().open_in_editor(place);
                                          }}});
-    return list;
+    return section;
 }
 
 MenuCommand modulate(const std::string& name, const std::optional<Modulation>& next) {
     return [name, next](Document& document) { set_modulation(document, name, next); };
 }
 
-ChoiceList move_choices(const Document& document, const Parameter& parameter) {
-    ChoiceList list{parameter.label};
+MenuSection modulation_section(const Document& document, const Parameter& parameter) {
+    MenuSection section{parameter.label};
     if (!why_unmodulated(document.look(), parameter).empty())
-        return list;
+        return section;
     const Modulation* present = modulation_of(document, parameter);
     const auto offer = [&](std::string name, const std::optional<Modulation>& next, bool is_it) {
-        list.choices.push_back({.name = std::move(name),
-                                .commands = {modulate(parameter.name, next)},
-                                .is_present = is_it});
+        section.entries.push_back({.name = std::move(name),
+                                   .commands = {modulate(parameter.name, next)},
+                                   .is_present = is_it});
     };
     offer("Modulation: None", std::nullopt, !present);
     const double depth = present ? present->depth : Modulation{}.depth;
@@ -144,7 +144,7 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
               Modulation{.kind = kind.value, .depth = depth},
               present && present->kind == kind.value);
     if (!present)
-        return list;
+        return section;
     for (const auto& shape : lfo_shapes()) {
         Modulation next = *present;
         next.shape = shape.value;
@@ -152,7 +152,7 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
             offer(fmt::format("LFO shape: {}", shape.label), next, present->shape == shape.value);
     }
     for (const ModulationFigure& figure : figures_of(present->kind))
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = fmt::format("Modulation: {}…", figure.label),
              .number = AskedNumber{.present = present->*figure.number,
                                    .unit = figure.unit,
@@ -164,14 +164,14 @@ ChoiceList move_choices(const Document& document, const Parameter& parameter) {
                                        next.*number = typed;
                                        return {modulate(name, next)};
                                    }}});
-    return list;
+    return section;
 }
 
-void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
+void add_counts(const SheetRequest& request, std::vector<MenuEntry>& entries) {
     for (const int count : sheet_counts) {
         SheetRequest next = request;
         next.columns = count;
-        choices.push_back({.name = fmt::format("{} columns", count),
+        entries.push_back({.name = fmt::format("{} columns", count),
                            .commands = sheet_commands(next),
                            .is_present = request.columns == count});
     }
@@ -179,25 +179,26 @@ void add_counts(const SheetRequest& request, std::vector<Choice>& choices) {
         SheetRequest next = request;
         next.rows = count;
         if (!request.down.empty())
-            choices.push_back({.name = fmt::format("{} rows", count),
+            entries.push_back({.name = fmt::format("{} rows", count),
                                .commands = sheet_commands(next),
                                .is_present = request.rows == count});
     }
 }
 }  // namespace
 
-std::vector<ChoiceList> parameter_choices(const Document& document, const Parameter& parameter) {
-    return {hand_choices(document, parameter), move_choices(document, parameter)};
+std::vector<MenuSection> parameter_sections(const Document& document, const Parameter& parameter) {
+    return {parameter_section(document, parameter), modulation_section(document, parameter)};
 }
 
-std::vector<ChoiceList> listing_choices(const Document& document, const WindowState& window) {
-    ChoiceList shown{"Parameters"};
+std::vector<MenuSection> parameter_list_sections(const Document& document,
+                                                 const WindowState& window) {
+    MenuSection shown{"Parameters"};
     for (const auto& [filter, name] :
          {std::pair{ParameterFilter::all, "Show all"},
           std::pair{ParameterFilter::changed, "Show only changed"},
           std::pair{ParameterFilter::favourites, "Show only favourites"},
           std::pair{ParameterFilter::of_pass, "Show only this pass"}})
-        shown.choices.push_back({.name = name,
+        shown.entries.push_back({.name = name,
                                  .commands = {[chosen = filter](WindowState& changed) {
                                      changed.filter = chosen;
                                      changed.shows_parameters = true;
@@ -213,7 +214,7 @@ std::vector<ChoiceList> listing_choices(const Document& document, const WindowSt
             has_changes |= is_changed(document, *parameter);
         }
         if (has_changes)
-            shown.choices.push_back(
+            shown.entries.push_back(
                 {.name = group.name.empty() ? "Reset ungrouped parameters"
                                             : fmt::format("Reset {}", group.name),
                  .commands = {[names](Document& changed) { reset_group(changed, names); }}});
@@ -238,32 +239,32 @@ MenuCommands sheet_commands(const SheetRequest& request) {
             }};
 }
 
-ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCell>& cells,
-                         const Parameter* in_hand) {
-    ChoiceList list{"Sheet"};
+MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCell>& cells,
+                          const Parameter* in_hand) {
+    MenuSection section{"Sheet"};
     if (in_hand && can_be_varied(*in_hand)) {
-        list.choices.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
-                                .commands = sheet_commands({.across = in_hand->name})});
+        section.entries.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
+                                   .commands = sheet_commands({.across = in_hand->name})});
         SheetRequest next = request;
         next.down = in_hand->name;
         if (!request.across.empty() && request.across != in_hand->name)
-            list.choices.push_back({.name = fmt::format("Rows: {}", in_hand->label),
-                                    .commands = sheet_commands(next)});
+            section.entries.push_back({.name = fmt::format("Rows: {}", in_hand->label),
+                                       .commands = sheet_commands(next)});
     }
     if (request.across.empty())
-        return list;
+        return section;
     if (!request.down.empty()) {
         SheetRequest next = request;
         next.down.clear();
-        list.choices.push_back({.name = "Rows: None", .commands = sheet_commands(next)});
+        section.entries.push_back({.name = "Rows: None", .commands = sheet_commands(next)});
     }
-    add_counts(request, list.choices);
+    add_counts(request, section.entries);
     for (std::size_t i = 0; i < cells.size(); ++i)
-        list.choices.push_back({.name = fmt::format("Apply {}", cells[i].caption),
-                                .commands = {[i](Lab& lab) {
-                                    if (lab.work().document)
-                                        lab.frames().previews().sheet().apply(i,
-                                                                              *lab.work().document);
-                                }}});
-    return list;
+        section.entries.push_back({.name = fmt::format("Apply {}", cells[i].caption),
+                                   .commands = {[i](Lab& lab) {
+                                       if (lab.work().document)
+                                           lab.frames().previews().sheet().apply(
+                                               i, *lab.work().document);
+                                   }}});
+    return section;
 }

@@ -17,7 +17,7 @@ using MenuCommand = std::variant<std::function<void(Document&)>, std::function<v
                                  std::function<void(WindowState&)>>;
 using MenuCommands = std::vector<MenuCommand>;
 
-/// A number that the user must type for a choice.
+/// A number that the user must type for an entry.
 struct AskedNumber {
     double present = 0.0;
     std::string unit = {};
@@ -27,14 +27,14 @@ struct AskedNumber {
     std::function<MenuCommands(double)> answer = {};  // for a number within the limit
 };
 
-/// A text that the user must type for a choice.
+/// A text that the user must type for an entry.
 struct AskedText {
     std::string present;
     std::function<MenuCommands(const std::string&)> answer;
 };
 
 /// An entry of a menu, a panel or the command palette.
-struct Choice {
+struct MenuEntry {
     std::string name;  // "Lissajous"; "Frequency…" if a value must be typed first
     MenuCommands commands = {};
     bool is_present = false;  // it is the current state
@@ -42,14 +42,14 @@ struct Choice {
     std::optional<AskedText> text = {};
 };
 
-/// A list of choices of one kind, named by `word`.
-struct ChoiceList {
-    enum class Place { palette, edit, view, compare, pass, file };  // the menu that also shows it
+/// Menu entries of one kind.
+struct MenuSection {
+    enum class Menu { palette, edit, view, compare, pass, file };  // the menu that also shows it
 
-    std::string word;  // "Signal"
-    Place place = Place::palette;
-    std::vector<Choice> choices = {};
+    std::string title;  // "Signal"
+    Menu menu = Menu::palette;
+    std::vector<MenuEntry> entries = {};
 
     /// "Signal: Lissajous".
-    std::string label_of(const Choice& choice) const { return word + ": " + choice.name; }
+    std::string label_of(const MenuEntry& entry) const { return title + ": " + entry.name; }
 };

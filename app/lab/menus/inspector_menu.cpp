@@ -1,5 +1,7 @@
-#include "lab/choices/looking_choices.h"
+#include "lab/menus/inspector_menu.h"
+
 #include "lab/document/stack_edits.h"
+#include "lab/menus/window_menu.h"
 
 #include <fmt/format.h>
 
@@ -15,49 +17,49 @@ MenuCommand look_into(const TextureChoice& choice) {
 }
 
 // Current pictures of passes are separate palette entries.
-ChoiceList texture_choices(const InspectedParts& parts) {
-    ChoiceList list{"Inspect", ChoiceList::Place::pass};
+MenuSection texture_section(const InspectedParts& parts) {
+    MenuSection section{"Inspect", MenuSection::Menu::pass};
     const auto offer = [&](const TextureChoice& choice) {
-        list.choices.push_back({.name = choice.label(),
-                                .commands = {look_into(choice)},
-                                .is_present = choice == parts.present});
+        section.entries.push_back({.name = choice.label(),
+                                   .commands = {look_into(choice)},
+                                   .is_present = choice == parts.present});
     };
     std::ranges::for_each(parts.textures, offer);
     for (int ago = 1; ago < parts.frames; ++ago) {
         TextureChoice choice = parts.present;
         choice.frames_ago = ago;
         const std::string label = choice.present().label();
-        list.choices.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
-                                                 : fmt::format("{}, {} frames ago", label, ago),
-                                .commands = {look_into(choice)},
-                                .is_present = choice == parts.present});
+        section.entries.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
+                                                    : fmt::format("{}, {} frames ago", label, ago),
+                                   .commands = {look_into(choice)},
+                                   .is_present = choice == parts.present});
     }
     for (int level = 1; level < parts.levels; ++level) {
         TextureChoice choice = parts.present;
         choice.level = level;
         offer(choice);
     }
-    return list;
+    return section;
 }
 
-ChoiceList channel_choices(Channels present) {
-    ChoiceList list{"Channels", ChoiceList::Place::pass};
+MenuSection channel_section(Channels present) {
+    MenuSection section{"Channels", MenuSection::Menu::pass};
     for (const auto& [channels, name] :
          {std::pair{Channels::color, "Red, green and blue"},
           std::pair{Channels::red, "Red as grey"}, std::pair{Channels::green, "Green as grey"},
           std::pair{Channels::blue, "Blue as grey"}, std::pair{Channels::alpha, "Alpha as grey"},
           std::pair{Channels::luminance, "Luminance as grey"}})
-        list.choices.push_back({.name = name,
-                                .commands = {[chosen = channels](WindowState& window) {
-                                    window.inspected.channels = chosen;
-                                    window.shows_inspector = true;
-                                }},
-                                .is_present = channels == present});
-    return list;
+        section.entries.push_back({.name = name,
+                                   .commands = {[chosen = channels](WindowState& window) {
+                                       window.inspected.channels = chosen;
+                                       window.shows_inspector = true;
+                                   }},
+                                   .is_present = channels == present});
+    return section;
 }
 
-Choice view_number(const char* name, double present, Limit limit, std::string unit,
-                   void (*set)(PassView& view, double number)) {
+MenuEntry view_number(const char* name, double present, Limit limit, std::string unit,
+                      void (*set)(PassView& view, double number)) {
     return {.name = name,
             .number = AskedNumber{.present = present,
                                   .unit = std::move(unit),
@@ -70,10 +72,10 @@ Choice view_number(const char* name, double present, Limit limit, std::string un
                                   }}};
 }
 
-ChoiceList level_choices(const PassView& view) {
+MenuSection level_section(const PassView& view) {
     constexpr Limit any{-1e9, 1e9};
-    ChoiceList list{"Inspect"};
-    list.choices = {
+    MenuSection section{"Inspect"};
+    section.entries = {
         view_number("Black point…", view.levels.black, any, {},
                     [](PassView& changed, double number) {
                         changed.levels = with_black(changed.levels, number);
@@ -84,7 +86,7 @@ ChoiceList level_choices(const PassView& view) {
                     }),
         view_number("Exposure…", view.exposure, {-60.0, 60.0}, "EV",
                     [](PassView& changed, double number) { changed.exposure = number; })};
-    return list;
+    return section;
 }
 
 MenuCommand override_pass(const std::string& pass, const PassOverride& changed) {
@@ -100,8 +102,8 @@ InspectedParts inspected_parts(const Executor& executor, const PassView& view) {
             inspected->levels()};
 }
 
-std::vector<ChoiceList> inspector_choices(const InspectedParts& parts, const PassView& view) {
-    return {texture_choices(parts), channel_choices(view.channels), level_choices(view)};
+std::vector<MenuSection> inspector_sections(const InspectedParts& parts, const PassView& view) {
+    return {texture_section(parts), channel_section(view.channels), level_section(view)};
 }
 
 namespace {
@@ -131,15 +133,15 @@ std::optional<PassSetting> pass_setting(const Document& document, const std::str
                        tried.filter.value_or(filter_of_pass(look, pass)), tried};
 }
 
-ChoiceList pass_setting_choices(const Document& document, const std::string& pass) {
-    ChoiceList list{"This pass"};
+MenuSection pass_setting_section(const Document& document, const std::string& pass) {
+    MenuSection section{"This pass"};
     const auto now = pass_setting(document, pass);
     if (!now)
-        return list;
+        return section;
     const auto offer = [&](std::string name, const PassOverride& changed, bool is_present) {
-        list.choices.push_back({.name = std::move(name),
-                                .commands = {override_pass(pass, changed)},
-                                .is_present = is_present});
+        section.entries.push_back({.name = std::move(name),
+                                   .commands = {override_pass(pass, changed)},
+                                   .is_present = is_present});
     };
     for (const double scale : pass_scales) {
         PassOverride changed = now->tried;
@@ -157,5 +159,5 @@ ChoiceList pass_setting_choices(const Document& document, const std::string& pas
         offer(filter == Filter::nearest ? "Filter nearest" : "Filter linear", changed,
               now->filter == filter);
     }
-    return list;
+    return section;
 }

@@ -1,4 +1,4 @@
-#include "lab/choices/stack_choices.h"
+#include "lab/menus/stack_menu.h"
 
 #include "lab/document/stack_edits.h"
 
@@ -71,19 +71,19 @@ bool is_worth_listing(const Stack& stack) {
     return stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
 }
 
-ChoiceList stack_choices(const Stack& stack, const std::vector<ListedLook>& looks) {
-    ChoiceList list{"Stack", ChoiceList::Place::edit};
+MenuSection stack_section(const Stack& stack, const std::vector<ListedLook>& looks) {
+    MenuSection section{"Stack", MenuSection::Menu::edit};
     for (const ListedLook& look : looks)
         if (!look.is_stack())
-            list.choices.push_back(
+            section.entries.push_back(
                 {.name = fmt::format("Add {}", look.name), .commands = {add_part(look)}});
     if (!is_worth_listing(stack))
-        return list;
+        return section;
     const std::vector<std::string> names = part_names(stack, looks);
     for (std::size_t i = 0; i < stack.size(); ++i) {
         const auto offer = [&](const std::string& name, MenuCommand command,
                                bool is_present = false) {
-            list.choices.push_back(
+            section.entries.push_back(
                 {.name = name, .commands = {std::move(command)}, .is_present = is_present});
         };
         offer(fmt::format("Bypass {}", names[i]), bypass_part(stack[i], names[i]),
@@ -95,5 +95,5 @@ ChoiceList stack_choices(const Stack& stack, const std::vector<ListedLook>& look
         if (stack.size() > 1)
             offer(fmt::format("Remove {}", names[i]), remove_part(stack[i], names[i]));
     }
-    return list;
+    return section;
 }

@@ -1,20 +1,21 @@
 #pragma once
 
 #include "lab/document/document.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 #include "lab/previews/variant_sheet.h"
 #include "lab/window/window_state.h"
 
 /// The commands for the revealed parameter, except changing its value.
-std::vector<ChoiceList> parameter_choices(const Document& document, const Parameter& parameter);
+std::vector<MenuSection> parameter_sections(const Document& document, const Parameter& parameter);
 
 /// The filters of the parameter list, and groups to reset.
-std::vector<ChoiceList> listing_choices(const Document& document, const WindowState& window);
+std::vector<MenuSection> parameter_list_sections(const Document& document,
+                                                 const WindowState& window);
 
 /// The sheet settings and the values of its cells. `in_hand` can be used as an axis; null: no
 /// parameter.
-ChoiceList sheet_choices(const SheetRequest& request, const std::vector<SweepCell>& cells,
-                         const Parameter* in_hand);
+MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCell>& cells,
+                          const Parameter* in_hand);
 
 /// Draws the sheet and shows its panel.
 MenuCommands sheet_commands(const SheetRequest& request);

@@ -2,7 +2,7 @@
 
 #include "lab/document/document.h"
 #include "lab/library/library_view.h"
-#include "lab/messages/choice.h"
+#include "lab/messages/menu_entry.h"
 
 /// Changes of one look of a stack. Looks are identified by their tags, because positions can
 /// change.
@@ -17,4 +17,4 @@ std::vector<std::string> part_names(const Stack& stack, const std::vector<Listed
 /// Whether the stack has commands for its looks.
 bool is_worth_listing(const Stack& stack);
 
-ChoiceList stack_choices(const Stack& stack, const std::vector<ListedLook>& looks);
+MenuSection stack_section(const Stack& stack, const std::vector<ListedLook>& looks);

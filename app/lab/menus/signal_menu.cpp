@@ -1,11 +1,11 @@
-#include "lab/choices/signal_choices.h"
+#include "lab/menus/signal_menu.h"
 
 #include "base/text.h"
-#include "lab/choices/scope_graticule.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/lab.h"
+#include "lab/menus/scope_graticule.h"
 #include "lab/window/window_state.h"
 #include "signals/signal_table.h"
 
@@ -30,14 +30,14 @@ std::string full_label(const SettingFacts& setting) {
                                  : fmt::format("{} · {}", setting.group, setting.label);
 }
 
-void add_words(const SettingFacts& setting, const Spec& spec, std::vector<Choice>& choices) {
+void add_words(const SettingFacts& setting, const Spec& spec, std::vector<MenuEntry>& entries) {
     for (const std::string& word : setting.words)
-        choices.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
+        entries.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
                            .commands = {set_signal_setting(setting.key, word)},
                            .is_present = spec.settings.at(setting.key) == Spec::Setting(word)});
 }
 
-Choice number_setting(const SettingFacts& setting, const Spec& spec) {
+MenuEntry number_setting(const SettingFacts& setting, const Spec& spec) {
     return {.name = fmt::format("{}…", full_label(setting)),
             .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
                                   .unit = setting.unit,
@@ -49,7 +49,7 @@ Choice number_setting(const SettingFacts& setting, const Spec& spec) {
                                   }}};
 }
 
-Choice text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
+MenuEntry text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
     const std::string name = fmt::format("{}…", full_label(setting));
     if (setting.key == kind.file_setting)
         return {.name = name, .commands = {command_for(kind)}};
@@ -66,40 +66,40 @@ std::string name_of_kind(const SignalKind& kind) {
     return asks ? fmt::format("{}…", kind.label) : kind.label;
 }
 
-ChoiceList kind_choices(const std::string& present) {
-    ChoiceList list{"Signal", ChoiceList::Place::edit};
+MenuSection kind_section(const std::string& present) {
+    MenuSection section{"Signal", MenuSection::Menu::edit};
     for (const SignalKind& kind : signal_kinds())
-        list.choices.push_back({.name = name_of_kind(kind),
-                                .commands = {command_for(kind)},
-                                .is_present = kind.kind == present});
-    return list;
+        section.entries.push_back({.name = name_of_kind(kind),
+                                   .commands = {command_for(kind)},
+                                   .is_present = kind.kind == present});
+    return section;
 }
 
-ChoiceList setting_choices(const Document& document) {
-    ChoiceList list{"Signal"};
+MenuSection setting_section(const Document& document) {
+    MenuSection section{"Signal"};
     const SignalKind* kind = find_kind(document.state().signal.kind);
     const auto spec = completed(document.state().signal);
-    list.choices.push_back(content_lock_choice(document));
+    section.entries.push_back(content_lock_entry(document));
     if (!kind || !spec)
-        return list;
+        return section;
     for (const SettingFacts& setting : kind->settings) {
         if (setting.is_hidden || !is_used(setting, *spec))
             continue;
         if (setting.type == SettingType::word)
-            add_words(setting, *spec, list.choices);
+            add_words(setting, *spec, section.entries);
         else if (setting.type == SettingType::number)
-            list.choices.push_back(number_setting(setting, *spec));
+            section.entries.push_back(number_setting(setting, *spec));
         else
-            list.choices.push_back(text_setting(setting, *kind, *spec));
+            section.entries.push_back(text_setting(setting, *kind, *spec));
     }
     const Values graticule =
         scope_graticule(document.look(), document.values(), document.state().signal);
     if (!graticule.empty())
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = "Show 10 × 8 divisions", .commands = {[graticule](Document& changed) {
                                                   set_values(changed, graticule, "Graticule");
                                               }}});
-    return list;
+    return section;
 }
 }  // namespace
 
@@ -131,15 +131,15 @@ MenuCommand command_for(const SignalKind& kind) {
     };
 }
 
-Choice content_lock_choice(const Document& document) {
+MenuEntry content_lock_entry(const Document& document) {
     const bool is_locked = is_content_locked(document);
     return {.name = keep_content_words(document.look()),
             .commands = {[is_locked](Document& changed) { lock_content(changed, !is_locked); }},
             .is_present = is_locked};
 }
 
-std::vector<ChoiceList> signal_choices(const Document& document) {
+std::vector<MenuSection> signal_sections(const Document& document) {
     if (document.look().driven_by != Driver::signal)
         return {};
-    return {kind_choices(document.state().signal.kind), setting_choices(document)};
+    return {kind_section(document.state().signal.kind), setting_section(document)};
 }

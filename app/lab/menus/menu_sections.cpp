@@ -1,13 +1,14 @@
-#include "lab/choices/lab_choices.h"
+#include "lab/menus/menu_sections.h"
 
-#include "lab/choices/device_choices.h"
-#include "lab/choices/looking_choices.h"
-#include "lab/choices/preset_choices.h"
-#include "lab/choices/signal_choices.h"
-#include "lab/choices/source_choices.h"
-#include "lab/choices/stack_choices.h"
-#include "lab/choices/tuning_choices.h"
 #include "lab/document/opened_preset.h"
+#include "lab/menus/device_menu.h"
+#include "lab/menus/inspector_menu.h"
+#include "lab/menus/parameter_menu.h"
+#include "lab/menus/preset_menu.h"
+#include "lab/menus/signal_menu.h"
+#include "lab/menus/source_menu.h"
+#include "lab/menus/stack_menu.h"
+#include "lab/menus/window_menu.h"
 #include "lab/previews/previews.h"
 #include "lab/session.h"
 #include "lab/storage/include_store.h"
@@ -23,21 +24,21 @@ MenuCommand change_comparison(const std::function<void(Comparison&)>& change) {
     };
 }
 
-ChoiceList comparing_choices(const Lab& lab) {
-    ChoiceList list{"Compare", ChoiceList::Place::compare};
+MenuSection comparison_section(const Lab& lab) {
+    MenuSection section{"Compare", MenuSection::Menu::compare};
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
     for (const auto& [measure, name] :
          {std::pair{DifferenceMeasure::absolute, "Absolute difference"},
           std::pair{DifferenceMeasure::relative, "Relative difference"},
           std::pair{DifferenceMeasure::squared, "Squared difference"}})
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = name,
              .commands = {change_comparison([to = measure](Comparison& next) {
                  next.measure = to;
                  next.mode = CompareMode::difference;
              })},
              .is_present = chosen.mode == CompareMode::difference && chosen.measure == measure});
-    list.choices.push_back(
+    section.entries.push_back(
         {.name = "Difference gain…",
          .number = AskedNumber{.present = chosen.gain_stops,
                                .unit = "stops",
@@ -48,31 +49,31 @@ ChoiceList comparing_choices(const Lab& lab) {
                                }}});
     if (const auto& file = lab.frames().comparison().selection().reference().file();
         lab.frames().comparison().selection().reference().picture())
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = fmt::format("With {}", file.filename().string()),
              .commands = {[file](Lab& changed) {
                  changed.frames().comparison().compare_with({Other::Kind::file, 0, file});
              }}});
-    list.choices.push_back({.name = "Stop comparing",
-                            .commands = {[](Lab& changed) {
-                                changed.frames().comparison().set_mode(CompareMode::off);
-                            }},
-                            .is_present = chosen.mode == CompareMode::off});
+    section.entries.push_back({.name = "Stop comparing",
+                               .commands = {[](Lab& changed) {
+                                   changed.frames().comparison().set_mode(CompareMode::off);
+                               }},
+                               .is_present = chosen.mode == CompareMode::off});
     for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
         if (lab.frames().comparison().slots()[i])
-            list.choices.push_back(
+            section.entries.push_back(
                 {.name = fmt::format("Clear slot {}", slot_name(i)),
                  .commands = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
-    return list;
+    return section;
 }
 
 MenuCommand on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
     return [change](Lab& lab) { lab.drawing().edit(change); };
 }
 
-void add_pens(const Pen& pen, std::vector<Choice>& choices) {
+void add_pens(const Pen& pen, std::vector<MenuEntry>& entries) {
     const auto offer = [&](const char* name, const Pen& next) {
-        choices.push_back({.name = name,
+        entries.push_back({.name = name,
                            .commands = {on_board([next](DrawingBoard& board, Document& document) {
                                board.set_pen(next, document);
                            })},
@@ -86,12 +87,12 @@ void add_pens(const Pen& pen, std::vector<Choice>& choices) {
     offer("Straight lines", {pen.is_in_hand, pen.tool, false});
 }
 
-void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
+void add_keyframes(const DrawingBoard& board, std::vector<MenuEntry>& choices) {
     const auto on_keyframes = [](const KeyframeChange& change) {
         return MenuCommand([change](Lab& lab) { lab.drawing().edit_keyframes(change); });
     };
     const auto offer = [&](const char* name, const KeyframeChange& change) {
-        choices.push_back({.name = name, .commands = {on_keyframes(change)}});
+        entries.push_back({.name = name, .commands = {on_keyframes(change)}});
     };
     offer("New keyframe", &EditedDrawing::add_keyframe);
     offer("Duplicate keyframe", &EditedDrawing::duplicate_keyframe);
@@ -102,43 +103,43 @@ void add_keyframes(const DrawingBoard& board, std::vector<Choice>& choices) {
     offer("Move keyframe later",
           [](EditedDrawing& drawing, Document& document) { drawing.move_keyframe(1, document); });
     for (std::size_t i = 0; i < board.drawing()->keyframes.size(); ++i)
-        choices.push_back({.name = fmt::format("Keyframe {}", i + 1),
+        entries.push_back({.name = fmt::format("Keyframe {}", i + 1),
                            .commands = {on_keyframes([i](EditedDrawing& drawing, Document&) {
                                drawing.choose_keyframe(i);
                            })},
                            .is_present = board.keyframe() == i});
 }
 
-ChoiceList drawing_choices(const DrawingBoard& board) {
-    ChoiceList list{"Draw"};
+MenuSection drawing_section(const DrawingBoard& board) {
+    MenuSection section{"Draw"};
     if (!board.drawing())
-        return list;
+        return section;
     if (board.has_pen()) {
-        add_pens(board.pen(), list.choices);
-        add_keyframes(board, list.choices);
+        add_pens(board.pen(), section.entries);
+        add_keyframes(board, section.entries);
     }
     for (const auto& [name, kind] : {std::pair{"Load SVG…", Dialog::Kind::load_drawing},
                                      std::pair{"Save SVG…", Dialog::Kind::save_drawing}})
-        list.choices.push_back({.name = name, .commands = {[shown = kind](WindowState& window) {
-                                                  window.dialog = {.kind = shown};
-                                              }}});
-    return list;
+        section.entries.push_back({.name = name, .commands = {[shown = kind](WindowState& window) {
+                                                     window.dialog = {.kind = shown};
+                                                 }}});
+    return section;
 }
 
 // The menu displays them with pictures.
-ChoiceList unsaved_choices(const KeptSessions& kept) {
-    ChoiceList list{"Unsaved changes"};
+MenuSection unsaved_section(const KeptSessions& kept) {
+    MenuSection section{"Unsaved changes"};
     for (const KeptSession& session : kept.list())
-        list.choices.push_back(
+        section.entries.push_back(
             {.name = session.preset.empty() ? session.look
                                             : fmt::format("{} – {}", session.look, session.preset),
              .commands = {[file = session.file](Lab& changed) { restore_kept(changed, file); }}});
-    return list;
+    return section;
 }
 
-ChoiceList include_choices(const Lab& lab) {
-    ChoiceList list{"Includes", ChoiceList::Place::edit};
-    list.choices.push_back(
+MenuSection include_section(const Lab& lab) {
+    MenuSection section{"Includes", MenuSection::Menu::edit};
+    section.entries.push_back(
         {.name = "Folders, separated by ':'…",
          .text = AskedText{include_folders_text(lab.looks().include_folders()),
                            [](const std::string& typed) -> MenuCommands {
@@ -146,104 +147,104 @@ ChoiceList include_choices(const Lab& lab) {
                                    changed.looks().set_include_folders(folders);
                                }};
                            }}});
-    return list;
+    return section;
 }
 
 // Actions for NaN or infinity, and for problems in files.
-ChoiceList trouble_choices(const Lab& lab) {
-    ChoiceList list{"Problem"};
+MenuSection nan_section(const Lab& lab) {
+    MenuSection section{"Problem"};
     if (lab.frames().nan_guard().found())
         for (const auto& [answer, name] : {std::pair{NonFiniteAction::clear, "Restart history"},
                                            std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
                                            std::pair{NonFiniteAction::go_on, "Ignore NaN/Inf"}})
-            list.choices.push_back({.name = name, .commands = {[to = answer](Lab& changed) {
-                                                      changed.frames().nan_guard().answer(to);
-                                                  }}});
+            section.entries.push_back({.name = name, .commands = {[to = answer](Lab& changed) {
+                                                         changed.frames().nan_guard().answer(to);
+                                                     }}});
     for (const Problem& problem : lab.messages().problems()) {
         const Diagnostic& said = problem.diagnostic;
-        list.choices.push_back(
+        section.entries.push_back(
             {.name =
                  fmt::format("{}:{} {}", said.file.filename().string(), said.line, said.message),
              .commands = {[place = Location{said.file, said.line}](Lab& changed) {
                  changed.looks().open_in_editor(place);
              }}});
     }
-    return list;
+    return section;
 }
 
-using Lists = std::vector<ChoiceList>;
+using Sections = std::vector<MenuSection>;
 
-void add_lists(Lists& all, Lists more) {
-    for (ChoiceList& list : more)
-        all.push_back(std::move(list));
+void add_sections(Sections& all, Sections more) {
+    for (MenuSection& section : more)
+        all.push_back(std::move(section));
 }
 
 void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ListedLook>& looks,
-                 Lists& all) {
+                 Sections& all) {
     const Document& document = *lab.document();
-    add_lists(all, signal_choices(document));
-    add_lists(all, source_choices(document, open_source(lab.work().media)));
-    all.push_back(stack_choices(document.state().stack, looks));
+    add_sections(all, signal_sections(document));
+    add_sections(all, source_sections(document, open_source(lab.work().media)));
+    all.push_back(stack_section(document.state().stack, looks));
     if (lab.renderer())
-        add_lists(all,
-                  inspector_choices(inspected_parts(lab.renderer()->executor(), window.inspected),
+        add_sections(
+            all, inspector_sections(inspected_parts(lab.renderer()->executor(), window.inspected),
                                     window.inspected));
-    all.push_back(comparing_choices(lab));
-    all.push_back(unsaved_choices(lab.looks().kept_sessions()));
-    add_lists(
-        all, preset_choices(listed_presets(document, looks, lab.presets().navigation().stars(), {}),
-                            window.presets));
+    all.push_back(comparison_section(lab));
+    all.push_back(unsaved_section(lab.looks().kept_sessions()));
+    add_sections(all, preset_sections(
+                          listed_presets(document, looks, lab.presets().navigation().stars(), {}),
+                          window.presets));
     if (!preset_file(document).empty() && lab.presets().has_source_checkout())
-        all.push_back(shipped_preset_choices());
+        all.push_back(shipped_preset_section());
 }
 
-void add_further(const Lab& lab, const WindowState& window, Lists& all) {
+void add_further(const Lab& lab, const WindowState& window, Sections& all) {
     const Document& document = *lab.document();
     const Parameter* in_hand = find_parameter(document.look(), window.revealed.parameter);
     if (in_hand)
-        add_lists(all, parameter_choices(document, *in_hand));
-    all.push_back(pass_setting_choices(document, window.inspected.pass));
+        add_sections(all, parameter_sections(document, *in_hand));
+    all.push_back(pass_setting_section(document, window.inspected.pass));
     const VariantSheet& sheet = lab.frames().previews().sheet();
     std::vector<SweepCell> cells;
     for (const VariantSheet::Cell& cell : sheet.cells())
         cells.push_back(cell.values);
-    all.push_back(sheet_choices(sheet.request(), cells, in_hand));
-    add_lists(all, listing_choices(document, window));
-    all.push_back(drawing_choices(lab.drawing().board()));
+    all.push_back(sheet_section(sheet.request(), cells, in_hand));
+    add_sections(all, parameter_list_sections(document, window));
+    all.push_back(drawing_section(lab.drawing().board()));
 }
 }  // namespace
 
-std::vector<ChoiceList> all_choices(const Lab& lab, const WindowState& window,
-                                    const std::vector<ListedLook>& looks) {
-    Lists all;
+std::vector<MenuSection> menu_sections(const Lab& lab, const WindowState& window,
+                                       const std::vector<ListedLook>& looks) {
+    Sections all;
     if (lab.document()) {
         add_of_look(lab, window, looks, all);
         add_further(lab, window, all);
     }
-    add_lists(all, window_choices(window, size_in_force(lab)));
+    add_sections(all, window_sections(window, size_in_force(lab)));
     const Player& player = lab.player();
-    all.push_back(sound_choices({.settings = player.devices().settings(),
+    all.push_back(sound_section({.settings = player.devices().settings(),
                                  .devices = lab.audio().devices(),
                                  .level = player.devices().level(),
                                  .place = player.transport().time(),
                                  .sound_seconds = player.signal().sound_seconds()}));
-    all.push_back(remote_choices(lab.remote().settings(), lab.remote().osc().is_listening(),
+    all.push_back(remote_section(lab.remote().settings(), lab.remote().osc().is_listening(),
                                  lab.remote().midi().is_listening()));
-    all.push_back(include_choices(lab));
-    all.push_back(trouble_choices(lab));
-    all.push_back(lab.frames().heavy_pass().choices());
+    all.push_back(include_section(lab));
+    all.push_back(nan_section(lab));
+    all.push_back(lab.frames().heavy_pass().section());
     return all;
 }
 
-std::vector<ChoiceList> menu_choices(const Lab& lab, const WindowState& window,
-                                     const std::vector<ListedLook>& looks,
-                                     ChoiceList::Place place) {
-    Lists all;
+std::vector<MenuSection> sections_of_menu(const Lab& lab, const WindowState& window,
+                                          const std::vector<ListedLook>& looks,
+                                          MenuSection::Menu menu) {
+    Sections all;
     if (lab.document())
         add_of_look(lab, window, looks, all);
-    all.push_back(include_choices(lab));
-    std::erase_if(all, [place](const ChoiceList& list) {
-        return list.place != place || list.choices.empty();
+    all.push_back(include_section(lab));
+    std::erase_if(all, [menu](const MenuSection& section) {
+        return section.menu != menu || section.entries.empty();
     });
     return all;
 }

@@ -1,0 +1,73 @@
+#include "lab/menus/preset_menu.h"
+
+#include "lab/lab.h"
+
+#include <fmt/format.h>
+
+namespace {
+MenuSection morph_section(const std::vector<ListedPreset>& presets, double seconds) {
+    MenuSection section{"Morph", MenuSection::Menu::file};
+    for (const ListedPreset& preset : presets)
+        section.entries.push_back(
+            {.name = fmt::format("To {}", preset.preset.name),
+             .commands = {[file = preset.preset.entry.file, seconds](Lab& lab) {
+                 lab.presets().navigation().morph_to(file, seconds);
+             }}});
+    for (const double length : morph_lengths)
+        section.entries.push_back(
+            {.name = fmt::format("Duration {:g} s", length),
+             .commands = {[length](WindowState& window) { window.presets.morph_seconds = length; }},
+             .is_present = length == seconds});
+    return section;
+}
+
+MenuSection star_section(const std::vector<ListedPreset>& presets) {
+    MenuSection section{"Star"};
+    for (const ListedPreset& preset : presets)
+        if (!preset.is_plain())
+            section.entries.push_back(
+                {.name = preset.preset.name,
+                 .commands = {[name = preset.preset.entry.id, has_star = !preset.has_star](
+                                  Lab& lab) { lab.presets().navigation().star(name, has_star); }},
+                 .is_present = preset.has_star});
+    return section;
+}
+
+void show_preset_pictures(WindowState& window) {
+    window.shows_bottom = true;
+    window.bottom_part = BottomPart::presets;
+    window.is_picture_only = false;
+}
+
+MenuSection browsing_section(const PresetBrowsing& wanted) {
+    MenuSection section{"Presets"};
+    section.entries.push_back({.name = "Favourites only",
+                               .commands = {[](WindowState& window) {
+                                   window.presets.only_starred = !window.presets.only_starred;
+                                   show_preset_pictures(window);
+                               }},
+                               .is_present = wanted.only_starred});
+    section.entries.push_back(
+        {.name = "Search…",
+         .text = AskedText{wanted.search, [](const std::string& words) -> MenuCommands {
+                               return {[words](WindowState& window) {
+                                   window.presets.search = words;
+                                   show_preset_pictures(window);
+                               }};
+                           }}});
+    return section;
+}
+}  // namespace
+
+std::vector<MenuSection> preset_sections(const std::vector<ListedPreset>& presets,
+                                         const PresetBrowsing& wanted) {
+    return {morph_section(presets, wanted.morph_seconds), star_section(presets),
+            browsing_section(wanted)};
+}
+
+MenuSection shipped_preset_section() {
+    return {"Preset",
+            MenuSection::Menu::palette,
+            {{.name = "Save to shipped presets",
+              .commands = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
+}
