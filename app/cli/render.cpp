@@ -30,7 +30,7 @@ struct RenderArguments {
     double seconds = 0.0;  // duration of the output; 0: not given
     std::string pass;
     std::string all_passes;
-    std::string moves;
+    std::string automation;
     double timeout = 0.0;  // s; 0: not given
 };
 
@@ -184,7 +184,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
 
 int render(const RenderArguments& arguments, const DataFolders& data) {
     RenderRequest request = arguments.look.request();
-    request.moves = arguments.moves;
+    request.automation = arguments.automation;
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
@@ -231,7 +231,7 @@ Command add_render(CommandLine& program) {
              "10 without sound)")
         .between(0.001, 86400.0)
         .excludes(frames);
-    options.add("--moves FILE", arguments->moves,
+    options.add("--moves FILE", arguments->automation,
                 "Automation file, as recorded in the window, with lines of 'seconds name value'");
     options
         .add("--timeout S", arguments->timeout,

@@ -75,7 +75,7 @@ TEST_CASE("automated parameters stay uniforms, and the next start is generic aga
     const SmallLab small;
     const TemporaryFolder folder;
     folder.write("moves.txt", "0 gain 3\n0.03 gain 5\n");
-    auto prepared = prepare({.look = "small", .moves = (folder.path() / "moves.txt").string()},
+    auto prepared = prepare({.look = "small", .automation = (folder.path() / "moves.txt").string()},
                             Library(small.roots()));
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {8, 8}, 60.0);
@@ -135,8 +135,9 @@ TEST_CASE("a target is not shared if automation may change its condition") {
     folder.write("moves.txt", "0.02 beam_kind Segments\n");
     auto roots = find_roots(AFTERGLOW_SOURCE_DIR);
     REQUIRE(roots.has_value());
-    auto prepared = prepare({.look = "phosphor", .moves = (folder.path() / "moves.txt").string()},
-                            Library(std::move(*roots)));
+    auto prepared =
+        prepare({.look = "phosphor", .automation = (folder.path() / "moves.txt").string()},
+                Library(std::move(*roots)));
     REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
     auto offline = Offline::create(std::move(*prepared), {32, 32}, 60.0);
     REQUIRE(offline.has_value());

@@ -1,7 +1,7 @@
 #include "lab/document/automation.h"
 
 #include "io/files/atomic_file.h"
-#include "lab/document/moves_file.h"
+#include "lab/document/automation_file.h"
 
 #include <fmt/format.h>
 
@@ -17,10 +17,10 @@ void Automation::record(bool is_recording) {
 void Automation::save(const fs::path& given) {
     const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".txt");
     if (!m_messages.succeeded(
-            write_atomically(file, moves_text(m_recorder.moves(), m_recorder.look()))))
+            write_atomically(file, automation_text(m_recorder.points(), m_recorder.look()))))
         return;
     const std::string name = file.filename().string();
-    const std::size_t count = m_recorder.moves().size();
+    const std::size_t count = m_recorder.points().size();
     m_messages.say(count == 1 ? fmt::format("Saved 1 parameter change to \"{}\"", name)
                               : fmt::format("Saved {} parameter changes to \"{}\"", count, name));
 }

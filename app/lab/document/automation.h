@@ -2,7 +2,7 @@
 
 #include "lab/document/document.h"
 #include "lab/messages/messages.h"
-#include "model/tuning/moves.h"
+#include "model/tuning/automation.h"
 
 /// Records parameter changes over time, and writes them as an automation file.
 class Automation {
@@ -10,7 +10,7 @@ public:
     Automation(const OpenDocument& document, Messages& messages)
         : m_document(document), m_messages(messages) {}
 
-    const MovesRecorder& recorder() const { return m_recorder; }
+    const AutomationRecorder& recorder() const { return m_recorder; }
     void record(bool is_recording);
     void save(const std::filesystem::path& file);
     /// Records the values of a frame that was drawn at this time of the clock.
@@ -19,5 +19,5 @@ public:
 private:
     const OpenDocument& m_document;
     Messages& m_messages;
-    MovesRecorder m_recorder;
+    AutomationRecorder m_recorder;
 };

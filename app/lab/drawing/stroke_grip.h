@@ -19,7 +19,7 @@ std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace&
 /// The nearest point within `reach`, otherwise the nearest stroke within `reach`.
 std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& place, double reach);
 
-/// Moves the point or stroke by an offset.
+/// AutomationPoints the point or stroke by an offset.
 Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPlace& by);
 
 /// Deletes a point. A stroke with fewer than two remaining points is deleted. A closed stroke with

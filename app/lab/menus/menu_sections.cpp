@@ -87,7 +87,7 @@ void add_pens(const Pen& pen, std::vector<MenuEntry>& entries) {
     offer("Straight lines", {pen.is_in_hand, pen.tool, false});
 }
 
-void add_keyframes(const DrawingBoard& board, std::vector<MenuEntry>& choices) {
+void add_keyframes(const DrawingBoard& board, std::vector<MenuEntry>& entries) {
     const auto on_keyframes = [](const KeyframeChange& change) {
         return MenuCommand([change](Lab& lab) { lab.drawing().edit_keyframes(change); });
     };

@@ -9,8 +9,8 @@
 #include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "graph/programs/specialized_look.h"
+#include "lab/document/automation_file.h"
 #include "lab/document/content_edits.h"
-#include "lab/document/moves_file.h"
 #include "lab/document/naming.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
@@ -170,11 +170,11 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)
         return fail(done.error());
-    if (!request.moves.empty()) {
-        auto moves = load_moves(request.moves, prepared.document.look());
-        if (!moves)
-            return fail(moves.error());
-        prepared.moves = std::move(*moves);
+    if (!request.automation.empty()) {
+        auto automation = load_automation(request.automation, prepared.document.look());
+        if (!automation)
+            return fail(automation.error());
+        prepared.automation = std::move(*automation);
     }
     return prepared;
 }
@@ -218,7 +218,7 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
       m_player(std::make_unique<Player>(nullptr, prepared.sender_seconds)),
       m_size(size),
       m_fps(fps),
-      m_moves(std::move(prepared.moves)) {}
+      m_automation(std::move(prepared.automation)) {}
 
 Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::create_headless_context();
@@ -352,14 +352,15 @@ Result<void> Offline::follow_constants() {
                     : fail(std::move(programs.error()));
 }
 
-bool Offline::moves(const Parameter& parameter) const {
-    return m_moves.has(parameter.name) || m_document.state().modulations.contains(parameter.name);
+bool Offline::is_animated(const Parameter& parameter) const {
+    return m_automation.has(parameter.name) ||
+           m_document.state().modulations.contains(parameter.name);
 }
 
 Result<void> Offline::specialize(const std::vector<std::string>& seen) {
     const Look look = executor().look();
     const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
-        return parameter.is_constant && moves(parameter);
+        return parameter.is_constant && is_animated(parameter);
     });
     if (turns_texts || m_generic)
         return {};
@@ -369,7 +370,7 @@ Result<void> Offline::specialize(const std::vector<std::string>& seen) {
     SpecializedTexts texts;
     const auto programs = build_programs(specialized_look(
         look, m_document.values(), executor().plan(),
-        [&](const Parameter& parameter) { return moves(parameter); }, texts));
+        [&](const Parameter& parameter) { return is_animated(parameter); }, texts));
     if (!programs)  // the driver refused: keep the generic programs
         return m_executors.picture().set_displayed({});
     m_generic = executor().programs().generic();
@@ -399,7 +400,7 @@ Result<void> Offline::show_to(const std::vector<bool>& seen) {
 bool Offline::turns_sharing() const {
     const Look& look = executor().look();
     return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
-        return moves(parameter) && decides_sharing(look, parameter);
+        return is_animated(parameter) && decides_sharing(look, parameter);
     });
 }
 
@@ -421,7 +422,7 @@ Result<void> Offline::start_again(Document document) {
         return done;
     if (auto done = follow_constants(); !done)
         return done;
-    m_moves.start_again();
+    m_automation.start_again();
     take_values();
     m_executors.picture().clear_history();
     if (auto done = resize_again(); !done)
@@ -440,8 +441,8 @@ Result<void> Offline::start_again(Document document) {
 }
 
 // The values also go into the document, because pictures are saved with it as a preset.
-void Offline::make_moves(double seconds) {
-    const Values turned = m_moves.take(seconds);
+void Offline::apply_automation(double seconds) {
+    const Values turned = m_automation.take(seconds);
     if (turned.empty())
         return;
     set_values(m_document, turned, "Automation");
@@ -464,7 +465,7 @@ Result<void> Offline::hold_source(const Picture& picture) {
 
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
-    make_moves(frame.span.end);
+    apply_automation(frame.span.end);
     if (auto shown = show_source(frame.span.end); !shown)
         m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
     modulate_values(frame);
@@ -480,7 +481,7 @@ Picture Offline::picture_after(int frames) {
 
 void Offline::advance_unseen() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
-    make_moves(frame.span.end);
+    apply_automation(frame.span.end);
     if (m_source_is_carried)
         if (auto shown = show_source(frame.span.end); !shown)
             m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());

@@ -12,7 +12,7 @@
 #include "lab/playback/player.h"
 #include "lab/rendering/executors.h"
 #include "model/picture/raw_picture.h"
-#include "model/tuning/moves.h"
+#include "model/tuning/automation.h"
 
 #include <cstdint>
 #include <functional>
@@ -30,7 +30,7 @@ struct RenderRequest {
     std::vector<std::pair<std::string, std::string>> values = {};  // name or key, text
     std::string signal = {};  // "": the preset's, else the look's
     std::string source = {};
-    std::string moves = {};  // automation file; "": no automation
+    std::string automation = {};  // automation file; "": no automation
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
@@ -41,7 +41,7 @@ struct RenderRequest {
 struct Prepared {
     Document document;
     Diagnostics warnings = {};
-    Moves moves = {};
+    AutomationPoints automation = {};
     std::shared_ptr<ByteStore> shader_cache = {};  // null: not cached
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.
@@ -126,13 +126,13 @@ public:
 
 private:
     void take_values();
-    bool moves(const Parameter& parameter) const;
+    bool is_animated(const Parameter& parameter) const;
     bool turns_sharing() const;
     std::vector<bool> seen_with_picture(const std::vector<std::string>& names) const;
     Result<void> show_to(const std::vector<bool>& seen);
     Result<void> end_specialized();
     Result<void> follow_constants();
-    void make_moves(double seconds);
+    void apply_automation(double seconds);
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
@@ -153,7 +153,7 @@ private:
     std::optional<Source> m_source;
     SharedPicture m_shown;
     ChosenImages m_chosen_images;
-    MovesReader m_moves;
+    AutomationReader m_automation;
     std::optional<Programs> m_generic;  // the generic programs while specialised ones are used
     bool m_source_is_carried = false;   // unseen frames also depend on it
     Diagnostics m_problems;

@@ -20,8 +20,8 @@ class RecentMedia {
 public:
     explicit RecentMedia(const Roots& roots) : m_list(roots.state / "media.json") {}
 
-    /// Moves a file to the front and writes the list. The list is optional, so write errors are
-    /// ignored.
+    /// AutomationPoints a file to the front and writes the list. The list is optional, so write
+    /// errors are ignored.
     void remember(const std::filesystem::path& file, const std::string& digest) const;
     /// The latest existing file with this name, preferably with this digest.
     std::optional<std::filesystem::path> find(const std::string& name,

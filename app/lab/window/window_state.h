@@ -155,7 +155,7 @@ struct Dialog {
         save_pass,  // of the pass in `subject`
         load_drawing,
         save_drawing,
-        save_moves,
+        save_automation,
         save_slangp,
         save_preset_as,
         rename_preset,

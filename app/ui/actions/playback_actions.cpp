@@ -41,18 +41,18 @@ void start_impulse(const Scene& scene, Edits& edits) {
 bool is_recording(const Scene& scene) {
     return scene.lab.automation().recorder().is_running();
 }
-bool has_moves(const Scene& scene) {
-    return !scene.lab.automation().recorder().moves().empty();
+bool has_automation(const Scene& scene) {
+    return !scene.lab.automation().recorder().points().empty();
 }
 // The end of a recording opens the save dialog.
-void record_moves(const Scene& scene, Edits& edits) {
+void record_automation(const Scene& scene, Edits& edits) {
     const bool is_starting = !is_recording(scene);
     edits.add([is_starting](Lab& lab) { lab.automation().record(is_starting); });
-    if (!is_starting && has_moves(scene))
-        edits.show({.kind = Dialog::Kind::save_moves});
+    if (!is_starting && has_automation(scene))
+        edits.show({.kind = Dialog::Kind::save_automation});
 }
-void save_moves(const Scene&, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::save_moves});
+void save_automation(const Scene&, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::save_automation});
 }
 }  // namespace
 
@@ -78,19 +78,19 @@ std::vector<Action> playback_actions::list() {
          false,
          start_impulse,
          file_actions::has_document},
-        {ActionId::record_moves,
+        {ActionId::record_automation,
          Menu::playback,
          "Record automation",
          {},
          true,
-         record_moves,
+         record_automation,
          file_actions::has_document,
          is_recording},
-        {ActionId::save_moves,
+        {ActionId::save_automation,
          Menu::playback,
          "Save automation…",
          {},
          false,
-         save_moves,
-         has_moves}};
+         save_automation,
+         has_automation}};
 }

@@ -121,7 +121,7 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::save_pass:
         case Kind::load_drawing:
         case Kind::save_drawing:
-        case Kind::save_moves:
+        case Kind::save_automation:
         case Kind::save_slangp:
         case Kind::export_frames:
             draw_file_dialog(scene, edits);

@@ -28,7 +28,7 @@ std::vector<std::string> endings_for(Dialog::Kind kind) {
         return {".svg", ".svgz"};
     if (kind == Dialog::Kind::save_drawing)
         return {".svg"};
-    if (kind == Dialog::Kind::save_moves)
+    if (kind == Dialog::Kind::save_automation)
         return {".txt"};
     if (kind == Dialog::Kind::choose_file)
         return {};
@@ -55,7 +55,7 @@ const char* title_for(Dialog::Kind kind) {
             return "Load drawing";
         case Dialog::Kind::save_drawing:
             return "Save drawing";
-        case Dialog::Kind::save_moves:
+        case Dialog::Kind::save_automation:
             return "Save automation file (for afterglow render --moves)";
         case Dialog::Kind::save_slangp:
             return "Save changed parameters as .slangp (references the original)";
@@ -73,7 +73,8 @@ constexpr int shows_chosen = 1;
 
 bool is_saving(const Dialog& dialog) {
     return dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
-           dialog.kind == Dialog::Kind::save_drawing || dialog.kind == Dialog::Kind::save_moves ||
+           dialog.kind == Dialog::Kind::save_drawing ||
+           dialog.kind == Dialog::Kind::save_automation ||
            dialog.kind == Dialog::Kind::save_slangp || dialog.kind == Dialog::Kind::export_frames;
 }
 
@@ -101,7 +102,7 @@ void start(const Scene& scene, Edits& edits) {
         });
     if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
         edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
-    if (scene.window.dialog.kind == Dialog::Kind::save_moves)
+    if (scene.window.dialog.kind == Dialog::Kind::save_automation)
         edits.arrange([](WindowState& window) { window.dialog.text = "automation.txt"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_slangp)
         edits.arrange([name = scene.lab.document()->look().name](WindowState& window) {
@@ -127,7 +128,7 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
         edits.add([file](Lab& lab) { lab.frames().comparison().compare_with_file(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
         edits.add([file](Lab& lab) { lab.drawing().save(file); });
-    else if (dialog.kind == Dialog::Kind::save_moves)
+    else if (dialog.kind == Dialog::Kind::save_automation)
         edits.add([file](Lab& lab) { lab.automation().save(file); });
     else if (dialog.kind == Dialog::Kind::save_slangp)
         edits.add([file](Lab& lab) { lab.presets().sharing().save_slang(file); });

@@ -76,7 +76,7 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::reset_parameter:
         case ActionId::copy_parameter_name:
             return no_parameter;
-        case ActionId::save_moves:
+        case ActionId::save_automation:
             return "no automation is recorded";
         case ActionId::fit_gain:
             return "needs an absolute or squared difference view";

@@ -40,8 +40,8 @@ TEST_CASE("a morph takes its duration, is one undo step and is recorded as autom
     small.lab().automation().record(true);
     small.lab().player().play();
     small.lab().update(0.5);
-    CHECK(small.lab().automation().recorder().moves().back().name == "gain");
-    CHECK(is_near_on_way(small.lab().automation().recorder().moves().back().value.number(), 4.0));
+    CHECK(small.lab().automation().recorder().points().back().name == "gain");
+    CHECK(is_near_on_way(small.lab().automation().recorder().points().back().value.number(), 4.0));
     small.lab().update(0.75);
     CHECK_FALSE(small.lab().presets().navigation().morphing());
     CHECK(small.document().values() == Values{{"gain", Value(5.0)}});

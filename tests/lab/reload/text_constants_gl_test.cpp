@@ -187,8 +187,8 @@ TEST_CASE("offline rendering uses constants from values and from automation") {
     CHECK(std::abs(rendered_red({.look = look}) - 0.25) < 0.003);
     CHECK(std::abs(rendered_red({.look = look, .values = {{"LEVEL", "0.5"}, {"more", "0.25"}}}) -
                    0.75) < 0.003);
-    const auto moves = folder.write("moves.txt", "0 LEVEL 1\n");
-    CHECK(std::abs(rendered_red({.look = look, .moves = moves.string()}) - 1.0) < 0.003);
+    const auto automation = folder.write("moves.txt", "0 LEVEL 1\n");
+    CHECK(std::abs(rendered_red({.look = look, .automation = automation.string()}) - 1.0) < 0.003);
 }
 
 TEST_CASE("each copy of a look in a stack has its own constants") {

@@ -82,9 +82,9 @@ TEST_CASE("a learnt knob covers the parameter's range in one undo step and is st
     small.lab().automation().record(true);
     small.knob(21, 127);
     CHECK(small.gain() == 8.0);
-    REQUIRE_FALSE(small.lab().automation().recorder().moves().empty());
-    CHECK(small.lab().automation().recorder().moves().back().name == "gain");
-    CHECK(small.lab().automation().recorder().moves().back().value == Value(8.0));
+    REQUIRE_FALSE(small.lab().automation().recorder().points().empty());
+    CHECK(small.lab().automation().recorder().points().back().name == "gain");
+    CHECK(small.lab().automation().recorder().points().back().value == Value(8.0));
     CHECK(small.document().history().past().size() == 1);
     small.lab().update(0.6);
     CHECK_FALSE(small.document().history().is_in_gesture());

@@ -15,7 +15,7 @@ TEST_CASE("automation recorded in the window renders identically offline") {
     small.lab().automation().record(false);
     const auto file = small.folder() / "moves.txt";
     small.lab().automation().save(file);
-    auto prepared = prepare({.look = "small", .moves = file.string()}, Library(small.roots()));
+    auto prepared = prepare({.look = "small", .automation = file.string()}, Library(small.roots()));
     REQUIRE(prepared.has_value());
     auto offline = Offline::create(std::move(*prepared), {8, 8}, 60.0);
     REQUIRE(offline.has_value());

@@ -1,4 +1,4 @@
-#include "lab/document/moves_file.h"
+#include "lab/document/automation_file.h"
 
 #include "base/file.h"
 #include "base/text.h"
@@ -26,7 +26,7 @@ Result<const Parameter*> recorded_parameter(std::string_view name, const Look& l
     return parameter;
 }
 
-Result<Move> parse_move(std::string_view line, const Look& look, double earliest) {
+Result<AutomationPoint> parse_point(std::string_view line, const Look& look, double earliest) {
     const std::string_view time = take_word(line);
     const std::string_view name = take_word(line);
     const auto seconds = parse_number(time);
@@ -43,7 +43,7 @@ Result<Move> parse_move(std::string_view line, const Look& look, double earliest
     auto value = parse_value(**parameter, line);
     if (!value)
         return fail(value.error());
-    return Move{*seconds, (*parameter)->name, std::move(*value)};
+    return AutomationPoint{*seconds, (*parameter)->name, std::move(*value)};
 }
 
 // The value as the user would type it.
@@ -57,9 +57,9 @@ std::string typed_text(const Parameter& parameter, const Value& value) {
 }
 }  // namespace
 
-Result<Moves> parse_moves(std::string_view text, const std::filesystem::path& file,
-                          const Look& look) {
-    Moves moves;
+Result<AutomationPoints> parse_automation(std::string_view text, const std::filesystem::path& file,
+                                          const Look& look) {
+    AutomationPoints points;
     Diagnostics problems;
     double earliest = 0.0;
     int number = 0;
@@ -67,29 +67,29 @@ Result<Moves> parse_moves(std::string_view text, const std::filesystem::path& fi
         ++number;
         if (trim(line).empty() || trim(line).front() == '#')
             continue;
-        auto move = parse_move(line, look, earliest);
-        if (!move) {
-            problems.push_back({file, number, move.error().front().message});
+        auto point = parse_point(line, look, earliest);
+        if (!point) {
+            problems.push_back({file, number, point.error().front().message});
             continue;
         }
-        earliest = move->seconds;
-        moves.push_back(std::move(*move));
+        earliest = point->seconds;
+        points.push_back(std::move(*point));
     }
     if (!problems.empty())
         return fail(std::move(problems));
-    return moves;
+    return points;
 }
 
-Result<Moves> load_moves(const std::filesystem::path& file, const Look& look) {
+Result<AutomationPoints> load_automation(const std::filesystem::path& file, const Look& look) {
     const auto text = read_text(file);
-    return text ? parse_moves(*text, file, look) : fail(text.error());
+    return text ? parse_automation(*text, file, look) : fail(text.error());
 }
 
-std::string moves_text(const Moves& moves, const Look& look) {
+std::string automation_text(const AutomationPoints& points, const Look& look) {
     std::string text = fmt::format("# Automation of {}: seconds name value\n", look.id);
-    for (const Move& move : moves)
-        if (const Parameter* parameter = find_parameter(look, move.name))
-            text += fmt::format("{:.6f} {} {}\n", move.seconds, move.name,
-                                typed_text(*parameter, move.value));
+    for (const AutomationPoint& point : points)
+        if (const Parameter* parameter = find_parameter(look, point.name))
+            text += fmt::format("{:.6f} {} {}\n", point.seconds, point.name,
+                                typed_text(*parameter, point.value));
     return text;
 }

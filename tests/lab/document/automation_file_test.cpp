@@ -1,4 +1,4 @@
-#include "lab/document/moves_file.h"
+#include "lab/document/automation_file.h"
 
 #include "formats/preset/sample_preset.h"
 #include "io/temporary_folder.h"
@@ -7,27 +7,27 @@
 
 namespace {
 std::string errors_of(const std::string& text) {
-    const auto moves = parse_moves(text, "a.txt", sample_look());
-    REQUIRE_FALSE(moves.has_value());
-    return to_string(moves.error());
+    const auto points = parse_automation(text, "a.txt", sample_look());
+    REQUIRE_FALSE(points.has_value());
+    return to_string(points.error());
 }
 }  // namespace
 
 TEST_CASE("automation consists of lines with seconds, a name and a value as typed") {
-    const Moves moves{{0.0, "decay", Value(0.5)},
-                      {0.25, "beam_color", Value({0.1, 0.2, 0.3})},
-                      {0.25, "tone_map", Value(2.0)},
-                      {1.5, "as_written", Value(1.0)}};
+    const AutomationPoints points{{0.0, "decay", Value(0.5)},
+                                  {0.25, "beam_color", Value({0.1, 0.2, 0.3})},
+                                  {0.25, "tone_map", Value(2.0)},
+                                  {1.5, "as_written", Value(1.0)}};
     const std::string text =
         "# Automation of phosphor: seconds name value\n"
         "0.000000 decay 0.5\n"
         "0.250000 beam_color 0.1,0.2,0.3\n"
         "0.250000 tone_map ACES\n"
         "1.500000 as_written true\n";
-    CHECK(moves_text(moves, sample_look()) == text);
-    CHECK(parse_moves(text, "a.txt", sample_look()) == moves);
-    CHECK(parse_moves("\r\n  0\tdecay   0.5 \r\n#1 x\n0.25 beam_color 0.1, 0.2, 0.3", "a.txt",
-                      sample_look()) == Moves{moves[0], moves[1]});
+    CHECK(automation_text(points, sample_look()) == text);
+    CHECK(parse_automation(text, "a.txt", sample_look()) == points);
+    CHECK(parse_automation("\r\n  0\tdecay   0.5 \r\n#1 x\n0.25 beam_color 0.1, 0.2, 0.3", "a.txt",
+                           sample_look()) == AutomationPoints{points[0], points[1]});
 }
 
 TEST_CASE("all mistakes in automation are reported at their lines") {
@@ -50,5 +50,5 @@ TEST_CASE("all mistakes in automation are reported at their lines") {
           "a.txt:9: error: expected 'seconds name value'\n"
           "a.txt:10: error: 'noise' is a file and can't be automated\n");
     const TemporaryFolder folder;
-    CHECK_FALSE(load_moves(folder / "none.txt", sample_look()).has_value());
+    CHECK_FALSE(load_automation(folder / "none.txt", sample_look()).has_value());
 }
