@@ -114,7 +114,7 @@ void PlainScale::set(int pass, int parameter, double value) const {
 void PlainScale::draw(double seconds) {
     m_now = 1 - m_now;
     const auto& targets = m_targets[m_now];
-    const auto& former = m_targets[1 - m_now];
+    const auto& previous = m_targets[1 - m_now];
     glBindVertexArray(m_vertices.get());
     for (const GLuint unit : {0U, 1U})
         glBindSampler(unit, m_sampler.get());
@@ -123,9 +123,9 @@ void PlainScale::draw(double seconds) {
         m_passes[i].program.use();
         glUniform1f(m_passes[i].time, static_cast<float>(seconds));
         glActiveTexture(GL_TEXTURE0);
-        glBindTexture(GL_TEXTURE_2D, (i > 0 ? targets[i - 1] : former[i]).texture());
+        glBindTexture(GL_TEXTURE_2D, (i > 0 ? targets[i - 1] : previous[i]).texture());
         glActiveTexture(GL_TEXTURE1);
-        glBindTexture(GL_TEXTURE_2D, former[i].texture());
+        glBindTexture(GL_TEXTURE_2D, previous[i].texture());
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
     for (const GLuint unit : {0U, 1U})

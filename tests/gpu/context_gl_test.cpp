@@ -20,11 +20,11 @@ TEST_CASE_FIXTURE(Headless, "a context reports its renderer and limits") {
 
 TEST_CASE("a context needs no display") {
     const char* display = std::getenv("DISPLAY");
-    const std::string former = display ? display : "";
+    const std::string previous = display ? display : "";
     unsetenv("DISPLAY");
     CHECK(gpu::create_headless_context().has_value());
     if (display)
-        setenv("DISPLAY", former.c_str(), 1);
+        setenv("DISPLAY", previous.c_str(), 1);
 }
 
 TEST_CASE_FIXTURE(

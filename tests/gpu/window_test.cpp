@@ -8,7 +8,7 @@
 
 TEST_CASE("without a display, opening a window fails with an error each time") {
     const char* display = std::getenv("DISPLAY");
-    const std::string former = display ? display : "";
+    const std::string previous = display ? display : "";
     for (const char* absent : {"", ":987"}) {
         setenv("DISPLAY", absent, 1);
         const auto window = gpu::Window::open({"test"});
@@ -16,7 +16,7 @@ TEST_CASE("without a display, opening a window fails with an error each time") {
         CHECK(window.error().front().message.starts_with("can't open a window: "));
     }
     if (display)
-        setenv("DISPLAY", former.c_str(), 1);
+        setenv("DISPLAY", previous.c_str(), 1);
     else
         unsetenv("DISPLAY");
 }

@@ -214,9 +214,9 @@ void Chain::add_targets(const ParsedChain& parsed, const Names& names) {
         const Extent size = m_sizes[static_cast<std::size_t>(i)];
         const bool is_screen = i + 1 == static_cast<int>(m_sizes.size());
         m_targets.emplace_back(size, format_of(parsed, i), has_levels(parsed, i));
-        m_former.emplace_back();
+        m_previous.emplace_back();
         if (!is_screen && has_feedback(parsed, names, i))
-            m_former.back() =
+            m_previous.back() =
                 std::make_unique<Surface>(size, format_of(parsed, i), has_levels(parsed, i));
     }
 }
@@ -321,7 +321,7 @@ GLuint Chain::texture_of(const Read& read, int pass) const {
         case Of::output:
             return m_targets[number].texture();
         case Of::feedback:
-            return m_former[number] ? m_former[number]->texture() : m_black.front().texture();
+            return m_previous[number] ? m_previous[number]->texture() : m_black.front().texture();
         case Of::lut:
             break;
     }
@@ -364,9 +364,9 @@ void Chain::draw() {
     glBindVertexArray(m_quad.front().second.get());
     for (std::size_t i = 0; i < m_passes.size(); ++i)
         draw_pass(i);
-    for (std::size_t i = 0; i < m_former.size(); ++i)
-        if (m_former[i])
-            std::swap(*m_former[i], m_targets[i]);
+    for (std::size_t i = 0; i < m_previous.size(); ++i)
+        if (m_previous[i])
+            std::swap(*m_previous[i], m_targets[i]);
     if (m_original.size() > 1) {
         std::rotate(m_original.begin() + 1, m_original.end() - 1, m_original.end());
         m_original.front().copy_to(m_original[1]);

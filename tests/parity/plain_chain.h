@@ -89,10 +89,10 @@ private:
 
     Extent m_viewport;
     std::vector<Extent> m_sizes;
-    std::vector<Surface> m_original;                 // this frame's, then previous ones
-    std::vector<Surface> m_targets;                  // one per pass; the last one is the screen
-    std::vector<std::unique_ptr<Surface>> m_former;  // null: not read
-    std::vector<std::unique_ptr<Surface>> m_luts;    // null: missing
+    std::vector<Surface> m_original;                   // this frame's, then previous ones
+    std::vector<Surface> m_targets;                    // one per pass; the last one is the screen
+    std::vector<std::unique_ptr<Surface>> m_previous;  // null: not read
+    std::vector<std::unique_ptr<Surface>> m_luts;      // null: missing
     std::vector<Pass> m_passes;
     std::vector<std::pair<State, gpu::Name<delete_sampler_name>>> m_samplers;
     std::vector<std::pair<gpu::Name<delete_buffer_name>, gpu::Name<delete_vertex_array_name>>>

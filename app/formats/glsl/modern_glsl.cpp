@@ -58,18 +58,18 @@ bool is_call(const std::vector<Token>& tokens, std::size_t at) {
 // lines after them.
 std::string with_joined_lines(std::string_view text) {
     std::string joined;
-    std::size_t owed = 0;
+    std::size_t pending_line_feeds = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '\\' && i + 1 < text.size() && text[i + 1] == '\n') {
-            ++owed;
+            ++pending_line_feeds;
             ++i;
             continue;
         }
         joined += text[i];
         if (text[i] == '\n')
-            joined.append(std::exchange(owed, 0), '\n');
+            joined.append(std::exchange(pending_line_feeds, 0), '\n');
     }
-    return joined.append(owed, '\n');
+    return joined.append(pending_line_feeds, '\n');
 }
 
 class Modernising {

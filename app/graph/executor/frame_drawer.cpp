@@ -211,7 +211,7 @@ void FrameDrawer::count_samples(std::size_t pass) {
     const double each = m_costs[pass].timer->milliseconds_a_part().value_or(0.0) / 1000.0;
     m_work.draws = m_samples.begin_frame(pass, m_passes.frame().patience_seconds, each);
     Target& target = m_textures.targets()[pass];
-    if (m_work.draws == 0 && target.has_former())
+    if (m_work.draws == 0 && target.has_previous())
         target.canvas(1).copy_to(target.canvas());
 }
 

@@ -60,7 +60,7 @@ void PassDrawer::start_target(std::size_t index, bool keeps_picture) {
         return;
     Target& target = m_textures.targets()[index];
     const bool is_covered = m_programs[index].covers_target;
-    if (keeps_picture && !is_covered && target.has_former())
+    if (keeps_picture && !is_covered && target.has_previous())
         target.canvas(1).copy_to(target.canvas());
     else if (!keeps_picture && !is_covered && m_graph.look().passes[index].blend == Blend::multiply)
         target.canvas().clear({1.0f, 1.0f, 1.0f, 1.0f});

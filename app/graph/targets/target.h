@@ -26,7 +26,7 @@ public:
     }
 
     /// Whether canvas(1) is not the picture that is drawn into.
-    bool has_former() const {
+    bool has_previous() const {
         return m_slots.size() > 1 || (m_unfinished != Unfinished::no && m_spare);
     }
 

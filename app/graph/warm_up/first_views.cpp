@@ -33,13 +33,13 @@ void FirstViews::expect(const Look& look, const Plan& plan) {
 }
 
 void FirstViews::expect(const Kind& kind) {
-    if (!m_met.insert(kind).second)
+    if (!m_scheduled.insert(kind).second)
         return;
     for (const Way way : {Way::minified, Way::magnified, Way::numbers, Way::flashes})
-        m_owed.push_back({kind, way});
+        m_pending.push_back({kind, way});
     for (const Way way : {Way::minified_over_checker, Way::magnified_over_checker})
         if (kind.has_alpha)
-            m_owed.push_back({kind, way});
+            m_pending.push_back({kind, way});
 }
 
 // Without memory, later views report the error.
@@ -56,34 +56,34 @@ const gpu::Texture* FirstViews::picture_of(const Kind& kind) {
 }
 
 void FirstViews::draw_next() {
-    const Owed owed = m_owed.front();
-    m_owed.pop_front();
-    if (const gpu::Texture* picture = picture_of(owed.kind))
-        look_at(*picture, owed);
-    if (m_owed.empty())
+    const PendingDraw pending = m_pending.front();
+    m_pending.pop_front();
+    if (const gpu::Texture* picture = picture_of(pending.kind))
+        look_at(*picture, pending);
+    if (m_pending.empty())
         m_displayed.reset();
     gpu::finish();
 }
 
-void FirstViews::look_at(const gpu::Texture& texture, const Owed& owed) {
-    if (owed.way == Way::flashes) {
-        m_cells.draw(texture, owed.kind.encoding);
-    } else if (owed.way == Way::numbers) {
+void FirstViews::look_at(const gpu::Texture& texture, const PendingDraw& pending) {
+    if (pending.way == Way::flashes) {
+        m_cells.draw(texture, pending.kind.encoding);
+    } else if (pending.way == Way::numbers) {
         m_meter.start(texture, ChannelChoice::rgb);
         m_meter.stop();
     } else {
-        view(texture, owed);
+        view(texture, pending);
     }
 }
 
-void FirstViews::view(const gpu::Texture& texture, const Owed& owed) {
+void FirstViews::view(const gpu::Texture& texture, const PendingDraw& pending) {
     const auto view = gpu::Canvas::make(view_extent, Format::rgba8);
     if (!view)
         return;
-    ViewOptions options{.encoding = owed.kind.encoding};
-    if (owed.way == Way::magnified || owed.way == Way::magnified_over_checker)
+    ViewOptions options{.encoding = pending.kind.encoding};
+    if (pending.way == Way::magnified || pending.way == Way::magnified_over_checker)
         options.width = options.height = 4.0;
     options.is_over_checker =
-        owed.way == Way::minified_over_checker || owed.way == Way::magnified_over_checker;
+        pending.way == Way::minified_over_checker || pending.way == Way::magnified_over_checker;
     m_viewer.draw(texture, *view, options);
 }

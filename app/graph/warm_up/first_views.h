@@ -26,7 +26,7 @@ public:
     const std::shared_ptr<const ViewPrograms>& programs() const { return m_programs; }
     /// Schedules the kinds of pictures that these passes draw and that were not scheduled before.
     void expect(const Look& look, const Plan& plan);
-    std::size_t owed() const { return m_owed.size(); }
+    std::size_t pending() const { return m_pending.size(); }
     /// Draws one scheduled kind in one way and waits for it.
     void draw_next();
 
@@ -53,7 +53,7 @@ private:
         numbers,
         flashes
     };
-    struct Owed {
+    struct PendingDraw {
         Kind kind;
         Way way;
     };
@@ -63,14 +63,14 @@ private:
     };
     void expect(const Kind& kind);
     const gpu::Texture* picture_of(const Kind& kind);
-    void look_at(const gpu::Texture& texture, const Owed& owed);
-    void view(const gpu::Texture& texture, const Owed& owed);
+    void look_at(const gpu::Texture& texture, const PendingDraw& pending);
+    void view(const gpu::Texture& texture, const PendingDraw& pending);
 
     std::shared_ptr<const ViewPrograms> m_programs;
     Viewer m_viewer;
     Meter m_meter;
     LightCells m_cells;
-    std::set<Kind> m_met;
-    std::deque<Owed> m_owed;
+    std::set<Kind> m_scheduled;
+    std::deque<PendingDraw> m_pending;
     std::optional<Seen> m_displayed;
 };

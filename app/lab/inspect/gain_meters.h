@@ -22,7 +22,7 @@ public:
     void stop();
 
     /// Whether some passes have not been measured since the last change.
-    bool is_owing() const { return m_round_robin.is_owing() || m_meter.is_busy(); }
+    bool is_pending() const { return m_round_robin.is_pending() || m_meter.is_busy(); }
     /// Null: not measured yet.
     const Gain* gain(std::size_t pass) const;
 

@@ -18,9 +18,9 @@ std::optional<std::size_t> RoundRobin::due(std::uint64_t picture, double seconds
     if (m_picture != picture) {
         m_picture = picture;
         m_changed = seconds;
-        m_owed = m_count;
+        m_pending = m_count;
     }
-    if (m_owed == 0)
+    if (m_pending == 0)
         return std::nullopt;
     const bool rests = seconds - m_changed >= rest_seconds;
     if (m_new == 0 && !rests && seconds < m_due)
@@ -31,6 +31,6 @@ std::optional<std::size_t> RoundRobin::due(std::uint64_t picture, double seconds
 void RoundRobin::done(double seconds, double seconds_taken) {
     m_next = (m_next + 1) % std::max(m_count, std::size_t{1});
     m_new -= m_new > 0 ? 1 : 0;
-    m_owed -= m_owed > 0 ? 1 : 0;
+    m_pending -= m_pending > 0 ? 1 : 0;
     m_due = seconds + std::max(pause_seconds, seconds_taken / most_share);
 }

@@ -20,13 +20,13 @@ public:
     /// tenth of the time.
     void done(double seconds, double seconds_taken = 0.0);
     /// Whether some items do not show the current picture yet.
-    bool is_owing() const { return m_owed > 0; }
+    bool is_pending() const { return m_pending > 0; }
 
 private:
     std::size_t m_count = 0;
     std::size_t m_next = 0;
-    std::size_t m_new = 0;   // never updated
-    std::size_t m_owed = 0;  // do not show the current picture
+    std::size_t m_new = 0;      // never updated
+    std::size_t m_pending = 0;  // do not show the current picture
     std::optional<std::uint64_t> m_picture;
     double m_changed = 0.0;  // s, of the last change
     double m_due = 0.0;      // s

@@ -44,6 +44,6 @@ void TexelInspector::stop() {
     m_waveform.stop();
 }
 
-bool TexelInspector::is_owing() const {
-    return m_picture.is_owing() || m_inspected.is_owing() || m_waveform.is_owing();
+bool TexelInspector::is_pending() const {
+    return m_picture.is_pending() || m_inspected.is_pending() || m_waveform.is_pending();
 }

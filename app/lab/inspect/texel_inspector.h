@@ -25,7 +25,7 @@ public:
     const CellNumbers& inspected() const { return m_inspected; }
     const Waveform& waveform() const { return m_waveform; }
     /// Whether numbers are still pending.
-    bool is_owing() const;
+    bool is_pending() const;
 
 private:
     TexelInspector(LevelCopy level, TexelReader reader)

@@ -49,7 +49,7 @@ public:
     /// Whether black text is more readable than white text on a texel of the block.
     bool is_light(std::size_t texel) const;
     /// Whether numbers are still pending.
-    bool is_owing() const { return m_answer.is_busy() || m_is_late; }
+    bool is_pending() const { return m_answer.is_busy() || m_is_late; }
 
 private:
     TexelAnswer m_answer;

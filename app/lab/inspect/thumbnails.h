@@ -20,7 +20,7 @@ public:
     /// Null: not drawn yet.
     const gpu::Texture* picture(std::size_t pass) const;
     /// Whether some thumbnails are outdated.
-    bool is_owing() const { return m_round_robin.is_owing(); }
+    bool is_pending() const { return m_round_robin.is_pending(); }
 
 private:
     void draw(Viewer& viewer, const Executor& executor, std::size_t pass);

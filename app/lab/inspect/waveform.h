@@ -34,7 +34,7 @@ public:
     /// The texel of a value, from the top left.
     std::array<int, 2> texel(std::size_t index) const;
     /// Whether values are still pending.
-    bool is_owing() const { return m_answer.is_busy() || m_is_late; }
+    bool is_pending() const { return m_answer.is_busy() || m_is_late; }
 
 private:
     void take(double seconds);

@@ -33,7 +33,7 @@ void PendingLook::start(const Beside& beside) {
 }
 
 bool PendingLook::is_ready() const {
-    return m_draws.empty() && (!m_views || m_views->owed() == 0);
+    return m_draws.empty() && (!m_views || m_views->pending() == 0);
 }
 
 void PendingLook::draw_next() {

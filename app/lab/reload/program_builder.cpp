@@ -220,7 +220,7 @@ void ProgramBuilder::view_first(const Job& job, const BuiltLook& built) {
     const gpu::ContextScope scope(job.context.get());
     FirstViews& views = *built.programs->first_views;
     views.expect(*built.look, *plan);
-    while (views.owed() > 0 && !job.progress->is_cancelled())
+    while (views.pending() > 0 && !job.progress->is_cancelled())
         views.draw_next();
 }
 

@@ -20,8 +20,8 @@ public:
         return m_context ? m_context->gains.gain(pass) : nullptr;
     }
     /// Whether some passes are not up to date. Calls of update() draw them.
-    bool is_owing() const {
-        return m_thumbnails.is_owing() || (m_context && m_context->gains.is_owing());
+    bool is_pending() const {
+        return m_thumbnails.is_pending() || (m_context && m_context->gains.is_pending());
     }
 
 private:

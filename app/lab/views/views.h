@@ -35,7 +35,7 @@ public:
     bool is_specializing() const;
     /// Whether some views do not show the current picture yet. Calls of update() draw them, even
     /// while paused.
-    bool is_owing() const { return m_strip.is_owing() || m_texels.is_owing(); }
+    bool is_pending() const { return m_strip.is_pending() || m_texels.is_pending(); }
 
 private:
     Views(MainView main_view, Pins pins, TexelInspector texels);

@@ -13,9 +13,9 @@ std::map<std::string, T> renamed(const Look& look, std::map<std::string, T> name
         if (parameter.was.empty() || find_parameter(look, parameter.was) ||
             named.contains(parameter.name))
             continue;
-        if (auto former = named.extract(parameter.was)) {
-            former.key() = parameter.name;
-            named.insert(std::move(former));
+        if (auto previous = named.extract(parameter.was)) {
+            previous.key() = parameter.name;
+            named.insert(std::move(previous));
         }
     }
     return named;

@@ -44,12 +44,12 @@ constexpr auto awake = std::chrono::milliseconds(450);
 constexpr double picture_patience_seconds = 0.25;
 
 // Whether displayed results are still pending. On a slow machine they take long.
-bool is_owing(const Lab& lab, const Views& views) {
+bool is_pending(const Lab& lab, const Views& views) {
     const ComparedPictures& compared = views.main().compared();
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
-    const bool owes_distances = compared.difference() && !compared.distances();
-    const bool owes_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
-    return owes_distances || owes_stops || views.is_owing();
+    const bool awaits_distances = compared.difference() && !compared.distances();
+    const bool awaits_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
+    return awaits_distances || awaits_stops || views.is_pending();
 }
 
 /// The initial state of the window.
@@ -170,9 +170,9 @@ bool Application::wait() {
     const Clock::time_point start = Clock::now();
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // measurements of the last frame follow later
-    const bool owes =
-        is_owing(m_lab, m_views) || m_views.is_specializing() || m_state.pending.is_any();
-    const auto longer = std::chrono::seconds(owes ? 10 : 0);
+    const bool is_incomplete =
+        is_pending(m_lab, m_views) || m_views.is_specializing() || m_state.pending.is_any();
+    const auto longer = std::chrono::seconds(is_incomplete ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         gpu::WindowEvents::wait(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)

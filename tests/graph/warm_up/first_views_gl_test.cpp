@@ -25,8 +25,8 @@ TEST_CASE_FIXTURE(Headless, "views of every format can be warmed up before there
                 Look look = look_with(facts.format, Encoding::display);
                 look.passes[0].has_alpha = has_alpha;
                 views.expect(look, plan_of({{640, 480}, facts.format, 1, is_mipmapped}));
-                CHECK(views.owed() > 0);
-                while (views.owed() > 0)
+                CHECK(views.pending() > 0);
+                while (views.pending() > 0)
                     views.draw_next();
                 CHECK(errors.take().empty());
             }
@@ -35,9 +35,9 @@ TEST_CASE_FIXTURE(Headless, "views of every format can be warmed up before there
 TEST_CASE_FIXTURE(Headless, "each kind of picture is warmed up once") {
     FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     const auto is_new = [&views](const Look& look, const PlannedTarget& target) {
-        const std::size_t before = views.owed();
+        const std::size_t before = views.pending();
         views.expect(look, plan_of(target));
-        return views.owed() > before;
+        return views.pending() > before;
     };
     const Look light = look_with(Format::rgba16f, Encoding::linear);
     const Look encoded = look_with(Format::rgba16f, Encoding::display);

@@ -28,7 +28,7 @@ TEST_CASE("one pass is measured per update, and again after a change") {
     Metered lab;
     lab.update(10.0);
     CHECK(lab.meters->gain(0) == nullptr);
-    CHECK(lab.meters->is_owing());
+    CHECK(lab.meters->is_pending());
     lab.update(10.0);  // the result is available
     CHECK(lab.meters->gain(1) == nullptr);
     lab.update(10.0);
@@ -38,7 +38,7 @@ TEST_CASE("one pass is measured per update, and again after a change") {
     CHECK(lab.meters->gain(0)->mean == frames);
     CHECK(lab.meters->gain(0)->clipped == 0.0);
     CHECK(lab.peak(1) == frames / 4.0);
-    CHECK_FALSE(lab.meters->is_owing());
+    CHECK_FALSE(lab.meters->is_pending());
 
     lab.lab().player().step();
     lab.turn(1);

@@ -33,9 +33,9 @@ TEST_CASE("in a static picture each outdated entry is due once, then none") {
     RoundRobin round_robin;
     round_robin.restart(2);
     turns(round_robin, {1.0, 1.01, 1.3}, true);
-    CHECK(round_robin.is_owing());
+    CHECK(round_robin.is_pending());
     CHECK(turns(round_robin, {1.35, 1.46, 1.47, 1.48, 9.0}, false) == Had{-1, 1, -1, -1, -1});
-    CHECK_FALSE(round_robin.is_owing());
+    CHECK_FALSE(round_robin.is_pending());
     CHECK(turns(round_robin, {9.1, 9.31}, true) == Had{0, 1});
 }
 
@@ -52,5 +52,5 @@ TEST_CASE("without entries nothing is due") {
     RoundRobin round_robin;
     round_robin.restart(0);
     CHECK_FALSE(round_robin.due(1, 1.0));
-    CHECK_FALSE(round_robin.is_owing());
+    CHECK_FALSE(round_robin.is_pending());
 }

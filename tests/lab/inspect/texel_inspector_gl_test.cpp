@@ -36,7 +36,8 @@ struct TexelInspection : Headless {
     }
     void turn(const ScanLine& line, double seconds) {
         REQUIRE(texels.has_value());
-        const Waveform::Subject subject{executor.target(0), name, line, executor.textures().number()};
+        const Waveform::Subject subject{executor.target(0), name, line,
+                                        executor.textures().number()};
         texels->update_waveform(&subject, seconds);
         gpu::finish();
     }
@@ -72,12 +73,12 @@ TEST_CASE_FIXTURE(TexelInspection,
     CHECK(texels->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
     CHECK(texels->picture().sight().texel_width == 50.0);
     CHECK(texels->picture().is_light(0));  // 8, 4, 1 is brighter than white
-    CHECK_FALSE(texels->is_owing());
+    CHECK_FALSE(texels->is_pending());
     executor.draw(frame(2));
     turn(at_50, 1.1);
     turn(at_50, 1.11);
     CHECK(blue() == 1.0f);
-    CHECK(texels->is_owing());
+    CHECK(texels->is_pending());
     turn(at_50, 1.21);
     turn(at_50, 1.22);
     CHECK(blue() == 2.0f);
@@ -92,7 +93,7 @@ TEST_CASE_FIXTURE(TexelInspection,
     REQUIRE(texels->picture().block());
     turn({PictureView::Fit::free, 8.0}, 1.27);
     CHECK(texels->picture().block() == nullptr);
-    CHECK_FALSE(texels->is_owing());
+    CHECK_FALSE(texels->is_pending());
 }
 
 TEST_CASE("a line covers the texels from its start to its end, or those of a row") {
@@ -126,7 +127,7 @@ TEST_CASE_FIXTURE(TexelInspection, "the waveform of a line contains the values o
     CHECK(waveform.channels() == 4);
     texels->update_waveform(nullptr, 1.02);
     CHECK(waveform.numbers().empty());
-    CHECK_FALSE(texels->is_owing());
+    CHECK_FALSE(texels->is_pending());
 }
 
 TEST_CASE("luminance uses the ITU-R BT.709 weights") {

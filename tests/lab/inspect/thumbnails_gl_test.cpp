@@ -37,12 +37,12 @@ TEST_CASE_FIXTURE(Headless, "one thumbnail at a time is redrawn, five times per 
     CHECK(grey(thumbnails, 1) == 51);
     REQUIRE(thumbnails.picture(0));
     CHECK(thumbnails.picture(0)->extent() == Extent{16, 8});
-    CHECK(thumbnails.is_owing());
+    CHECK(thumbnails.is_pending());
     for (const double seconds : {2.0, 2.01})  // the picture is static
         thumbnails.update(*viewer, executor, 8, seconds);
     CHECK(grey(thumbnails, 1) == 128);
-    CHECK_FALSE(thumbnails.is_owing());
+    CHECK_FALSE(thumbnails.is_pending());
     thumbnails.update(*viewer, executor, 0, 3.0);  // not displayed
     CHECK(thumbnails.picture(0) == nullptr);
-    CHECK_FALSE(thumbnails.is_owing());
+    CHECK_FALSE(thumbnails.is_pending());
 }

@@ -9,7 +9,7 @@ bool has_met_all(Lab& lab) {
     const auto views = executor.programs().generic().first_views;
     REQUIRE(views);
     views->expect(executor.look(), executor.plan());
-    return views->owed() == 0;
+    return views->pending() == 0;
 }
 
 bool is_open(SmallLab& small, const std::string& look) {
