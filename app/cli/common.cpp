@@ -101,8 +101,8 @@ int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSte
     const auto good = steps.check ? steps.check(*prepared) : Result<void>();
     if (!good)
         return report(good.error());
-    if (steps.seen)
-        prepared->seen = steps.seen(*prepared);
+    if (steps.displayed)
+        prepared->displayed = steps.displayed(*prepared);
     auto offline = Offline::create(std::move(*prepared), request.size, request.fps);
     line.clear();
     if (!offline)

@@ -49,8 +49,8 @@ struct DrawingSteps {
     /// Reports errors before anything is drawn; may be empty.
     std::function<Result<void>(const Prepared& prepared)> check;
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
-    /// As Prepared::seen; may be empty.
-    std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> seen = {};
+    /// As Prepared::displayed; may be empty.
+    std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> displayed = {};
 };
 /// Prepares the look, checks, draws and reports errors. Returns the exit code of the command.
 int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps);

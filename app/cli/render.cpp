@@ -192,14 +192,15 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
     const auto work = [&](Offline& offline, const Library& library) {
         return draw(arguments, names, offline, RecentMedia(library.roots()));
     };
-    const auto seen = [&](const Prepared& prepared) -> std::optional<std::vector<std::string>> {
+    const auto displayed =
+        [&](const Prepared& prepared) -> std::optional<std::vector<std::string>> {
         const Look& look = prepared.document.look();
         const auto pass = chosen_pass(arguments, look);
         if (!pass || !draws_many(arguments, look))
             return std::nullopt;
         return seen_passes(arguments, look, *pass);
     };
-    return run_drawing(request, data, {check, work, seen});
+    return run_drawing(request, data, {check, work, displayed});
 }
 }  // namespace
 

@@ -75,11 +75,11 @@ std::vector<Uniform> active_uniforms(GLuint program) {
 
 Program::Program(GLuint id) : m_name(id) {}
 
-Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteStore* kept) {
-    if (!kept)
+Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteStore* store) {
+    if (!store)
         return compiled(vertex, fragment);
     const std::string question = binary_question(vertex.text, fragment.text);
-    if (const auto binary = kept->find(question)) {
+    if (const auto binary = store->find(question)) {
         Program program(glCreateProgram());
         if (load_binary(program.m_name.get(), *binary)) {
             program.list_uniforms();
@@ -90,7 +90,7 @@ Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteS
     auto program = compiled(vertex, fragment);
     if (program)
         if (const std::string binary = binary_of(program->m_name.get()); !binary.empty())
-            kept->keep(question, binary);
+            store->keep(question, binary);
     return program;
 }
 

@@ -24,7 +24,7 @@ public:
     /// Errors are the driver's messages at the original files and lines. A store caches program
     /// binaries. An entry is valid only for the same driver facts.
     static Result<Program> build(const Stage& vertex, const Stage& fragment,
-                                 ByteStore* kept = nullptr);
+                                 ByteStore* store = nullptr);
     /// Whether it was restored from the store.
     bool is_restored() const { return m_is_restored; }
 

@@ -21,16 +21,16 @@ TEST_CASE("a pass counts as done when the next one begins") {
 }
 
 TEST_CASE("the listener is called for each pass, and cancelling stops at the next pass") {
-    std::vector<std::string> told;
-    PassProgress progress([&told](const PassProgress::State& state) {
-        told.push_back(state.pass + " " + std::to_string(state.done));
+    std::vector<std::string> reported;
+    PassProgress progress([&reported](const PassProgress::State& state) {
+        reported.push_back(state.pass + " " + std::to_string(state.done));
     });
     progress.begin(Step::reading, 3);
     CHECK(progress.next("a"));
     progress.cancel();
     CHECK_FALSE(progress.next("b"));
     CHECK(progress.is_cancelled());
-    CHECK(told == std::vector<std::string>{"a 0", "b 1"});
+    CHECK(reported == std::vector<std::string>{"a 0", "b 1"});
 }
 
 TEST_CASE("only a pass that takes over 3 seconds is named") {

@@ -16,14 +16,14 @@ struct Engine {
     Player player;
 
     Engine(const std::string& preset, const ValueTexts& values, Extent extent,
-           const std::vector<std::string>& seen = {})
+           const std::vector<std::string>& displayed = {})
         : offline(made(preset, values, extent)) {
         tell_driver(offline.context().facts());
         if (auto set = player.set_signal(offline.document().state().signal); !set)
             give_up(set.error());
         if (auto off = offline.set_nan_policy(NanPolicy::off); !off)
             give_up(off.error());
-        if (auto specialized = offline.specialize(seen); !specialized)
+        if (auto specialized = offline.specialize(displayed); !specialized)
             give_up(specialized.error());
     }
 

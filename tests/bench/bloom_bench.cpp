@@ -28,10 +28,10 @@ public:
                      m_engine.offline.executor().programs().generic()) {
         m_executor.set_values(m_engine.offline.document().values());
         const Look& look = m_executor.look();
-        std::vector<bool> seen(look.passes.size(), false);
-        seen.back() = true;
+        std::vector<bool> displayed(look.passes.size(), false);
+        displayed.back() = true;
         expect(m_executor.resize(picture_extent, picture_extent));
-        expect(m_executor.set_displayed(seen));
+        expect(m_executor.set_displayed(displayed));
         for (const std::string& name : pass_names(look))
             m_passes.push_back(name == "reduced" || name.starts_with("bloom_down") ||
                                name.starts_with("bloom_up") || name == "bloom_y");
@@ -52,7 +52,7 @@ public:
         m_executor.redraw(m_frame, m_passes);
     }
     /// Of `reduced` and of the bloom.
-    std::pair<Spread, Spread> spreads() { return {seen("reduced"), seen("bloom_y")}; }
+    std::pair<Spread, Spread> spreads() { return {displayed("reduced"), displayed("bloom_y")}; }
     Picture picture(const char* pass) {
         m_engine.offline.make_current();
         return gpu::read_picture(m_executor.target(*find_pass(m_executor.look(), pass)));
@@ -63,7 +63,7 @@ private:
         if (!done)
             bench::give_up(done.error());
     }
-    Spread seen(const char* pass) { return spread_of(picture(pass), picture_extent); }
+    Spread displayed(const char* pass) { return spread_of(picture(pass), picture_extent); }
 
     Engine m_engine;
     Executor m_executor;

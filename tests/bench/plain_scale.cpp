@@ -106,9 +106,9 @@ Result<PlainScale> PlainScale::make(const ScaleSize& size) {
 }
 
 void PlainScale::set(int pass, int parameter, double value) const {
-    const Pass& told = m_passes[static_cast<std::size_t>(pass)];
-    told.program.use();
-    glUniform1f(told.parameters[static_cast<std::size_t>(parameter)], static_cast<float>(value));
+    const Pass& changed = m_passes[static_cast<std::size_t>(pass)];
+    changed.program.use();
+    glUniform1f(changed.parameters[static_cast<std::size_t>(parameter)], static_cast<float>(value));
 }
 
 void PlainScale::draw(double seconds) {

@@ -127,20 +127,20 @@ inline Figure ratio_figure(std::string key, std::string what, const Cost& cost,
 /// makes either side faster or slower for as long as it is open.
 inline Figure ratio_figure(std::string key, std::string what, const std::vector<Cost>& openings,
                            std::optional<Bound> bound = {}) {
-    std::vector<Cost> told;
-    std::ranges::copy_if(openings, std::back_inserter(told), &Cost::counts);
-    const std::size_t counting = told.size();
-    if (told.empty())
-        told.push_back(openings.front());
-    const auto middle = [&told](double Cost::*number) {
+    std::vector<Cost> costs;
+    std::ranges::copy_if(openings, std::back_inserter(costs), &Cost::counts);
+    const std::size_t counting = costs.size();
+    if (costs.empty())
+        costs.push_back(openings.front());
+    const auto middle = [&costs](double Cost::*number) {
         std::vector<double> numbers;
-        for (const Cost& cost : told)
+        for (const Cost& cost : costs)
             numbers.push_back(cost.*number);
         return median(std::move(numbers));
     };
     const Cost cost{middle(&Cost::plain_milliseconds), middle(&Cost::our_milliseconds),
                     middle(&Cost::ratio), middle(&Cost::more), middle(&Cost::itself)};
-    const auto [least, most] = std::ranges::minmax(told, {}, &Cost::ratio);
+    const auto [least, most] = std::ranges::minmax(costs, {}, &Cost::ratio);
     Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
     figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings valid", least.ratio,
                                  most.ratio, counting, openings.size());

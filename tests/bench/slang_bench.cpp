@@ -89,18 +89,18 @@ std::vector<fs::path> known_presets() {
 int compare_pictures(const fs::path& preset) {
     constexpr int frames = 5;
     constexpr Extent viewport{640, 480};
-    nlohmann::ordered_json told{{"file", preset.string()}};
+    nlohmann::ordered_json output{{"file", preset.string()}};
     auto pair = plain::Pair::open(preset, original, viewport);
     const auto difference =
         pair ? pair->compare(frames) : Result<plain::Difference>(fail(pair.error()));
     if (difference) {
-        told["mean"] = difference->mean;
-        told["largest"] = difference->largest;
-        told["reads_the_past"] = pair->reads_the_past();
+        output["mean"] = difference->mean;
+        output["largest"] = difference->largest;
+        output["reads_the_past"] = pair->reads_the_past();
     } else {
-        told["why"] = to_string(difference.error());
+        output["why"] = to_string(difference.error());
     }
-    fmt::print("{}\n", told.dump());
+    fmt::print("{}\n", output.dump());
     return difference ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
@@ -108,9 +108,9 @@ void compare_alone(const fs::path& preset) {
     constexpr double most_seconds = 600.0;
     constexpr std::size_t most_bytes = 1 << 20;
     auto child = ChildProcess::start({"/proc/self/exe", "pictures", preset.string()});
-    const auto told = child ? child->read_all_within(most_seconds, most_bytes) : std::nullopt;
+    const auto output = child ? child->read_all_within(most_seconds, most_bytes) : std::nullopt;
     const nlohmann::ordered_json lost{{"file", preset.string()}, {"why", "timed out"}};
-    fmt::print("{}", told && !told->empty() ? *told : lost.dump() + "\n");
+    fmt::print("{}", output && !output->empty() ? *output : lost.dump() + "\n");
     std::fflush(stdout);
 }
 }  // namespace

@@ -32,53 +32,53 @@ float drawn_by(const gpu::Program& program) {
     return gpu::read_pixel(canvas->texture(), 1, 1)[0];
 }
 
-gpu::Program built(ByteStore& kept, const std::string& light) {
-    auto program = gpu::Program::build(corner, of_light(light), &kept);
+gpu::Program built(ByteStore& store, const std::string& light) {
+    auto program = gpu::Program::build(corner, of_light(light), &store);
     REQUIRE(program.has_value());
     return std::move(*program);
 }
 }  // namespace
 
 TEST_CASE_FIXTURE(Headless, "a program is compiled once, and later loaded from its binary") {
-    ByteMap kept;
-    const gpu::Program first = built(kept, "3.0");
+    ByteMap store;
+    const gpu::Program first = built(store, "3.0");
     CHECK_FALSE(first.is_restored());
-    REQUIRE(kept.answers.size() == 1);
+    REQUIRE(store.answers.size() == 1);
     first.write("gain", std::vector<double>{9.0});  // a restored program has its own default
 
-    const gpu::Program second = built(kept, "3.0");
+    const gpu::Program second = built(store, "3.0");
     CHECK(second.is_restored());
     REQUIRE(second.find_uniform("gain"));
     CHECK(second.find_uniform("gain")->number == NumberType{Scalar::floating, 1, 1});
     CHECK(drawn_by(second) == 1.5f);
-    CHECK_FALSE(built(kept, "4.0").is_restored());
-    CHECK(kept.answers.size() == 2);
+    CHECK_FALSE(built(store, "4.0").is_restored());
+    CHECK(store.answers.size() == 2);
 }
 
 TEST_CASE_FIXTURE(Headless, "a binary of another driver is not used") {
-    ByteMap kept;
-    static_cast<void>(built(kept, "3.0"));
-    const std::string question = kept.answers.begin()->first;
+    ByteMap store;
+    static_cast<void>(built(store, "3.0"));
+    const std::string question = store.answers.begin()->first;
     const gpu::Facts facts = gpu::read_facts();
     for (const std::string& fact : {facts.renderer, facts.vendor, facts.version})
         CHECK(question.find(fact) != std::string::npos);
     ByteMap of_other;
     const std::size_t at = question.find(facts.version);
     of_other.answers[std::string(question).replace(at, facts.version.size(), "4.1 other")] =
-        kept.answers.begin()->second;
+        store.answers.begin()->second;
     CHECK_FALSE(built(of_other, "3.0").is_restored());
 }
 
 TEST_CASE_FIXTURE(Headless, "an invalid binary is rejected, recompiled and replaced") {
-    ByteMap kept;
-    static_cast<void>(built(kept, "3.0"));
-    std::string& answer = kept.answers.begin()->second;
+    ByteMap store;
+    static_cast<void>(built(store, "3.0"));
+    std::string& answer = store.answers.begin()->second;
     const std::string good = answer;
     std::string foreign = good;  // of a format that the driver does not know
     foreign[0] = static_cast<char>(~foreign[0]);
     for (const std::string& bad : {std::string(), good.substr(0, 20), good + "!", foreign}) {
         answer = bad;
-        const gpu::Program program = built(kept, "3.0");
+        const gpu::Program program = built(store, "3.0");
         CHECK_FALSE(program.is_restored());
         CHECK(drawn_by(program) == 1.5f);
         CHECK(answer == good);
@@ -86,8 +86,8 @@ TEST_CASE_FIXTURE(Headless, "an invalid binary is rejected, recompiled and repla
 }
 
 TEST_CASE_FIXTURE(Headless, "a compile error is reported each time and is not cached") {
-    ByteMap kept;
+    ByteMap store;
     for (int i = 0; i < 2; ++i)
-        CHECK_FALSE(gpu::Program::build(corner, of_light("oops"), &kept).has_value());
-    CHECK(kept.answers.empty());
+        CHECK_FALSE(gpu::Program::build(corner, of_light("oops"), &store).has_value());
+    CHECK(store.answers.empty());
 }

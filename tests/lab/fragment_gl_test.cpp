@@ -27,27 +27,27 @@ std::array<float, 4> fragment_texel(const std::string& text, int frames) {
 }  // namespace
 
 TEST_CASE("inputs with explicit locations get values by name") {
-    const auto seen = fragment_texel(
+    const auto drawn = fragment_texel(
         "#version 450\nlayout(location = 1) in vec2 uv;\nlayout(location = 0) in vec4 tint;\n"
         "layout(location = 0) out vec4 color;\nvoid main() { color = vec4(uv, tint.b, 1.0); }\n",
         1);
-    CHECK(seen[0] == doctest::Approx(0.75).epsilon(0.01));
-    CHECK(seen[1] == doctest::Approx(0.5).epsilon(0.01));
-    CHECK(seen[2] == 1.0f);
+    CHECK(drawn[0] == doctest::Approx(0.75).epsilon(0.01));
+    CHECK(drawn[1] == doctest::Approx(0.5).epsilon(0.01));
+    CHECK(drawn[2] == 1.0f);
 }
 
 TEST_CASE("members of blocks and arrays get values by name") {
-    const auto seen = fragment_texel(
+    const auto drawn = fragment_texel(
         "#version 330\nin VS_OUT { vec2 uv; vec3 normal; } fs_in;\nin vec2 taps[3];\nout vec4 o;\n"
         "void main() { o = vec4(fs_in.uv.x, fs_in.normal.z, taps[2].x, 1.0); }\n",
         1);
-    CHECK(seen[0] == doctest::Approx(0.75).epsilon(0.01));
-    CHECK(seen[1] == 1.0f);
-    CHECK(seen[2] == doctest::Approx(0.75).epsilon(0.01));
+    CHECK(drawn[0] == doctest::Approx(0.75).epsilon(0.01));
+    CHECK(drawn[1] == 1.0f);
+    CHECK(drawn[2] == doctest::Approx(0.75).epsilon(0.01));
 }
 
 TEST_CASE("glslViewer double buffers accumulate, buffers start empty, and months count from 0") {
-    const auto seen = fragment_texel(
+    const auto drawn = fragment_texel(
         "uniform vec4 u_date;\nuniform sampler2D u_buffer0;\nuniform sampler2D u_doubleBuffer0;\n"
         "void main() {\n"
         "#ifdef BUFFER_0\n    gl_FragColor = vec4(0.125);\n"
@@ -57,7 +57,7 @@ TEST_CASE("glslViewer double buffers accumulate, buffers start empty, and months
         "#else\n    gl_FragColor = vec4(texture2D(u_doubleBuffer0, vec2(0.5)).r, u_date.y, "
         "u_date.x / 2000.0, 1.0);\n#endif\n}\n",
         3);
-    CHECK(seen[0] == doctest::Approx(0.375).epsilon(0.01));
-    CHECK(seen[1] == 0.0f);
-    CHECK(seen[2] == 1.0f);
+    CHECK(drawn[0] == doctest::Approx(0.375).epsilon(0.01));
+    CHECK(drawn[1] == 0.0f);
+    CHECK(drawn[2] == 1.0f);
 }

@@ -11,7 +11,7 @@ namespace {
 const std::map<std::string, double> kept_window{{"width", 1000.0}, {"scale", 1.25}};
 
 // The session after the end of the program, whether it was closed or killed.
-Session kept(SmallLab& small) {
+Session stored(SmallLab& small) {
     REQUIRE(save_session(small.roots(), session_of(small.lab(), kept_window)).has_value());
     Diagnostics warnings;
     Session session = load_session(small.roots(), warnings);
@@ -35,7 +35,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     small.turn(5);
     small.lab().player().pause();
     const double time = small.player().transport().time();
-    const Session session = kept(small);
+    const Session session = stored(small);
     CHECK(session.window == kept_window);
 
     small.start();
@@ -79,7 +79,7 @@ TEST_CASE("a paused picture whose first replay is cancelled is drawn with a part
     SmallLab small;
     small.turn(30);
     small.lab().player().pause();
-    const Session session = kept(small);
+    const Session session = stored(small);
     small.start();
     restore(small.lab(), session);
     REQUIRE(small.turn_until(
@@ -94,7 +94,7 @@ TEST_CASE("a paused picture whose first replay is cancelled is drawn with a part
 TEST_CASE("values follow a look that was edited between two sessions") {
     SmallLab small;
     set_gain(small, 3.0);
-    const Session session = kept(small);
+    const Session session = stored(small);
     small.write("gain.glsl", "uniform float strength = 1.0;  // @range 0 8 @was gain\n");
     small.write("show.frag", replaced(small_look::show, "* gain", "* strength"));
     small.start();
@@ -105,11 +105,11 @@ TEST_CASE("values follow a look that was edited between two sessions") {
 
 TEST_CASE("unsaved changes are stored when another look opens, and can be restored") {
     SmallLab small;
-    small.lab().looks().keep_unsaved(kept(small));
+    small.lab().looks().keep_unsaved(stored(small));
     CHECK(small.lab().looks().kept_sessions().files().empty());  // nothing unsaved
     set_gain(small, 3.0);
-    small.lab().looks().keep_unsaved(kept(small));
-    small.lab().looks().keep_unsaved(kept(small));
+    small.lab().looks().keep_unsaved(stored(small));
+    small.lab().looks().keep_unsaved(stored(small));
     REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);  // without a duplicate
     const fs::path three = small.lab().looks().kept_sessions().files().front();
     CHECK(small.lab().looks().kept_sessions().list().front().look == "small");
@@ -208,7 +208,7 @@ TEST_CASE("favourites, locks and slider ranges are restored, even after leaving 
     });
     small.lab().parameters().set_slider_ends("gain", Limit{1.0, 3.0});
     const ParameterSetting gain{true, true, Limit{1.0, 3.0}};
-    const Session session = kept(small);
+    const Session session = stored(small);
     small.start();
     small.lab().parameters().set_all(session.parameter_settings);
     small.lab().looks().open("small");

@@ -133,9 +133,9 @@ TEST_CASE("a default cube is a sky: brighter and bluer above than below") {
         "0.1)).b, "
         "textureSize(iChannel1, 0).x, 0.0);",
         R"({"channel": 1, "type": "cubemap", "sampler": {"filter": "linear"}})");
-    const Texel seen = shadertoy.after(1);
-    CHECK(seen[0] > seen[1] + 0.2f);
-    CHECK(seen[2] == 128.0f);
+    const Texel drawn = shadertoy.after(1);
+    CHECK(drawn[0] > drawn[1] + 0.2f);
+    CHECK(drawn[2] == 128.0f);
 }
 
 namespace {
@@ -166,27 +166,27 @@ TEST_CASE("a cube and a volume read files in the folder of the shader") {
     const Picture slices{{2, 4}, 1, Encoding::display, {0.2f, 0.2f, 0.2f, 0.2f, 1, 1, 1, 1}};
     REQUIRE(save_picture(faces, folder / "faces.png").has_value());
     REQUIRE(save_picture(slices, folder / "slices.png").has_value());
-    const auto seen = drawn_beside(
+    const auto drawn = drawn_beside(
         folder,
         "vec4(texture(iChannel0, vec3(0, -1, 0)).r, texture(iChannel1, vec3(0.5, 0.5, 0.75)).r, "
         "0.0, 1.0)",
         R"({"channel": 0, "type": "cubemap", "filepath": "faces.png"},
            {"channel": 1, "type": "volume", "filepath": "slices.png"})");
-    REQUIRE_MESSAGE(seen.has_value(), problems_of(seen));
-    CHECK(seen->pixels[0] == doctest::Approx(0.6).epsilon(0.01));
-    CHECK(seen->pixels[1] == doctest::Approx(1.0).epsilon(0.01));
+    REQUIRE_MESSAGE(drawn.has_value(), problems_of(drawn));
+    CHECK(drawn->pixels[0] == doctest::Approx(0.6).epsilon(0.01));
+    CHECK(drawn->pixels[1] == doctest::Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("a file that cannot be a cube is reported with its size") {
     const TemporaryFolder folder;
     const Picture neither{{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)};
     REQUIRE(save_picture(neither, folder / "neither.png").has_value());
-    const auto seen =
+    const auto drawn =
         drawn_beside(folder, "texture(iChannel0, vec3(1, 0, 0))",
                      R"({"channel": 0, "type": "cubemap", "filepath": "neither.png"})");
-    REQUIRE_FALSE(seen.has_value());
-    CHECK(seen.error().front().file == folder / "neither.png");
-    CHECK(seen.error().front().message.starts_with("can't be a cube map at 5 x 3 px."));
+    REQUIRE_FALSE(drawn.has_value());
+    CHECK(drawn.error().front().file == folder / "neither.png");
+    CHECK(drawn.error().front().message.starts_with("can't be a cube map at 5 x 3 px."));
 }
 
 TEST_CASE("Cube A is read in the directions in which it was drawn") {
@@ -220,10 +220,10 @@ TEST_CASE("a default volume is repeating noise of 32 texels per side") {
         "texture(iChannel1, at).r - texture(iChannel1, at + 1.0).r, texture(iChannel1, at).r, "
         "0.0);",
         R"({"channel": 1, "type": "volume", "sampler": {"filter": "linear", "wrap": "repeat"}})");
-    const Texel seen = shadertoy.after(1);
-    CHECK(seen[0] == 32.0f);
-    CHECK(std::abs(seen[1]) < 0.01f);
-    CHECK(seen[2] > 0.0f);
+    const Texel drawn = shadertoy.after(1);
+    CHECK(drawn[0] == 32.0f);
+    CHECK(std::abs(drawn[1]) < 0.01f);
+    CHECK(drawn[2] > 0.0f);
 }
 
 TEST_CASE("the resolution of a volume includes its depth") {

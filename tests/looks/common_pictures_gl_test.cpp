@@ -31,13 +31,13 @@ Beam figure(int frame) {
 class Seen {
 public:
     Seen(const Look& look, const Programs& programs, const Values& values, Redraws frames)
-        : m_executors(look, programs) {
+        : m_executors(Executor(look, programs)) {
         m_executors.picture().set_values(values);
         REQUIRE(m_executors.picture().resize(size, size).has_value());
         REQUIRE(m_executors.set_source(colors(), 1.0).has_value());
-        std::vector<bool> seen(look.passes.size(), false);
-        seen.back() = true;
-        REQUIRE(m_executors.picture().set_displayed(seen, frames).has_value());
+        std::vector<bool> displayed(look.passes.size(), false);
+        displayed.back() = true;
+        REQUIRE(m_executors.picture().set_displayed(displayed, frames).has_value());
     }
 
     std::vector<float> picture_of(int frame) {

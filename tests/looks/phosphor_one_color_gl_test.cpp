@@ -15,7 +15,7 @@ Beam arc() {
     return beam;
 }
 
-Picture seen(Tube& tube, const Values& values, bool is_one) {
+Picture displayed(Tube& tube, const Values& values, bool is_one) {
     tube.restart(with(values, {{"one_color", Value(is_one ? 1.0 : 0.0)}}));
     for (int i = 0; i < 3; ++i)
         tube.draw(arc());
@@ -33,13 +33,13 @@ TEST_CASE("one colour shows the same picture from a single channel") {
           Values{{"aberration", Value(0.0)}, {"curvature", Value(0.0)}},
           Values{{"as_written", Value(1.0)}, {"ceiling", Value(1000.0)}}}) {
         CAPTURE(values.empty() ? "" : values.begin()->first);
-        const Picture all = seen(tube, with(common, values), false);
-        const Picture one = seen(tube, with(common, values), true);
+        const Picture all = displayed(tube, with(common, values), false);
+        const Picture one = displayed(tube, with(common, values), true);
         const auto apart = difference_between(all, one, 0.0);
         REQUIRE(apart.has_value());
         CHECK(apart->largest < 1e-4);
-        const Picture kept = tube.target("persistence");
-        CHECK(kept.channels == 1);
+        const Picture persistence = tube.target("persistence");
+        CHECK(persistence.channels == 1);
     }
 }
 
@@ -58,8 +58,9 @@ TEST_CASE("the picture is the same whether or not the beam has its own target") 
                 CAPTURE(as_written);
                 const Values values =
                     with(common, {{"ceiling", Value(ceiling)}, {"as_written", Value(as_written)}});
-                const Picture wanted = seen(apart, values, is_one);
-                const auto difference = difference_between(wanted, seen(onto, values, is_one), 0.0);
+                const Picture wanted = displayed(apart, values, is_one);
+                const auto difference =
+                    difference_between(wanted, displayed(onto, values, is_one), 0.0);
                 CHECK_FALSE(apart.is_drawn_onto("beam"));
                 REQUIRE(onto.is_drawn_onto("beam"));
                 REQUIRE(difference.has_value());
@@ -70,5 +71,5 @@ TEST_CASE("the picture is the same whether or not the beam has its own target") 
 TEST_CASE("a measured tube keeps its three terms, whatever the custom tube's settings") {
     Tube tube({}, {64, 64});
     const Values measured{{"tube", Value(9.0)}, {"dither", Value(0.0)}};
-    CHECK(seen(tube, measured, true) == seen(tube, measured, false));
+    CHECK(displayed(tube, measured, true) == displayed(tube, measured, false));
 }

@@ -44,9 +44,9 @@ public:
     /// From now on only the last pass is displayed.
     void look_at_the_last() {
         m_context->make_current();
-        std::vector<bool> seen(m_executors->picture().look().passes.size(), false);
-        seen.back() = true;
-        REQUIRE(m_executors->picture().set_displayed(seen, Redraws::possible).has_value());
+        std::vector<bool> displayed(m_executors->picture().look().passes.size(), false);
+        displayed.back() = true;
+        REQUIRE(m_executors->picture().set_displayed(displayed, Redraws::possible).has_value());
     }
     bool is_drawn_onto(const char* pass) const {
         const Executor& executor = m_executors->picture();

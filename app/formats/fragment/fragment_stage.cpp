@@ -61,7 +61,7 @@ private:
     void clean_one(std::size_t layout) {
         constexpr std::array<std::string_view, 4> numbers{"location", "binding", "set",
                                                           "component"};
-        std::vector<std::string> kept;
+        std::vector<std::string> remaining;
         std::size_t from = layout + 2;
         std::size_t at = from;
         for (int depth = 0; at < m_tokens.size(); ++at) {
@@ -73,7 +73,7 @@ private:
             const bool is_number =
                 from < at && std::ranges::find(numbers, m_tokens[from].text) != numbers.end();
             if (from < at && !is_number)
-                kept.emplace_back(between(from, at));
+                remaining.emplace_back(between(from, at));
             from = at + 1;
             if (ends)
                 break;
@@ -82,8 +82,8 @@ private:
             return;
         const std::size_t begin = place_of(layout);
         m_done.append(m_text.substr(m_at, begin - m_at));
-        if (!kept.empty())
-            m_done += fmt::format("layout({})", fmt::join(kept, ", "));
+        if (!remaining.empty())
+            m_done += fmt::format("layout({})", fmt::join(remaining, ", "));
         const std::size_t end = place_of(at) + 1;
         const std::string_view gone = m_text.substr(begin, end - begin);
         m_done.append(static_cast<std::size_t>(std::ranges::count(gone, '\n')), '\n');

@@ -269,19 +269,19 @@ private:
     // The last pass drawn into a target before `reader`, in this frame or the previous one.
     std::optional<Input> target_input(const std::string& target, std::size_t reader) const {
         std::optional<std::size_t> drawn;
-        std::optional<std::size_t> kept;
+        std::optional<std::size_t> drawn_before;
         for (std::size_t i = 0; i < m_header.passes.size(); ++i) {
             if (m_header.passes[i].target != target)
                 continue;
             if (i < reader)
                 drawn = i;
             if (m_header.passes[i].is_persistent)
-                kept = i;
+                drawn_before = i;
         }
         if (drawn)
             return Input{{}, Input::From::pass, m_names[*drawn], 0, {}};
-        if (kept)
-            return Input{{}, Input::From::pass, m_names[*kept], 1, {}};
+        if (drawn_before)
+            return Input{{}, Input::From::pass, m_names[*drawn_before], 1, {}};
         return std::nullopt;  // not drawn yet: transparent black
     }
 

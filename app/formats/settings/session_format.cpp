@@ -253,8 +253,8 @@ private:
             Slots& slots = all[look.key];
             for (std::size_t i = 0; i < slots.size(); ++i)
                 if (const JsonValue* slot = reader.find(slot_name(i))) {
-                    const Preset kept = preset(*slot);
-                    slots[i] = Slot{kept.name, kept.values};
+                    const Preset stored = preset(*slot);
+                    slots[i] = Slot{stored.name, stored.values};
                 }
             reader.refuse_unknown();
         }

@@ -66,13 +66,13 @@ Answer CheckCache::remembered(std::map<ProgramKey, Answer>& known, const Stage& 
     }
     const std::string question = fmt::format("{} {}{} {}", kind.name, to_string(m_limits),
                                              digest_of_stage(vertex), digest_of_stage(fragment));
-    const auto kept = m_kept ? m_kept->find(question) : std::nullopt;
-    auto unpacked = kept ? kind.unpack(*kept) : std::nullopt;
+    const auto stored = m_store ? m_store->find(question) : std::nullopt;
+    auto unpacked = stored ? kind.unpack(*stored) : std::nullopt;
     Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment, m_limits);
     if (!unpacked)
         ++m_compilations;
-    if (!unpacked && answer && m_kept && m_keeps)
-        m_kept->keep(question, packed(*answer));
+    if (!unpacked && answer && m_store && m_keeps)
+        m_store->keep(question, packed(*answer));
     const std::scoped_lock lock(m_mutex);
     make_room(known);
     known.insert_or_assign(key, answer);

@@ -18,8 +18,8 @@ class CheckCache {
 public:
     /// Successful results are also stored in `kept`, which may hold results of a previous run.
     /// Null: no store.
-    explicit CheckCache(ByteStore* kept = nullptr, const ShaderLimits& limits = {})
-        : m_kept(kept), m_limits(limits) {}
+    explicit CheckCache(ByteStore* stored = nullptr, const ShaderLimits& limits = {})
+        : m_store(stored), m_limits(limits) {}
 
     const ShaderLimits& limits() const { return m_limits; }
     /// Whether new results are stored for later runs; true by default.
@@ -43,7 +43,7 @@ private:
     Answer remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
                       const Stage& fragment, const Kind& kind);
 
-    ByteStore* m_kept;
+    ByteStore* m_store;
     ShaderLimits m_limits;
     std::atomic<bool> m_keeps = true;
     std::atomic<int> m_compilations = 0;

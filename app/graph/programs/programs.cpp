@@ -50,13 +50,13 @@ PassProgram wanted_for(const Pass& pass) {
     return {vertex_stage_of(pass).text, pass.fragment.text, pass.draw, pass.set, nullptr};
 }
 
-Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* kept,
+Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* store,
                                const std::shared_ptr<gpu::Context>& home) {
     Diagnostics problems = check_inputs(pass);
     PassProgram made = wanted_for(pass);
     made.program = reusable.take(made);
     if (!made.program) {
-        auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, kept);
+        auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, store);
         if (program)
             made.program = gpu::ending_in(home, std::move(*program));
         else
@@ -82,7 +82,7 @@ bool serves(const Programs& programs, const Look& look) {
         look.passes, [&](const Pass& pass) { return reusable.take(wanted_for(pass)) != nullptr; });
 }
 
-Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* kept,
+Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* store,
                                 PassProgress* progress, const std::shared_ptr<gpu::Context>& home) {
     Programs programs{{}, home};
     Diagnostics problems;
@@ -92,7 +92,7 @@ Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteSto
     for (const Pass& pass : look.passes) {
         if (progress && !progress->next(pass.name))
             return fail({look.manifest, 0, "opening was cancelled"});
-        auto made = build_pass(pass, reusable, kept, home);
+        auto made = build_pass(pass, reusable, store, home);
         if (made)
             programs.passes.push_back(std::move(*made));
         else

@@ -48,5 +48,5 @@ bool serves(const Programs& programs, const Look& look);
 /// gpu::Program::build. `progress` may be null; if cancelled there, it fails. New programs are
 /// destroyed in `home`.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
-                                ByteStore* kept = nullptr, PassProgress* progress = nullptr,
+                                ByteStore* store = nullptr, PassProgress* progress = nullptr,
                                 const std::shared_ptr<gpu::Context>& home = nullptr);

@@ -76,7 +76,7 @@ Words sound_words(const std::string& ending) {
 }
 
 Words command_of(const std::string& ending, const FilmFormat& format, int step) {
-    const FilmRate kept = film_rate_of(format.rate.number() / step);
+    const FilmRate rate = film_rate_of(format.rate.number() / step);
     Words words{"ffmpeg",
                 "-v",
                 "error",
@@ -89,7 +89,7 @@ Words command_of(const std::string& ending, const FilmFormat& format, int step) 
                 "-video_size",
                 fmt::format("{}x{}", format.extent.width, format.extent.height),
                 "-framerate",
-                kept.text('/'),
+                rate.text('/'),
                 "-i",
                 "pipe:0"};
     const bool has_sound = format.sound.rate > 0;

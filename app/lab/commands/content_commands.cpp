@@ -153,9 +153,9 @@ void ContentCommands::offer_own(const Preset& preset) {
     if (is_signal ? is_same_content(own.signal, present.signal)
                   : is_same_content(own.source, present.source))
         return;
-    const std::string kept = fmt::format("Kept {}", content_name(present, look));
+    const std::string text = fmt::format("Kept {}", content_name(present, look));
     m_work.messages.append(
-        kept, {.name = use_content_words(look),
+        text, {.name = use_content_words(look),
                .commands = {[own](Document& document) { use_content(document, own); }}});
 }
 

@@ -143,7 +143,7 @@ void LookCommands::set_include_folders(const std::vector<fs::path>& folders) {
 
 void LookCommands::keep_unsaved(const Session& session,
                                 const std::function<std::optional<Picture>()>& picture) {
-    const auto kept = m_kept_sessions.keep(session, picture);
-    if (m_work.messages.succeeded(kept) && *kept)
+    const auto stored = m_kept_sessions.keep(session, picture);
+    if (m_work.messages.succeeded(stored) && *stored)
         m_work.messages.say("Your unsaved changes are kept in File > Unsaved changes");
 }

@@ -98,8 +98,8 @@ namespace {
 template <class T>
 void keep(const std::map<std::string, T>& present, const std::string& here,
           std::map<std::string, T>& next, const std::string& there) {
-    if (const auto kept = present.find(here); kept != present.end())
-        next[there] = kept->second;
+    if (const auto found_entry = present.find(here); found_entry != present.end())
+        next[there] = found_entry->second;
     else
         next.erase(there);
 }

@@ -13,14 +13,14 @@ public:
     explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
 
     /// A displayed frame; `number` changes whenever the picture may have changed.
-    struct Seen {
+    struct DisplayedFrame {
         const gpu::Texture& picture;
         Encoding encoding;
         std::uint64_t number;
     };
     /// Call it after a frame with the time of its display. A static picture is only measured until
     /// its flashes have expired. Never waits for the GPU.
-    void update(const Seen& seen, double seconds);
+    void update(const DisplayedFrame& frame, double seconds);
     /// Discards all measurements; call it when nothing is displayed.
     void stop();
 

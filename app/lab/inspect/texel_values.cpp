@@ -60,8 +60,8 @@ void CellNumbers::stop() {
 
 void CellNumbers::update(TexelReader& reader, const Subject& subject, double seconds) {
     constexpr double pause_seconds = 0.2;
-    Block seen = seen_cells(subject);
-    if (seen.count.is_empty())
+    Block visible = seen_cells(subject);
+    if (visible.count.is_empty())
         return stop();
     if (subject.name != m_name) {
         stop();  // discard numbers of another texture
@@ -72,14 +72,14 @@ void CellNumbers::update(TexelReader& reader, const Subject& subject, double sec
         m_block = m_asked;
         m_block.numbers = std::move(*numbers);
     }
-    const bool is_moved = !is_same_place(seen, m_asked);
+    const bool is_moved = !is_same_place(visible, m_asked);
     m_is_late = is_moved || m_picture != subject.picture;
     if (m_answer.is_busy() || !m_is_late || (!is_moved && seconds < m_due))
         return;
     m_answer.ask(reader, subject.texture,
-                 {.count = seen.count,
-                  .first = {static_cast<double>(seen.left), static_cast<double>(seen.top)}});
-    m_asked = std::move(seen);
+                 {.count = visible.count,
+                  .first = {static_cast<double>(visible.left), static_cast<double>(visible.top)}});
+    m_asked = std::move(visible);
     m_picture = subject.picture;
     m_due = seconds + pause_seconds;
     m_is_late = false;

@@ -44,9 +44,9 @@ void Waveform::take(double seconds) {
     m_come = m_rows;
     double least = 0.0;
     double greatest = 0.0;
-    const int seen = std::min(m_channels, 3);
+    const int plotted_channels = std::min(m_channels, 3);
     for (const auto& rgba : m_numbers)
-        for (int i = 0; i < seen; ++i) {
+        for (int i = 0; i < plotted_channels; ++i) {
             const double number = rgba[static_cast<std::size_t>(i)];
             if (!std::isfinite(number))
                 continue;

@@ -127,9 +127,9 @@ MenuSection drawing_section(const DrawingBoard& board) {
 }
 
 // The menu displays them with pictures.
-MenuSection unsaved_section(const KeptSessions& kept) {
+MenuSection unsaved_section(const KeptSessions& sessions) {
     MenuSection section{"Unsaved changes"};
-    for (const KeptSession& session : kept.list())
+    for (const KeptSession& session : sessions.list())
         section.entries.push_back(
             {.name = session.preset.empty() ? session.look
                                             : fmt::format("{} – {}", session.look, session.preset),

@@ -148,14 +148,14 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
         return fail(preset.error());
-    auto kept = shader_cache(library.roots());
-    CheckCache checks(kept.get(), library.roots().shader_limits);
+    auto cache = shader_cache(library.roots());
+    CheckCache checks(cache.get(), library.roots().shader_limits);
     LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     Prepared prepared{.document = Document(std::move(*loaded.look)),
                       .warnings = std::move(loaded.warnings),
-                      .shader_cache = std::move(kept),
+                      .shader_cache = std::move(cache),
                       .progress = request.progress,
                       .sender_seconds = request.sender_seconds};
     const fs::path preset_file = preset->preset_file;
@@ -230,11 +230,11 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto programs = build_programs(look, nullptr, prepared.shader_cache.get(), prepared.progress);
     if (!programs)
         return fail(programs.error());
-    const auto seen = prepared.seen;
+    const auto displayed = prepared.displayed;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.take_values();  // first, because sizes can depend on them
-    if (seen)
-        if (auto done = offline.show_to(offline.seen_with_picture(*seen)); !done)
+    if (displayed)
+        if (auto done = offline.show_to(offline.displayed_with_picture(*displayed)); !done)
             return fail(done.error());
     if (auto done = offline.m_executors.picture().resize(size, size); !done)
         return fail(done.error());
@@ -357,15 +357,15 @@ bool Offline::is_animated(const Parameter& parameter) const {
            m_document.state().modulations.contains(parameter.name);
 }
 
-Result<void> Offline::specialize(const std::vector<std::string>& seen) {
+Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
     const Look look = executor().look();
     const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
         return parameter.is_constant && is_animated(parameter);
     });
     if (turns_texts || m_generic)
         return {};
-    const std::vector<bool> is_seen = seen_with_picture(seen);
-    if (auto done = show_to(is_seen); !done)
+    const std::vector<bool> is_displayed = displayed_with_picture(displayed);
+    if (auto done = show_to(is_displayed); !done)
         return done;
     SpecializedTexts texts;
     const auto programs = build_programs(specialized_look(
@@ -377,23 +377,23 @@ Result<void> Offline::specialize(const std::vector<std::string>& seen) {
     if (auto done = m_executors.picture().replace(look, *programs); !done)
         return done;
     std::vector<PassRun> runs;
-    for (const bool is_read : read_for(executor(), is_seen))
+    for (const bool is_read : read_for(executor(), is_displayed))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
     return m_executors.picture().set_runs(runs);
 }
 
-std::vector<bool> Offline::seen_with_picture(const std::vector<std::string>& names) const {
-    std::vector<bool> seen;
+std::vector<bool> Offline::displayed_with_picture(const std::vector<std::string>& names) const {
+    std::vector<bool> displayed;
     for (const Pass& pass : executor().look().passes)
-        seen.push_back(std::ranges::find(names, pass.name) != names.end());
-    seen.back() = true;
-    return seen;
+        displayed.push_back(std::ranges::find(names, pass.name) != names.end());
+    displayed.back() = true;
+    return displayed;
 }
 
-Result<void> Offline::show_to(const std::vector<bool>& seen) {
+Result<void> Offline::show_to(const std::vector<bool>& displayed) {
     if (turns_sharing())
         return {};
-    return m_executors.picture().set_displayed(seen, Redraws::never);
+    return m_executors.picture().set_displayed(displayed, Redraws::never);
 }
 
 // Specialised programs support only one plan.

@@ -50,7 +50,7 @@ struct Prepared {
     std::optional<OutsideContent> outside = {};
     // For programs that are specialised before the first frame: the displayed passes besides the
     // picture. Others then need no memory. nullopt: all passes can be displayed.
-    std::optional<std::vector<std::string>> seen = {};
+    std::optional<std::vector<std::string>> displayed = {};
 };
 Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
@@ -93,10 +93,10 @@ public:
     /// because context and programs stay. Fails like create().
     Result<void> start_again(Document document);
     /// Switches to specialised programs, for drawing many frames. Automated and modulated
-    /// parameters stay uniforms. Passes that affect neither the picture nor the passes in `seen`
-    /// are omitted. Frames are cheaper, after compiling. If the driver refuses the programs,
-    /// nothing changes. start_again() ends it.
-    Result<void> specialize(const std::vector<std::string>& seen = {});
+    /// parameters stay uniforms. Passes that affect neither the picture nor the passes in
+    /// `displayed` are omitted. Frames are cheaper, after compiling. If the driver refuses the
+    /// programs, nothing changes. start_again() ends it.
+    Result<void> specialize(const std::vector<std::string>& displayed = {});
     /// How NaN and infinity are handled. By default they are clamped, and the first one is reported
     /// with the problems.
     Result<void> set_nan_policy(NanPolicy guard) {
@@ -128,8 +128,8 @@ private:
     void take_values();
     bool is_animated(const Parameter& parameter) const;
     bool turns_sharing() const;
-    std::vector<bool> seen_with_picture(const std::vector<std::string>& names) const;
-    Result<void> show_to(const std::vector<bool>& seen);
+    std::vector<bool> displayed_with_picture(const std::vector<std::string>& names) const;
+    Result<void> show_to(const std::vector<bool>& displayed);
     Result<void> end_specialized();
     Result<void> follow_constants();
     void apply_automation(double seconds);

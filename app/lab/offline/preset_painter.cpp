@@ -183,8 +183,8 @@ Result<Picture> PresetPainter::paint(const fs::path& preset, const Work& work) {
     const fs::path file = kept_file(preset);
     std::error_code error;
     if (fs::exists(file, error))
-        if (auto kept = load_picture(file))
-            return kept;
+        if (auto cached = load_picture(file))
+            return cached;
     auto picture = draw(std::move(*made), work);
     if (!picture)
         return picture;

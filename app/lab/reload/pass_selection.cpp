@@ -5,9 +5,9 @@
 std::vector<bool> PassSelection::of(const Look& look) const {
     if (are_all || look.passes.empty())
         return {};
-    std::vector<bool> seen;
+    std::vector<bool> displayed;
     for (const Pass& pass : look.passes)
-        seen.push_back(std::ranges::find(names, pass.name) != names.end());
-    seen.back() = true;
-    return seen;
+        displayed.push_back(std::ranges::find(names, pass.name) != names.end());
+    displayed.back() = true;
+    return displayed;
 }

@@ -50,18 +50,18 @@ fs::path picture_of(const fs::path& file) {
 // A damaged file is listed by its file name.
 KeptSession described(const fs::path& file) {
     std::error_code error;
-    KeptSession kept;
-    kept.file = file;
-    kept.picture = picture_of(file);
-    kept.time = fs::last_write_time(file, error);
-    kept.look =
+    KeptSession listed;
+    listed.file = file;
+    listed.picture = picture_of(file);
+    listed.time = fs::last_write_time(file, error);
+    listed.look =
         file.stem().string().substr(std::min(number_digits + 1, file.stem().string().size()));
     if (const auto session = KeptSessions::read(file)) {
-        kept.look = session->current.preset.look;
-        kept.preset = session->saved.preset.name;
-        kept.changes = count_changes(*session);
+        listed.look = session->current.preset.look;
+        listed.preset = session->saved.preset.name;
+        listed.changes = count_changes(*session);
     }
-    return kept;
+    return listed;
 }
 
 bool holds_the_same(const Session& a, const Session& b) {
@@ -102,7 +102,7 @@ Result<bool> KeptSessions::keep(const Session& session,
     int number = 1;
     if (!m_files.empty()) {
         const fs::path& latest = m_files.front();
-        if (const auto kept = read(latest); kept && holds_the_same(*kept, session))
+        if (const auto stored = read(latest); stored && holds_the_same(*stored, session))
             return true;
         number = std::stoi(latest.filename().string().substr(0, number_digits)) + 1;
     }

@@ -5,18 +5,18 @@
 
 PassSelection displayed_passes(const Lab& lab, const WindowState& window) {
     const bool has_panels = !window.is_picture_only;
-    PassSelection seen{.are_all = false};
+    PassSelection displayed{.are_all = false};
     if (const Document* document = lab.document())
-        seen.names.push_back(
+        displayed.names.push_back(
             document->look()
                 .passes.at(static_cast<std::size_t>(lab.frames().passes().picture_pass()))
                 .name);
     if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
-        seen.names.push_back(window.inspected.pass);
+        displayed.names.push_back(window.inspected.pass);
         if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)
-            seen.names.push_back(other->name);
+            displayed.names.push_back(other->name);
     }
     if (window.probe)
-        seen.names.push_back(window.probe->pass);
-    return seen;
+        displayed.names.push_back(window.probe->pass);
+    return displayed;
 }

@@ -188,11 +188,11 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
         window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)
-        if (const auto kept = number(numbers, name, 0.0, 1.0))
-            window.*is_on = *kept != 0.0;
+        if (const auto stored = number(numbers, name, 0.0, 1.0))
+            window.*is_on = *stored != 0.0;
     for (const auto& [name, size] : sizes)
-        if (const auto kept = number(numbers, name, 60.0, 2000.0))
-            window.panes.*size = static_cast<float>(*kept);
+        if (const auto stored = number(numbers, name, 60.0, 2000.0))
+            window.panes.*size = static_cast<float>(*stored);
     restore_looking(numbers, window);
     window.used = restored_use(numbers, used_prefix);
     window.recent_files = restored_use(numbers, recent_prefix);

@@ -78,13 +78,14 @@ Columns seen_columns(const PicturePlace& place, Extent picture, Extent size) {
 }  // namespace
 
 int wipe_column(const PicturePlace& place, Extent picture, Extent size, double share) {
-    const Columns seen = seen_columns(place, picture, size);
-    return static_cast<int>(std::lround(seen.left + share * (seen.right - seen.left)));
+    const Columns columns = seen_columns(place, picture, size);
+    return static_cast<int>(std::lround(columns.left + share * (columns.right - columns.left)));
 }
 
 double wipe_share(const PicturePlace& place, Extent picture, Extent size, double column) {
-    const Columns seen = seen_columns(place, picture, size);
-    return std::clamp((column - seen.left) / std::max(seen.right - seen.left, 1.0), 0.0, 1.0);
+    const Columns columns = seen_columns(place, picture, size);
+    return std::clamp((column - columns.left) / std::max(columns.right - columns.left, 1.0), 0.0,
+                      1.0);
 }
 
 std::array<int, 2> Pin::texel(Extent extent) const {

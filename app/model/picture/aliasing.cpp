@@ -112,8 +112,8 @@ double unevenness_of(double period) {
 }
 
 std::optional<double> visible_beat(double period, double length) {
-    constexpr double seen = 0.05;
-    if (!(period > 0.0) || unevenness_of(period) < seen)
+    constexpr double least_visible = 0.05;
+    if (!(period > 0.0) || unevenness_of(period) < least_visible)
         return std::nullopt;
     const double beat = beat_of(period);
     return beat <= length ? std::optional(beat) : std::nullopt;

@@ -81,9 +81,11 @@ Picture from_panorama(const Picture& flat) {
     for (int face = 0; face < cube_faces; ++face)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x) {
-                const Direction seen = cube_direction(face, (x + 0.5) / side, (y + 0.5) / side);
-                const double longitude = std::atan2(seen.x, seen.z);
-                const double latitude = std::atan2(seen.y, std::hypot(seen.x, seen.z));
+                const Direction direction =
+                    cube_direction(face, (x + 0.5) / side, (y + 0.5) / side);
+                const double longitude = std::atan2(direction.x, direction.z);
+                const double latitude =
+                    std::atan2(direction.y, std::hypot(direction.x, direction.z));
                 append_sample(flat,
                               (0.5 + longitude / (2.0 * std::numbers::pi)) * flat.extent.width,
                               (0.5 - latitude / std::numbers::pi) * flat.extent.height, solid);

@@ -127,16 +127,17 @@ void drop_unused(const Look& look, const PlanTerms& terms, Plan& plan) {
 
 // A picture that only one pass uses is not shared.
 void drop_lonely(Plan& plan) {
-    std::vector<CommonPicture> kept;
+    std::vector<CommonPicture> remaining;
     for (std::size_t i = 0; i < plan.common.size(); ++i) {
         const auto users = std::ranges::count(plan.targets, i, &PlannedTarget::common);
         for (PlannedTarget& target : plan.targets)
             if (target.common == i)
-                target.common = users > 1 ? std::optional<std::size_t>(kept.size()) : std::nullopt;
+                target.common =
+                    users > 1 ? std::optional<std::size_t>(remaining.size()) : std::nullopt;
         if (users > 1)
-            kept.push_back(plan.common[i]);
+            remaining.push_back(plan.common[i]);
     }
-    plan.common = std::move(kept);
+    plan.common = std::move(remaining);
     for (PlannedTarget& target : plan.targets)
         if (!target.common)
             target.held_until = 0;

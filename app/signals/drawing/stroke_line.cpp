@@ -139,9 +139,9 @@ std::vector<BeamPlace> simplified(const std::vector<BeamPlace>& points, double t
         open.push_back({first, farthest});
         open.push_back({farthest, last});
     }
-    std::vector<BeamPlace> kept;
+    std::vector<BeamPlace> remaining;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (is_kept[i])
-            kept.push_back(points[i]);
-    return kept;
+            remaining.push_back(points[i]);
+    return remaining;
 }

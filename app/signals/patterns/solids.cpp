@@ -18,7 +18,7 @@ LinearColor mixed(const LinearColor& a, const LinearColor& b, double share) {
             std::lerp(a[2], b[2], share)};
 }
 
-LinearColor color_of_sky(const Direction& seen) {
+LinearColor color_of_sky(const Direction& direction) {
     constexpr LinearColor zenith{0.20, 0.42, 0.75};
     constexpr LinearColor haze{0.80, 0.86, 0.92};
     constexpr LinearColor near_ground{0.30, 0.27, 0.23};
@@ -26,13 +26,14 @@ LinearColor color_of_sky(const Direction& seen) {
     constexpr LinearColor cloud{0.98, 0.98, 1.0};
     constexpr LinearColor sunlight{1.0, 0.97, 0.85};
     constexpr std::array sun{0.48, 0.60, 0.64};
-    const double length = std::hypot(seen.x, seen.y, seen.z);
-    const double height = seen.y / length;
+    const double length = std::hypot(direction.x, direction.y, direction.z);
+    const double height = direction.y / length;
     if (height < 0.0)
         return mixed(far_ground, near_ground, std::sqrt(-height));
-    const double near = (seen.x * sun[0] + seen.y * sun[1] + seen.z * sun[2]) / length;
-    const double noise =
-        tiled_fractal_noise({seen.x / length * 0.5, height * 0.9, seen.z / length * 0.5}, 4, 7);
+    const double near =
+        (direction.x * sun[0] + direction.y * sun[1] + direction.z * sun[2]) / length;
+    const double noise = tiled_fractal_noise(
+        {direction.x / length * 0.5, height * 0.9, direction.z / length * 0.5}, 4, 7);
     LinearColor color = mixed(haze, zenith, std::pow(height, 0.6));
     color = mixed(color, cloud, std::clamp((noise - 0.48) * 5.0, 0.0, 0.9) * std::sqrt(height));
     constexpr double disc = 0.995;  // cosine of its angular radius

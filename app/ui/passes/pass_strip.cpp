@@ -115,8 +115,8 @@ void draw_key(const Group& group, float top, const Scene& scene) {
     const ImVec2 text = ImGui::CalcTextSize(group.key.c_str());
     const ImVec2 pad(5.0f * scene.scale, 2.0f * scene.scale);
     const float width = text.x + 2.0f * pad.x;
-    const float seen = std::max(group.left, ImGui::GetWindowPos().x);
-    const float left = std::max(group.left, std::min(seen, group.right - width));
+    const float visible_left = std::max(group.left, ImGui::GetWindowPos().x);
+    const float left = std::max(group.left, std::min(visible_left, group.right - width));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, top}, {left + width, top + text.y + 2.0f * pad.y},
                        theme::packed(theme::popup), 3.0f * scene.scale);
@@ -141,11 +141,11 @@ void go_on(const std::vector<Group>& groups, const std::string& key, const Scene
 // previously inspected pass must be in the same look.
 void follow_chosen(const StripBlock& block, const Scene& scene, Edits& edits) {
     const std::string& chosen = scene.window.inspected.pass;
-    const std::string& seen = scene.window.strip_seen;
-    if (chosen == seen || std::ranges::none_of(block.passes, &StripPass::is_chosen))
+    const std::string& previous = scene.window.strip_seen;
+    if (chosen == previous || std::ranges::none_of(block.passes, &StripPass::is_chosen))
         return;
     edits.arrange([chosen](WindowState& window) { window.strip_seen = chosen; });
-    if (!find_pass(scene.lab.renderer()->executor().look(), seen))
+    if (!find_pass(scene.lab.renderer()->executor().look(), previous))
         return;
     const float left = ImGui::GetWindowPos().x;
     const float right = left + ImGui::GetWindowWidth();

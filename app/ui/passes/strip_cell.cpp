@@ -17,16 +17,16 @@ void draw_image(const ViewImage& image, const Rect& place, float density, float 
                 bool is_faint) {
     const float width = static_cast<float>(image.extent.width) / density;
     const float height = static_cast<float>(image.extent.height) / density;
-    const float seen = std::min(width, place.width);
-    const float left = width > 0.0f ? part * (1.0f - seen / width) : 0.0f;
-    const float right = width > 0.0f ? left + seen / width : 1.0f;
+    const float visible_width = std::min(width, place.width);
+    const float left = width > 0.0f ? part * (1.0f - visible_width / width) : 0.0f;
+    const float right = width > 0.0f ? left + visible_width / width : 1.0f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 start(place.left + std::floor((place.width - seen) * 0.5f),
+    const ImVec2 start(place.left + std::floor((place.width - visible_width) * 0.5f),
                        place.top + std::floor((place.height - height) * 0.5f));
     list.AddRectFilled({place.left, place.top}, {place.right(), place.bottom()},
                        theme::packed(theme::surround));
     if (image.handle != 0)
-        list.AddImage(texture_id(image.handle), start, {start.x + seen, start.y + height},
+        list.AddImage(texture_id(image.handle), start, {start.x + visible_width, start.y + height},
                       {left, 1.0f}, {right, 0.0f},
                       is_faint ? IM_COL32(255, 255, 255, 96) : IM_COL32_WHITE);
 }

@@ -23,15 +23,15 @@ TEST_CASE("a word stays if it is a keyword in the version of the text") {
 }
 
 TEST_CASE("the version is that of #version, else GLSL ES 1.00") {
-    const auto told = [](std::string_view text) {
+    const auto version_in = [](std::string_view text) {
         const GlslVersion version = glsl_version_of(text);
         return std::pair(version.words, version.is_es);
     };
-    CHECK(told("float a;") == std::pair(100, true));
-    CHECK(told("#version 100\n") == std::pair(100, true));
-    CHECK(told("// why\n#version 300 es\n") == std::pair(330, true));
-    CHECK(told("#version 120\n") == std::pair(120, false));
-    CHECK(told("#version 450 core\n") == std::pair(450, false));
+    CHECK(version_in("float a;") == std::pair(100, true));
+    CHECK(version_in("#version 100\n") == std::pair(100, true));
+    CHECK(version_in("// why\n#version 300 es\n") == std::pair(330, true));
+    CHECK(version_in("#version 120\n") == std::pair(120, false));
+    CHECK(version_in("#version 450 core\n") == std::pair(450, false));
 }
 
 TEST_CASE("GL_ES is defined only for ES, under a valid name") {

@@ -53,18 +53,18 @@ TEST_CASE("every shape of a scene is read with its position, rotation and beam s
 }
 
 TEST_CASE("errors in a scene are reported with their lines, all at once") {
-    const std::string told =
+    const std::string message =
         scene_refusal(scene_text("{ \"shape\": \"circle\", \"radus\": 1 },\n"
                                  "{ \"shape\": \"cirlce\" },\n"
                                  "{ \"shape\": \"line\", \"from\": [0], \"to\": [1, 1] },\n"
                                  "{ \"shape\": \"arc\", \"radius\": -1 }"));
-    CHECK(told.find("s.json:2: error: ") != std::string::npos);
-    CHECK(told.find("radus") != std::string::npos);
-    CHECK(told.find("s.json:3: error: ") != std::string::npos);
-    CHECK(told.find("circle") != std::string::npos);
-    CHECK(told.find("s.json:4: error: 'from' must be a list of 2 or 3 numbers") !=
+    CHECK(message.find("s.json:2: error: ") != std::string::npos);
+    CHECK(message.find("radus") != std::string::npos);
+    CHECK(message.find("s.json:3: error: ") != std::string::npos);
+    CHECK(message.find("circle") != std::string::npos);
+    CHECK(message.find("s.json:4: error: 'from' must be a list of 2 or 3 numbers") !=
           std::string::npos);
-    CHECK(told.find("s.json:5: error: 'radius' must be between") != std::string::npos);
+    CHECK(message.find("s.json:5: error: 'radius' must be between") != std::string::npos);
     CHECK(scene_refusal("{ \"format\": \"afterglow-look\" }").find("afterglow-scene") !=
           std::string::npos);
     CHECK(scene_refusal(scene_text("")).find("nothing to draw") != std::string::npos);
@@ -96,10 +96,10 @@ TEST_CASE(
 }
 
 TEST_CASE("invalid vertices of an OBJ are reported with their lines") {
-    const std::string told = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\n");
-    CHECK(told.find("m.obj:3: error: expected 'v' and three numbers") != std::string::npos);
-    CHECK(told.find("m.obj:4: error: unknown vertex 9") != std::string::npos);
-    CHECK(told.find("m.obj:5: error: unknown vertex 0") != std::string::npos);
+    const std::string message = obj_refusal("v 0 0 0\nv 1 0 0\nv 1 nan 0\nf 1 2 9\nf 1 0 2\n");
+    CHECK(message.find("m.obj:3: error: expected 'v' and three numbers") != std::string::npos);
+    CHECK(message.find("m.obj:4: error: unknown vertex 9") != std::string::npos);
+    CHECK(message.find("m.obj:5: error: unknown vertex 0") != std::string::npos);
     CHECK(obj_refusal("v 0 0 0\n").find("no edges") != std::string::npos);
     std::string huge = "v 0 0 0\n";
     for (int i = 2; i < 100010; ++i)

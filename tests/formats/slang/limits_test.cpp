@@ -46,13 +46,14 @@ TEST_CASE("very many textures are rejected fast") {
 TEST_CASE("a path longer than 4096 bytes is an error at its line") {
     SlangFolder folder;
     const std::string path = times(2000, "../") + "x";
-    const std::string told = "error: the path is longer than the limit of 4096 bytes";
+    const std::string message = "error: the path is longer than the limit of 4096 bytes";
     CHECK(folder.refusal(folder.preset_of("shaders = 1\nshader0 = " + path + "\n")) ==
-          "a.slangp:2: " + told);
-    CHECK(folder.refusal(folder.preset_of("#reference " + path + "\n")) == "a.slangp:1: " + told);
-    CHECK(folder.refusal(folder.preset_of("#include " + path + "\n")) == "a.slangp:1: " + told);
+          "a.slangp:2: " + message);
+    CHECK(folder.refusal(folder.preset_of("#reference " + path + "\n")) ==
+          "a.slangp:1: " + message);
+    CHECK(folder.refusal(folder.preset_of("#include " + path + "\n")) == "a.slangp:1: " + message);
     CHECK(folder.refusal(folder.shader_of("#version 450\n#include \"" + path + "\"\n")) ==
-          "a.slang:2: " + told);
+          "a.slang:2: " + message);
 }
 
 TEST_CASE("a shader has at most 16384 parameters, and only its first errors are listed") {

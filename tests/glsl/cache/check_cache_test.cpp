@@ -50,17 +50,17 @@ bool are_same(const Translation& one, const Translation& other) {
 }  // namespace
 
 TEST_CASE("a result cached by a previous run is reused without compiling") {
-    ByteMap kept;
+    ByteMap store;
     const Stage fragment =
         painted("uniform vec3 tint = vec3(1, 0.5, 0);\nuniform int n;\n", "vec4(tint, float(n))");
-    CheckCache first(&kept);
+    CheckCache first(&store);
     const auto checked = first.check(fullscreen_vertex_stage(), fragment);
     const auto translated = first.translate(vulkan_vertex, vulkan_fragment);
     REQUIRE(checked.has_value());
     REQUIRE(translated.has_value());
     CHECK(first.compilations() == 2);
 
-    CheckCache second(&kept);
+    CheckCache second(&store);
     CHECK(second.check(fullscreen_vertex_stage(), fragment) == checked);
     const auto again = second.translate(vulkan_vertex, vulkan_fragment);
     REQUIRE(again.has_value());
@@ -69,38 +69,38 @@ TEST_CASE("a result cached by a previous run is reused without compiling") {
 }
 
 TEST_CASE("another text, file or line map is compiled again") {
-    ByteMap kept;
+    ByteMap store;
     const Stage fragment = painted("", "vec4(1)");
-    static_cast<void>(CheckCache(&kept).check(fullscreen_vertex_stage(), fragment));
+    static_cast<void>(CheckCache(&store).check(fullscreen_vertex_stage(), fragment));
     Stage moved = fragment;
     moved.file = "moved.frag";
     Stage lines = fragment;
     lines.lines = {{"paint.frag", 1}, {"inc/light.glsl", 41}, {"paint.frag", 2}};
-    CheckCache cache(&kept);
+    CheckCache cache(&store);
     for (const Stage& other : {painted("", "vec4(0)"), moved, lines})
         REQUIRE(cache.check(fullscreen_vertex_stage(), other).has_value());
     CHECK(cache.compilations() == 3);
 }
 
 TEST_CASE("errors are not cached") {
-    ByteMap kept;
+    ByteMap store;
     CHECK_FALSE(
-        CheckCache(&kept).check(fullscreen_vertex_stage(), painted("", "oops")).has_value());
-    CHECK(kept.answers.empty());
+        CheckCache(&store).check(fullscreen_vertex_stage(), painted("", "oops")).has_value());
+    CHECK(store.answers.empty());
 }
 
 TEST_CASE("a corrupt cache entry is recompiled and replaced") {
-    ByteMap kept;
-    static_cast<void>(CheckCache(&kept).translate(vulkan_vertex, vulkan_fragment));
-    REQUIRE(kept.answers.size() == 1);
-    std::string& answer = kept.answers.begin()->second;
+    ByteMap store;
+    static_cast<void>(CheckCache(&store).translate(vulkan_vertex, vulkan_fragment));
+    REQUIRE(store.answers.size() == 1);
+    std::string& answer = store.answers.begin()->second;
     const std::string good = answer;
     for (std::size_t size = 0; size < good.size(); size += 7)
         CHECK_FALSE(unpacked_translation(good.substr(0, size)).has_value());
     CHECK_FALSE(unpacked_translation(good + "!").has_value());
     for (const std::string& bad : {std::string(), good.substr(0, good.size() / 2), good + "more"}) {
         answer = bad;
-        CheckCache cache(&kept);
+        CheckCache cache(&store);
         CHECK(cache.translate(vulkan_vertex, vulkan_fragment).has_value());
         CHECK(cache.compilations() == 1);
         CHECK(answer == good);

@@ -80,9 +80,9 @@ TEST_CASE_FIXTURE(Headless, "gl_FragCoord counts from the first row, at the top 
         Executor executor =
             executor_of(look_of({quad_pass("rows", row_counting, {}, rows)}), {1, 4});
         executor.draw(frame(1));
-        const Picture seen = gpu::read_picture(executor.target(0));
+        const Picture drawn = gpu::read_picture(executor.target(0));
         for (int y = 0; y < 4; ++y) {
-            const float* pixel = seen.pixels.data() + seen.index(0, y);
+            const float* pixel = drawn.pixels.data() + drawn.index(0, y);
             CHECK(pixel[0] == static_cast<float>(rows == RowOrder::top_first ? y : 3 - y));
             CHECK(pixel[1] == doctest::Approx((y + 0.5) / 4.0));  // v goes down in both
         }

@@ -78,12 +78,12 @@ TEST_CASE_FIXTURE(Comparing, "the difference of two pictures is the same on GPU 
     b.pixels[b.index(96, 70)] = a.pixels[a.index(96, 70)] + 3.0f;
     const auto expected = difference_between(a, b, 0.5);
     REQUIRE(expected.has_value());
-    const Distances seen = distances(a, b, 0.5);
-    CHECK(seen.mean == about(expected->mean, 1e-5));
-    CHECK(seen.rms == about(expected->rms, 1e-5));
-    CHECK(seen.largest == about(expected->largest, 1e-6));
-    CHECK(seen.psnr_db == about(expected->psnr_db, 1e-5));
-    CHECK(seen.share_beyond == about(expected->share_beyond, 1e-9));
+    const Distances measured = distances(a, b, 0.5);
+    CHECK(measured.mean == about(expected->mean, 1e-5));
+    CHECK(measured.rms == about(expected->rms, 1e-5));
+    CHECK(measured.largest == about(expected->largest, 1e-6));
+    CHECK(measured.psnr_db == about(expected->psnr_db, 1e-5));
+    CHECK(measured.share_beyond == about(expected->share_beyond, 1e-9));
     CHECK(expected->share_beyond > 0.2);
 }
 
@@ -110,7 +110,7 @@ TEST_CASE_FIXTURE(Comparing, "each difference measure matches its definition at 
     for (const auto measure :
          {DifferenceMeasure::absolute, DifferenceMeasure::relative, DifferenceMeasure::squared}) {
         comparer->draw_difference({ours, other}, measure, canvas);
-        const Picture seen = gpu::read_picture(canvas.texture());
+        const Picture measured = gpu::read_picture(canvas.texture());
         double worst = 0.0;
         constexpr std::size_t pixels = std::size_t{33} * 5;
         for (std::size_t i = 0; i < pixels; ++i)
@@ -118,7 +118,7 @@ TEST_CASE_FIXTURE(Comparing, "each difference measure matches its definition at 
                 const std::size_t at = 3 * i + channel;
                 const double expected = difference_of(static_cast<double>(a.pixels[at]),
                                                       static_cast<double>(b.pixels[at]), measure);
-                const auto is = static_cast<double>(seen.pixels[4 * i + channel]);
+                const auto is = static_cast<double>(measured.pixels[4 * i + channel]);
                 worst = std::max(worst, std::abs(is - expected) / std::max(expected, 1e-3));
             }
         CHECK(worst < 1e-4);
@@ -130,9 +130,9 @@ TEST_CASE_FIXTURE(Comparing, "a single channel is compared as grey") {
         texture_of({{2, 1}, 1, Encoding::display, {0.25f, 0.5f}}, Format::r32f);
     const gpu::Texture other = texture_of(even({2, 1}, {0.5f, 0.5f, 0.5f}));
     meter->start_distances({ours, other}, 0.1);
-    const Distances seen = answer().distances.value();
-    CHECK(seen.mean == 0.125);
-    CHECK(seen.share_beyond == 0.5);
+    const Distances measured = answer().distances.value();
+    CHECK(measured.mean == 0.125);
+    CHECK(measured.share_beyond == 0.5);
 }
 
 TEST_CASE_FIXTURE(Comparing,
@@ -207,10 +207,10 @@ TEST_CASE_FIXTURE(Comparing, "the change of a pass is the mean difference and th
     const Picture a = even({40, 30}, {0.5f, 2.0f, -0.25f});
     Picture b = a;
     b.pixels[b.index(39, 29) + 1] = 8.0f;  // one number of 3600
-    const PassChange seen = change(a, b, false);
-    CHECK(seen.mean == about(6.0 / 3600.0, 1e-6));
-    CHECK(seen.largest == 6.0);
-    CHECK(seen.level == about(2.75 / 3.0, 1e-6));
+    const PassChange measured = change(a, b, false);
+    CHECK(measured.mean == about(6.0 / 3600.0, 1e-6));
+    CHECK(measured.largest == 6.0);
+    CHECK(measured.level == about(2.75 / 3.0, 1e-6));
     // A display clamps values above white and below black.
     const PassChange shown = change(a, b, true);
     CHECK_FALSE(shown.has_changed());
@@ -227,11 +227,11 @@ TEST_CASE_FIXTURE(Comparing, "a signed difference is centred on middle grey") {
     const gpu::Texture b = texture_of(even({8, 8}, {0.5625f, 0.375f, 4.0f}));
     const gpu::Canvas canvas = canvas_of({8, 8});
     drawing->draw({a, b}, 2.0, canvas);
-    const auto seen = gpu::read_pixel(canvas.texture(), 4, 4);
-    CHECK(seen[0] == 0.625f);
-    CHECK(seen[1] == 0.25f);
-    CHECK(seen[2] == 0.5f);  // both are white
-    CHECK(seen[3] == 1.0f);
+    const auto measured = gpu::read_pixel(canvas.texture(), 4, 4);
+    CHECK(measured[0] == 0.625f);
+    CHECK(measured[1] == 0.25f);
+    CHECK(measured[2] == 0.5f);  // both are white
+    CHECK(measured[3] == 1.0f);
 }
 
 TEST_CASE("a small difference is amplified by a power of two") {

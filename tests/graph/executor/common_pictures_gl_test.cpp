@@ -39,9 +39,9 @@ Look busy_look() {
 }
 
 std::vector<bool> last_of(const Look& look) {
-    std::vector<bool> seen(look.passes.size(), false);
-    seen.back() = true;
-    return seen;
+    std::vector<bool> displayed(look.passes.size(), false);
+    displayed.back() = true;
+    return displayed;
 }
 
 Executor drawing_once(const Look& look, Extent extent = {8, 8}) {

@@ -44,13 +44,13 @@ Picture noise(Extent extent) {
     return picture;
 }
 
-void check_same(const Statistics& seen, const Statistics& expected) {
-    CHECK(seen.finite == expected.finite);
-    CHECK(seen.not_a_number == expected.not_a_number);
-    CHECK(seen.infinite == expected.infinite);
-    CHECK(seen.minimum == expected.minimum);
-    CHECK(seen.maximum == expected.maximum);
-    CHECK(seen.mean == about(expected.mean, 1e-5));
+void check_same(const Statistics& measured, const Statistics& expected) {
+    CHECK(measured.finite == expected.finite);
+    CHECK(measured.not_a_number == expected.not_a_number);
+    CHECK(measured.infinite == expected.infinite);
+    CHECK(measured.minimum == expected.minimum);
+    CHECK(measured.maximum == expected.maximum);
+    CHECK(measured.mean == about(expected.mean, 1e-5));
 }
 }  // namespace
 

@@ -67,10 +67,11 @@ TEST_CASE_FIXTURE(Viewing, "one stop of exposure doubles the light, also of enco
 TEST_CASE_FIXTURE(Viewing, "one channel is shown as grey, and luminance follows BT.709") {
     const Picture picture = one({0.1f, 0.4f, 0.8f, 0.6f});
     const auto grey = [&](ChannelChoice channels) {
-        const Rgba seen = shown(picture, {.channels = channels, .encoding = Encoding::display});
-        CHECK(seen[0] == seen[1]);
-        CHECK(seen[1] == seen[2]);
-        return static_cast<double>(seen[0]);
+        const Rgba displayed =
+            shown(picture, {.channels = channels, .encoding = Encoding::display});
+        CHECK(displayed[0] == displayed[1]);
+        CHECK(displayed[1] == displayed[2]);
+        return static_cast<double>(displayed[0]);
     };
     CHECK(grey(ChannelChoice::red) == shade(0.1));
     CHECK(grey(ChannelChoice::green) == shade(0.4));
@@ -80,9 +81,9 @@ TEST_CASE_FIXTURE(Viewing, "one channel is shown as grey, and luminance follows 
 }
 
 TEST_CASE_FIXTURE(Viewing, "a single-channel target is shown as grey") {
-    const Rgba seen = shown(grey(0.4), plain, {4, 4}, 0, 0, Format::r32f);
+    const Rgba displayed = shown(grey(0.4), plain, {4, 4}, 0, 0, Format::r32f);
     for (std::size_t i = 0; i < 3; ++i)
-        CHECK(seen[i] == shade(0.4));
+        CHECK(displayed[i] == shade(0.4));
 }
 
 TEST_CASE_FIXTURE(Viewing,

@@ -55,9 +55,9 @@ TEST_CASE_FIXTURE(Headless, "matrices are filled by columns, square or not") {
             // The first and last row of the last column: (columns-1)*rows + 1 and columns*rows.
             const std::string ends =
                 fmt::format("vec4(k[{0}][0], k[{0}][{1}], k[0][1], 0)", columns - 1, rows - 1);
-            const Rgba seen = shown(glsl_name(type), ends, type, count_to(rows * columns), {});
-            CHECK(seen == Rgba{static_cast<float>((columns - 1) * rows + 1),
-                               static_cast<float>(columns * rows), 2, 0});
+            const Rgba drawn = shown(glsl_name(type), ends, type, count_to(rows * columns), {});
+            CHECK(drawn == Rgba{static_cast<float>((columns - 1) * rows + 1),
+                                static_cast<float>(columns * rows), 2, 0});
         }
 }
 

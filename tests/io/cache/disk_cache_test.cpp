@@ -23,10 +23,10 @@ TEST_CASE("a cached entry is found again, also in a new process") {
     const TemporaryFolder folder;
     const std::string answer("light\0and shade", 15);
     {
-        DiskCache kept(folder / "a/b", "program 1");
-        CHECK_FALSE(kept.find("what").has_value());
-        kept.keep("what", answer);
-        CHECK(kept.find("what") == answer);
+        DiskCache cache(folder / "a/b", "program 1");
+        CHECK_FALSE(cache.find("what").has_value());
+        cache.keep("what", answer);
+        CHECK(cache.find("what") == answer);
     }
     DiskCache next(folder / "a/b", "program 1");
     CHECK(next.find("what") == answer);
@@ -44,8 +44,8 @@ TEST_CASE("entries of another program version are not found") {
 
 TEST_CASE("truncated, changed, foreign and empty cache files are ignored") {
     const TemporaryFolder folder;
-    DiskCache kept(folder.path(), "program");
-    kept.keep("what", "light");
+    DiskCache cache(folder.path(), "program");
+    cache.keep("what", "light");
     const fs::path file = files_in(folder.path()).front();
     const std::string whole = content_of(file);
     std::vector<std::string> broken{"", "something else", whole + "!"};
@@ -57,53 +57,53 @@ TEST_CASE("truncated, changed, foreign and empty cache files are ignored") {
     }
     for (const std::string& text : broken) {
         folder.write(file.filename(), text);
-        CHECK_FALSE(kept.find("what").has_value());
+        CHECK_FALSE(cache.find("what").has_value());
     }
-    kept.keep("what", "light");
-    CHECK(kept.find("what") == "light");
+    cache.keep("what", "light");
+    CHECK(cache.find("what") == "light");
 }
 
 TEST_CASE("an entry stored under another key is not returned") {
     const TemporaryFolder folder;
-    DiskCache kept(folder.path(), "program");
-    kept.keep("one", "light");
+    DiskCache cache(folder.path(), "program");
+    cache.keep("one", "light");
     const fs::path of_one = files_in(folder.path()).front();
-    kept.keep("two", "shade");
+    cache.keep("two", "shade");
     for (const fs::path& file : files_in(folder.path()))
         if (file != of_one)
             fs::copy_file(of_one, file, fs::copy_options::overwrite_existing);
-    CHECK(kept.find("one") == "light");
-    CHECK_FALSE(kept.find("two").has_value());
+    CHECK(cache.find("one") == "light");
+    CHECK_FALSE(cache.find("two").has_value());
 }
 
 TEST_CASE("a full disk cache evicts the least recently used entry") {
     const TemporaryFolder folder;
     const std::string answer(1000, 'x');
     const std::string mine = folder.write("notes.txt", std::string(50000, '.'));
-    DiskCache kept(folder.path(), "program", 5000);
+    DiskCache cache(folder.path(), "program", 5000);
     for (const char* question : {"a", "b", "c"})
-        kept.keep(question, answer);
+        cache.keep(question, answer);
     for (const fs::path& file : files_in(folder.path()))
         grow_older(file, std::chrono::hours(48));
-    REQUIRE(kept.find("a").has_value());  // is the most recently used now
+    REQUIRE(cache.find("a").has_value());  // is the most recently used now
     for (const char* question : {"d", "e"})
-        kept.keep(question, answer);
+        cache.keep(question, answer);
     std::size_t left = 0;
     for (const char* question : {"a", "b", "c", "d", "e"})
-        left += kept.find(question) ? 1U : 0U;
+        left += cache.find(question) ? 1U : 0U;
     CHECK(left == 4);
-    CHECK(kept.find("a").has_value());
-    CHECK(kept.find("e").has_value());
+    CHECK(cache.find("a").has_value());
+    CHECK(cache.find("e").has_value());
     CHECK(fs::exists(mine));
-    kept.keep("f", std::string(6000, 'x'));  // larger than the limit
-    CHECK_FALSE(kept.find("f").has_value());
+    cache.keep("f", std::string(6000, 'x'));  // larger than the limit
+    CHECK_FALSE(cache.find("f").has_value());
 }
 
 TEST_CASE("an unwritable cache folder is not an error") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "in the way");
-    DiskCache kept(file / "shaders", "program");
-    kept.keep("what", "light");
-    CHECK_FALSE(kept.find("what").has_value());
+    DiskCache cache(file / "shaders", "program");
+    cache.keep("what", "light");
+    CHECK_FALSE(cache.find("what").has_value());
     CHECK(content_of(file) == "in the way");
 }

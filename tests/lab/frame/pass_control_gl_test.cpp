@@ -5,7 +5,7 @@
 
 namespace {
 // Red in the middle of the view, in 8-bit levels; -1 without a picture.
-int seen(const Lab& lab, Views& views) {
+int displayed_value(const Lab& lab, Views& views) {
     WindowState window;
     window.views.picture = {8, 8};
     window.is_picture_only = true;
@@ -85,20 +85,20 @@ TEST_CASE("a solo or stopped pass is shown as the picture, without later passes"
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
     REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
     pause(small);
-    CHECK(seen(small.lab(), *views) == 128);  // the last pass is display-encoded
+    CHECK(displayed_value(small.lab(), *views) == 128);  // the last pass is display-encoded
     small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
     small.turn(1);
-    CHECK(seen(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
+    CHECK(displayed_value(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
     CHECK(small.shown() == 0.5f);
     small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
     CHECK(small.lab().frames().passes().switches().solo.empty());
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
     small.turn(2);
-    CHECK(seen(small.lab(), *views) == 137);
+    CHECK(displayed_value(small.lab(), *views) == 137);
     CHECK(small.shown() == 0.5f);
     small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
     small.turn(2);
-    CHECK(seen(small.lab(), *views) == 191);  // 0.75
+    CHECK(displayed_value(small.lab(), *views) == 191);  // 0.75
 }
 
 TEST_CASE("the history of one pass or all can be cleared, also in a static picture") {

@@ -86,15 +86,17 @@ TEST_CASE_FIXTURE(Flashing, "limited light rises and falls at the chosen rate") 
     canvas->clear(dark);
     comfort->shown(0, canvas->texture(), clamp, 0.0);
     canvas->clear(light);
-    const gpu::Texture* seen = nullptr;
+    const gpu::Texture* limited = nullptr;
     for (int frame = 1; frame <= 60; ++frame)
-        seen = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
+        limited = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
     // 0.3 of linear light, encoded as in IEC 61966-2-1.
-    CHECK(std::abs(red_in_the_middle(*seen) - (1.055 * std::pow(0.3, 1.0 / 2.4) - 0.055)) < 0.01);
+    CHECK(std::abs(red_in_the_middle(*limited) - (1.055 * std::pow(0.3, 1.0 / 2.4) - 0.055)) <
+          0.01);
     canvas->clear(dark);
     for (int frame = 61; frame <= 90; ++frame)
-        seen = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
-    CHECK(std::abs(red_in_the_middle(*seen) - (1.055 * std::pow(0.15, 1.0 / 2.4) - 0.055)) < 0.01);
+        limited = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
+    CHECK(std::abs(red_in_the_middle(*limited) - (1.055 * std::pow(0.15, 1.0 / 2.4) - 0.055)) <
+          0.01);
 }
 
 TEST_CASE_FIXTURE(Flashing,
@@ -104,10 +106,10 @@ TEST_CASE_FIXTURE(Flashing,
     canvas->clear({0.2f, 0.4f, 0.6f, 1.0f});
     const auto stored = gpu::read_pixel(canvas->texture(), 48, 36);
     for (const bool is_on : {true, false}) {
-        const gpu::Texture* seen = nullptr;
+        const gpu::Texture* limited = nullptr;
         for (int frame = 0; frame < 4; ++frame)
-            seen = &comfort->shown(0, canvas->texture(), {is_on, 0.3}, frame / 60.0);
-        const auto pixel = gpu::read_pixel(*seen, 48, 36);
+            limited = &comfort->shown(0, canvas->texture(), {is_on, 0.3}, frame / 60.0);
+        const auto pixel = gpu::read_pixel(*limited, 48, 36);
         for (std::size_t i = 0; i < 3; ++i)
             CHECK(std::abs(pixel[i] - stored[i]) <= 1.01f / 255.0f);
     }

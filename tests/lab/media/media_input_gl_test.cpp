@@ -282,9 +282,9 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
             });
         }
         REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
-        const Diagnostic& told = small.lab().messages().problems().front().diagnostic;
-        CHECK(told.file.filename() == bad.file);
-        CHECK(told.message.find(bad.words) != std::string::npos);
+        const Diagnostic& problem = small.lab().messages().problems().front().diagnostic;
+        CHECK(problem.file.filename() == bad.file);
+        CHECK(problem.message.find(bad.words) != std::string::npos);
         const float frames = small.frames();
         small.turn(3);
         CHECK(small.frames() == frames + 3);

@@ -50,16 +50,16 @@ TEST_CASE("a sheet encodes linear light for the display") {
 TEST_CASE("a caption is below its picture and within its width") {
     const Extent cell{80, 30};
     const auto bare = sheet_of({{"", plain(cell, 0.25f)}, {"", plain(cell, 0.25f)}}, 2);
-    const auto told = sheet_of(
+    const auto captioned = sheet_of(
         {{"A name that is far too long for this", plain(cell, 0.25f)}, {"", plain(cell, 0.25f)}},
         2);
 
     REQUIRE(bare);
-    REQUIRE(told);
+    REQUIRE(captioned);
     int changed = 0;
     int rightmost = 0;
     for (std::size_t i = 0; i < bare->pixels.size(); i += 3)
-        if (bare->pixels[i] != told->pixels[i]) {
+        if (bare->pixels[i] != captioned->pixels[i]) {
             ++changed;
             rightmost = std::max(rightmost, static_cast<int>(i / 3) % bare->extent.width);
         }

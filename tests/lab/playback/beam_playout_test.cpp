@@ -77,13 +77,13 @@ struct Bench {
     /// Advances time and returns the output to the scope: `frames` samples for each frame of 1/60
     /// s.
     std::vector<float> run(double seconds, int frames = playout_rate / 60) {
-        std::vector<float> seen;
+        std::vector<float> played;
         for (int i = 0; i < std::lround(seconds * 60.0); ++i) {
             player.advance(playout_frame);
             const std::vector<float> some = scope.see(frames);
-            seen.insert(seen.end(), some.begin(), some.end());
+            played.insert(played.end(), some.begin(), some.end());
         }
-        return seen;
+        return played;
     }
 
     Scope scope;
@@ -106,26 +106,26 @@ TEST_CASE("a scope gets x on the left and y on the right, at the device's rate")
     Bench bench;
     bench.run(0.1);
     const double start = bench.player.transport().time();
-    const std::vector<float> seen = bench.run(1.0);
+    const std::vector<float> played = bench.run(1.0);
     double largest = 0.0;
-    for (std::size_t i = 0; i < seen.size() / 2; ++i) {
+    for (std::size_t i = 0; i < played.size() / 2; ++i) {
         // The picture and the samples of a time start together.
         const double turns =
             60.0 * (start + playout_frame + static_cast<double>(i + 1) / playout_rate);
         const double x = 0.8 * std::sin(2.0 * std::numbers::pi * (3.0 * turns + 0.25));
         const double y = 0.8 * std::sin(2.0 * std::numbers::pi * 2.0 * turns);
-        largest = std::max({largest, std::abs(static_cast<double>(seen[2 * i]) - x),
-                            std::abs(static_cast<double>(seen[2 * i + 1]) - y)});
+        largest = std::max({largest, std::abs(static_cast<double>(played[2 * i]) - x),
+                            std::abs(static_cast<double>(played[2 * i + 1]) - y)});
     }
     CHECK(largest < 0.02);
 }
 
 TEST_CASE("seeks, new signals, pause and play cause no click, and a paused beam is still") {
     Bench bench;
-    std::vector<float> seen = bench.run(0.5);
+    std::vector<float> played = bench.run(0.5);
     const auto go_on = [&](double seconds) {
         std::vector<float> more = bench.run(seconds);
-        seen.insert(seen.end(), more.begin(), more.end());
+        played.insert(played.end(), more.begin(), more.end());
         return more;
     };
     bench.player.seek(123.4567);
@@ -139,8 +139,8 @@ TEST_CASE("seeks, new signals, pause and play cause no click, and a paused beam 
     bench.player.play();
     const std::vector<float> again = go_on(0.3);
     CHECK(again.front() != again[1000]);
-    CHECK(largest_step(seen) <= steepest * 1.01f);
-    CHECK(largest_step(seen) > 0.01f);
+    CHECK(largest_step(played) <= steepest * 1.01f);
+    CHECK(largest_step(played) > 0.01f);
 }
 
 TEST_CASE("a device with another clock than the picture is followed without a gap") {

@@ -51,13 +51,13 @@ TEST_CASE("after cancelling, an edit of the open look is still drawn") {
     small.lab().looks().open("other");
     small.lab().looks().cancel_opening();
     small.write("gain.glsl", "uniform float gain = 5.0;  // @range 0 8\n");
-    std::set<std::string> seen;
+    std::set<std::string> shown_texts;
     CHECK(small.turn_until([&] {
-        seen.insert(open_look(small));
+        shown_texts.insert(open_look(small));
         const Parameter* gain = find_parameter(small.document().look(), "gain");
         return gain && gain->initial == Value(5.0);
     }));
-    CHECK(seen == std::set<std::string>{"small"});
+    CHECK(shown_texts == std::set<std::string>{"small"});
 }
 
 TEST_CASE("what follows an opening is called once for its look, and never for another one") {
@@ -95,12 +95,12 @@ TEST_CASE("of two looks opened in succession only the second one opens") {
                                    small.look_folder() / "../third" / file);
     small.lab().looks().open("other");
     small.lab().looks().open("third");
-    std::set<std::string> seen;
+    std::set<std::string> shown_texts;
     CHECK(small.turn_until([&] {
-        seen.insert(open_look(small));
+        shown_texts.insert(open_look(small));
         return open_look(small) == "third";
     }));
-    CHECK_FALSE(seen.contains("other"));
+    CHECK_FALSE(shown_texts.contains("other"));
 }
 
 TEST_CASE("cancelling without an opening does nothing, and the thread ends on request") {

@@ -92,18 +92,18 @@ TEST_CASE("constants follow changes, undo, redo, reset and a reload of the file"
 
 TEST_CASE("dragging a constant shows intermediate values in order, then the last one") {
     ConstantLab small;
-    std::vector<double> seen;
+    std::vector<double> shown_levels;
     double value = 0.3;
     // Like a drag: a new value in each update, whether or not the previous one is compiled.
     REQUIRE(small.turn_until([&] {
         value = std::min(value + 0.0005, 1.0);
         small.set("LEVEL", value, true);
         const double compiled = small.document().look().constants.at("LEVEL").number();
-        if (seen.empty() || compiled != seen.back())
-            seen.push_back(compiled);
-        return seen.size() > 4;
+        if (shown_levels.empty() || compiled != shown_levels.back())
+            shown_levels.push_back(compiled);
+        return shown_levels.size() > 4;
     }));
-    CHECK(std::ranges::is_sorted(seen));
+    CHECK(std::ranges::is_sorted(shown_levels));
     CHECK(small.lab().document()->history().is_in_gesture());
     small.set("LEVEL", 0.875);
     CHECK(small.becomes(0.875));

@@ -30,9 +30,9 @@ TEST_CASE("a pass is saved with its values as EXR, and as displayed as PNG") {
 
     // In linear light, the sRGB value 0.5 is 0.214041.
     view.levels = {frames - 0.214041, frames + 1 - 0.214041};
-    const Picture seen = saved(small, view, "sum.png");
-    CHECK(seen.extent == Extent{8, 8});
-    CHECK(std::abs(seen.pixels[0] - 0.5f) <= 0.6f / 255.0f);
+    const Picture saved_picture = saved(small, view, "sum.png");
+    CHECK(saved_picture.extent == Extent{8, 8});
+    CHECK(std::abs(saved_picture.pixels[0] - 0.5f) <= 0.6f / 255.0f);
     view.levels = {frames + 1.0, frames + 2.0};
     view.marks_clipping = true;
     CHECK(saved(small, view, "dark.png").pixels[0] == 0.0f);

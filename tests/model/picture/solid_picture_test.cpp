@@ -20,8 +20,8 @@ std::vector<float> column(const Result<Picture>& solid) {
 }  // namespace
 
 TEST_CASE("the centres of cube faces point along the axes") {
-    const auto is = [](const Direction& seen, double x, double y, double z) {
-        return seen.x == x && seen.y == y && seen.z == z;
+    const auto is = [](const Direction& direction, double x, double y, double z) {
+        return direction.x == x && direction.y == y && direction.z == z;
     };
     CHECK(is(cube_direction(0, 0.5, 0.5), 1, 0, 0));
     CHECK(is(cube_direction(1, 0.5, 0.5), -1, 0, 0));

@@ -43,7 +43,7 @@ Value moved_to(const std::string& name, const Modulation& modulation, double sec
 }
 
 /// Loudness computed from the time constants.
-class Told : public Loudness {
+class TestLevels : public Loudness {
 public:
     double envelope(double seconds, double attack, double release) const override {
         return seconds * attack / release;
@@ -131,11 +131,11 @@ TEST_CASE("envelope follows level, beat decays exponentially, and silence has no
         .kind = ModulationKind::envelope, .depth = 0.5, .attack = 0.1, .release = 0.4};
     const Modulation beat{
         .kind = ModulationKind::beat, .depth = 0.5, .release = 0.5, .threshold = 2.0};
-    const Told told;
-    CHECK(is_near(moved_to("gain", envelope, 2.0, {}, &told).number(), 1.0 + 0.5 * 4.0 * 0.5));
-    CHECK(is_near(moved_to("gain", beat, 2.0, {}, &told).number(), 3.0));
-    CHECK(is_near(moved_to("gain", beat, 2.5, {}, &told).number(), 1.0 + 2.0 * std::exp(-1.0)));
-    CHECK(moved_to("gain", beat, 1.9, {}, &told) == Value(1.0));
+    const TestLevels levels;
+    CHECK(is_near(moved_to("gain", envelope, 2.0, {}, &levels).number(), 1.0 + 0.5 * 4.0 * 0.5));
+    CHECK(is_near(moved_to("gain", beat, 2.0, {}, &levels).number(), 3.0));
+    CHECK(is_near(moved_to("gain", beat, 2.5, {}, &levels).number(), 1.0 + 2.0 * std::exp(-1.0)));
+    CHECK(moved_to("gain", beat, 1.9, {}, &levels) == Value(1.0));
     CHECK(moved_to("gain", envelope, 2.0) == Value(1.0));
     CHECK(moved_to("gain", beat, 2.0) == Value(1.0));
 }

@@ -32,11 +32,11 @@ TEST_CASE("parameter settings of a look also apply in a stack, and are stored by
     CHECK(settings == ParameterSettings{{"crt/gain", locked}, {"crt#2/gain", locked}});
     settings["phosphor/decay"] = starred;
     settings.erase("crt/gain");
-    LookParameterSettings kept = looks;
-    store_settings(kept, stack, settings);
-    CHECK(kept == LookParameterSettings{{"phosphor", {{"decay", starred}}},
-                                        {"other", {{"gain", starred}}}});
-    CHECK(settings_in({{"phosphor", {}, "a"}}, kept) == ParameterSettings{{"decay", starred}});
+    LookParameterSettings stored = looks;
+    store_settings(stored, stack, settings);
+    CHECK(stored == LookParameterSettings{{"phosphor", {{"decay", starred}}},
+                                          {"other", {{"gain", starred}}}});
+    CHECK(settings_in({{"phosphor", {}, "a"}}, stored) == ParameterSettings{{"decay", starred}});
 }
 
 TEST_CASE("custom ends of a slider are clamped to the hard limit and must differ") {

@@ -134,10 +134,10 @@ TEST_CASE("simplification removes points within the tolerance") {
     std::vector<BeamPlace> corner;
     for (int i = 0; i <= 100; ++i)
         corner.push_back({std::min(i, 60) / 100.0, 0.001 * (i % 2) + std::max(i - 60, 0) / 100.0});
-    const auto kept = simplified(corner, 0.003);
-    CHECK(kept.size() == 3);
+    const auto simple = simplified(corner, 0.003);
+    CHECK(simple.size() == 3);
     for (const BeamPlace& point : corner)
-        CHECK(distance_to_line(point, kept) <= 0.003);
+        CHECK(distance_to_line(point, simple) <= 0.003);
     CHECK(simplified(corner, 1e-6).size() > 60);
 }
 

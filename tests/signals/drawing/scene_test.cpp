@@ -146,7 +146,7 @@ TEST_CASE("the current of a raster is the light of its picture") {
 }
 
 TEST_CASE("every printable character has a glyph, and all glyphs differ") {
-    std::set<std::vector<double>> seen;
+    std::set<std::vector<double>> points;
     for (char character = '!'; character <= '_'; ++character) {
         CAPTURE(character);
         std::vector<double> numbers;
@@ -158,7 +158,7 @@ TEST_CASE("every printable character has a glyph, and all glyphs differ") {
                 CHECK(std::abs(point.y) <= 3.0);
             }
         CHECK(length_of(paths) > 0.5);
-        CHECK(seen.insert(numbers).second);
+        CHECK(points.insert(numbers).second);
     }
     CHECK(text_paths("a", 1.0, TextAlign::left).size() ==
           text_paths("A", 1.0, TextAlign::left).size());

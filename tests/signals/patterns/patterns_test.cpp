@@ -65,13 +65,13 @@ TEST_CASE("an invalid pattern gives a specific error") {
 }
 
 TEST_CASE("every listed pattern can be made, and all differ") {
-    std::set<std::vector<float>> seen;
+    std::set<std::vector<float>> pictures;
     for (const PatternFacts& facts : all_patterns()) {
         CAPTURE(facts.name);
         const auto picture = make_pattern(facts.name + ",size=80x60");
         REQUIRE(picture.has_value());
         CHECK(picture->extent == Extent{80, 60});
-        CHECK(seen.insert(picture->pixels).second);
+        CHECK(pictures.insert(picture->pixels).second);
         CHECK_FALSE(facts.help.empty());
     }
 }

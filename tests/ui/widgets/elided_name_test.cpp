@@ -12,7 +12,7 @@ float length_of(const std::string& text) {
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string told(const std::string& name, float most) {
+std::string elided(const std::string& name, float most) {
     const std::vector<std::string> all{"beam",       "bloom_down_1",  "bloom_down_2",
                                        "bloom_up_1", "mask-vertical", "mask-horizontal-last",
                                        "blurHalf",   "blurWhole",     "größe 1",
@@ -22,23 +22,23 @@ std::string told(const std::string& name, float most) {
 }  // namespace
 
 TEST_CASE("a name that fits is shown completely") {
-    CHECK(told("bloom_down_2", 12.0f) == "bloom_down_2");
-    CHECK(told("beam", 4.0f) == "beam");
+    CHECK(elided("bloom_down_2", 12.0f) == "bloom_down_2");
+    CHECK(elided("beam", 4.0f) == "beam");
 }
 
 TEST_CASE("the difference of names with equal beginnings is kept") {
-    CHECK(told("bloom_down_1", 10.0f) == "bloom_do…1");
-    CHECK(told("bloom_down_2", 10.0f) == "bloom_do…2");
-    CHECK(told("bloom_up_1", 7.0f) == "bl…up_1");
-    CHECK(told("mask-vertical", 9.0f) == "…vertical");
-    CHECK(told("blurHalf", 6.0f) == "b…Half");
-    CHECK(told("größe 2", 5.0f) == "grö…2");  // "ö" has two bytes
+    CHECK(elided("bloom_down_1", 10.0f) == "bloom_do…1");
+    CHECK(elided("bloom_down_2", 10.0f) == "bloom_do…2");
+    CHECK(elided("bloom_up_1", 7.0f) == "bl…up_1");
+    CHECK(elided("mask-vertical", 9.0f) == "…vertical");
+    CHECK(elided("blurHalf", 6.0f) == "b…Half");
+    CHECK(elided("größe 2", 5.0f) == "grö…2");  // "ö" has two bytes
 }
 
 TEST_CASE("an end that does not fit is cut, and so is a unique name") {
-    CHECK(told("mask-horizontal-last", 9.0f) == "…horizon…");
-    CHECK(told("persistence", 6.0f) == "persi…");
-    CHECK(told("beam", 3.0f) == "be…");
+    CHECK(elided("mask-horizontal-last", 9.0f) == "…horizon…");
+    CHECK(elided("persistence", 6.0f) == "persi…");
+    CHECK(elided("beam", 3.0f) == "be…");
 }
 
 TEST_CASE("names are split only between words") {
