@@ -50,13 +50,13 @@ public:
         std::ofstream(file) << marching;
         m_lab->looks().open(file.string());
         while (m_lab->player().transport().frame_number() < 10)
-            turn();
+            update();
     }
 
     double frame_milliseconds() {
         const auto start = Clock::now();
         for (int i = 0; i < 5; ++i)
-            turn();
+            update();
         return milliseconds_since(start) / 5.0;
     }
     // The time until a frame is drawn with it.
@@ -64,8 +64,8 @@ public:
         const auto start = Clock::now();
         set(name, value, false);
         while (seen(name) != value || m_lab->loader().is_loading())
-            turn();
-        turn();
+            update();
+        update();
         return milliseconds_since(start);
     }
     int pictures_in_a_second() {
@@ -75,7 +75,7 @@ public:
         double last = seen("GLOW");
         while (milliseconds_since(start) < 1000.0) {
             set("GLOW", value += 1e-3, true);
-            turn();
+            update();
             pictures += seen("GLOW") != last ? 1 : 0;
             last = seen("GLOW");
         }
@@ -94,7 +94,7 @@ private:
     double seen(const char* name) const {
         return m_lab->document()->look().constants.at(name).number();
     }
-    void turn() {
+    void update() {
         m_lab->update(1.0 / 60.0);
         gpu::finish();
     }

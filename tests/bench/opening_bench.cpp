@@ -24,7 +24,7 @@ double busy_milliseconds() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-struct Turn {
+struct Update {
     double milliseconds;
     std::string doing;
 };
@@ -40,24 +40,24 @@ public:
     explicit OpeningBench(const fs::path& folder) : BenchLab(folder, {640, 480}) {
         m_lab->looks().open("crt");
         while (m_lab->player().transport().frame_number() < 10)
-            turn();
+            update();
     }
 
     /// Returns false if the preset does not open.
     bool open(const fs::path& preset, const Attempt& attempt) {
         const auto start = std::chrono::steady_clock::now();
-        std::vector<Turn> turns;
+        std::vector<Update> updates;
         m_lab->looks().open(preset.string());
         while (m_lab->loader().is_loading())
-            turns.push_back(turn());
+            updates.push_back(update());
         const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
         if (m_lab->document()->look().manifest != preset)
             return false;
-        std::vector<Turn> later;
+        std::vector<Update> later;
         while (m_lab->player().transport().frame_number() < 4)
-            later.push_back(turn());
-        const double longest = std::ranges::max(later, {}, &Turn::milliseconds).milliseconds;
-        std::ranges::sort(turns, std::ranges::greater(), &Turn::milliseconds);
+            later.push_back(update());
+        const double longest = std::ranges::max(later, {}, &Update::milliseconds).milliseconds;
+        std::ranges::sort(updates, std::ranges::greater(), &Update::milliseconds);
         const auto tell = [&](const std::string& key, const std::string& what, double value,
                               const char* unit, const std::string& detail = {}) {
             bench::tell(topic, {.key = preset.stem().string() + "-" + attempt.key + "-" + key,
@@ -68,25 +68,25 @@ public:
                                 .detail = detail});
         };
         tell("open", "time to open", seconds.count(), "s");
-        tell("turn", "longest update until then, CPU time", turns.front().milliseconds, "ms",
-             turns.front().doing);
+        tell("turn", "longest update until then, CPU time", updates.front().milliseconds, "ms",
+             updates.front().doing);
         tell("later", "longest update of the first three frames, CPU time", longest, "ms",
              fmt::format("of {} updates", later.size()));
         return true;
     }
 
 private:
-    Turn turn() {
+    Update update() {
         const double start = busy_milliseconds();
         m_lab->update(1.0 / 60.0);
         gpu::finish();
-        Turn turn{busy_milliseconds() - start, "start"};
+        Update update{busy_milliseconds() - start, "start"};
         if (const auto opening = m_lab->loader().opening())
-            turn.doing = words_of(opening->progress);
+            update.doing = words_of(opening->progress);
         if (!m_lab->loader().is_loading())
-            turn.doing = "switch";
+            update.doing = "switch";
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
-        return turn;
+        return update;
     }
 };
 }  // namespace

@@ -22,18 +22,18 @@ public:
     PausedLab(const fs::path& folder, Extent extent) : BenchLab(folder, extent) {
         m_lab->looks().open("phosphor");
         while (m_lab->player().transport().frame_number() < 12)
-            turn();
+            update();
         m_lab->player().pause();
         do
-            turn();
+            update();
         while (m_lab->is_moving());
     }
 
-    void turn() { m_lab->update(1.0 / 60.0); }
+    void update() { m_lab->update(1.0 / 60.0); }
     /// Updates until a picture drawn in slices is complete.
     void finish_picture() {
         m_is_sliced = false;
-        for (turn(); m_lab->frames().is_amid_frame(); turn())
+        for (update(); m_lab->frames().is_amid_frame(); update())
             m_is_sliced = true;
     }
     /// Whether the latest picture was drawn in slices.
@@ -50,18 +50,18 @@ private:
 };
 
 void tell_nothing(PausedLab& lab) {
-    constexpr int turns = 2000;
+    constexpr int updates = 2000;
     const CountedDraws draws;
     const double start = bench::busy_seconds();
-    for (int i = 0; i < turns; ++i)
-        lab.turn();
+    for (int i = 0; i < updates; ++i)
+        lab.update();
     bench::tell(topic, {.key = "turn",
                         .what = "CPU time of one update without changes",
-                        .value = 1e3 * (bench::busy_seconds() - start) / turns,
+                        .value = 1e3 * (bench::busy_seconds() - start) / updates,
                         .unit = "ms",
                         .bound = bench::at_most(0.05)});
     bench::tell(topic, {.key = "draws",
-                        .what = fmt::format("draw calls in {} updates without changes", turns),
+                        .what = fmt::format("draw calls in {} updates without changes", updates),
                         .value = static_cast<double>(CountedDraws::take()),
                         .bound = bench::at_most(0.0)});
 }

@@ -58,7 +58,7 @@ public:
         });
         frame();
     }
-    double first_turn_milliseconds() {
+    double first_update_milliseconds() {
         const double start = bench::busy_seconds();
         change_a_parameter();
         return 1e3 * (bench::busy_seconds() - start);
@@ -80,14 +80,14 @@ void measure(SettlingBench& bench, const std::string& look) {
     std::vector<double> own;
     std::vector<double> ratios;
     std::vector<double> itself;
-    std::vector<double> turns;
+    std::vector<double> updates;
     for (int i = 0; i < rounds; ++i) {
         if (!bench.specialize()) {
             fmt::print("  {}: no specialised programs, so not measured\n", look);
             return;
         }
         const double specialized = bench.frame_milliseconds();
-        turns.push_back(bench.first_turn_milliseconds());
+        updates.push_back(bench.first_update_milliseconds());
         const double one = bench.frame_milliseconds();
         const double other = bench.frame_milliseconds();
         own.push_back((one + other) / 2.0);
@@ -100,7 +100,7 @@ void measure(SettlingBench& bench, const std::string& look) {
                         .itself = bench::median(itself),
                         .detail = fmt::format("generic {:.4g} ms, first frame after a change "
                                               "{:.4g} ms",
-                                              bench::median(own), bench::median(turns))});
+                                              bench::median(own), bench::median(updates))});
 }
 }  // namespace
 

@@ -28,7 +28,7 @@ public:
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
                m_lab->player().transport().frame_number() < 5)
-            turn();
+            update();
         specialize();
     }
     ~StripLab() { m_context->make_current(); }
@@ -36,29 +36,29 @@ public:
     StripLab& operator=(const StripLab&) = delete;
 
     /// CPU time. Overdue work that accumulated while the other lab was measured is drawn first.
-    double seconds_of(int turns) {
+    double seconds_of(int updates) {
         constexpr int overdue = 2;
         m_context->make_current();
         for (int i = 0; i < overdue; ++i)
-            turn();
+            update();
         const double start = bench::busy_seconds();
-        for (int i = 0; i < turns; ++i)
-            turn();
+        for (int i = 0; i < updates; ++i)
+            update();
         return bench::busy_seconds() - start;
     }
 
 private:
     void specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
-        constexpr int most_turns = 300;
+        constexpr int most_updates = 300;
         for (int i = 0;
-             i < most_turns && !m_lab->renderer()->executor().programs().is_specialized(); ++i)
-            turn(longest);
+             i < most_updates && !m_lab->renderer()->executor().programs().is_specialized(); ++i)
+            update(longest);
         for (int i = 0; i < 20; ++i)
-            turn();
+            update();
     }
 
-    void turn(double seconds = 1.0 / 60.0) {
+    void update(double seconds = 1.0 / 60.0) {
         m_lab->frames().set_displayed(displayed_passes(*m_lab, m_window));
         m_lab->update(seconds);
         while (m_lab->frames().is_amid_frame())
@@ -73,15 +73,15 @@ private:
 
 void measure(const fs::path& folder, const std::string& look) {
     constexpr int rounds = 19;
-    constexpr int turns = 8;
+    constexpr int updates = 8;
     const std::string name = fs::path(look).stem().string();
     StripLab closed(folder / "closed", look, false);
     StripLab open(folder / "open", look, true);
-    bench::CostOfTurns cost(turns);
-    double before = closed.seconds_of(turns);
+    bench::CostOfTurns cost(updates);
+    double before = closed.seconds_of(updates);
     for (int i = 0; i < rounds; ++i) {
-        const double between = open.seconds_of(turns);
-        const double behind = closed.seconds_of(turns);
+        const double between = open.seconds_of(updates);
+        const double behind = closed.seconds_of(updates);
         cost.add(before, between, behind);
         before = behind;
     }

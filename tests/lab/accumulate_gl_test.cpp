@@ -22,8 +22,8 @@ public:
     Accumulating() : SmallLab(replaced(accumulating_manifest, R"(, "orbit": true)", "").c_str()) {
         write("sum.frag", sum);
         write("look.json", accumulating_manifest);
-        REQUIRE(turn_until([&] { return lab().document()->look().has_orbit && held() >= 1; }));
-        REQUIRE(turn_until([&] { return lab().frames().has_converged(); }));
+        REQUIRE(update_until([&] { return lab().document()->look().has_orbit && held() >= 1; }));
+        REQUIRE(update_until([&] { return lab().frames().has_converged(); }));
     }
     int held() { return lab().frames().samples().value_or(Samples{}).held; }
     void set(const char* name, double value) {
@@ -35,9 +35,9 @@ public:
 TEST_CASE("after the last sample nothing is drawn and the frame number stays") {
     Accumulating small;
     CHECK(small.shown() == 6);
-    CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
+    CHECK(small.update_until([&] { return !small.lab().is_moving(); }));
     const float frames = small.frames();
-    small.turn(5);
+    small.update(5);
     CHECK(small.frames() == frames);
     CHECK(small.held() == 6);
 }
@@ -45,7 +45,7 @@ TEST_CASE("after the last sample nothing is drawn and the frame number stays") {
 TEST_CASE("a parameter of a later pass is drawn at once and keeps the samples") {
     Accumulating small;
     small.set("gain", 2.0);
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 12);
     CHECK(small.held() == 6);
 }
@@ -71,20 +71,20 @@ TEST_CASE("changes to the accumulated picture restart the samples") {
     }
     SUBCASE("undo") {
         small.set("step_size", 2.0);
-        small.turn(20);
+        small.update(20);
         small.lab().edit([](Document& document) { document.undo(); });
     }
-    small.turn(1);
+    small.update(1);
     CHECK(small.held() == 1);
     CHECK(small.lab().is_moving());
-    REQUIRE(small.turn_until([&] { return small.lab().frames().has_converged(); }));
+    REQUIRE(small.update_until([&] { return small.lab().frames().has_converged(); }));
     CHECK(small.shown() == shown);
 }
 
 TEST_CASE("an edited shader restarts the samples") {
     Accumulating small;
     small.write_by_rename("sum.frag", replaced(sum, "vec4(step_size", "vec4(3.0 * step_size"));
-    CHECK(small.turn_until(
+    CHECK(small.update_until(
         [&] { return small.lab().frames().has_converged() && small.shown() == 18; }));
 }
 
@@ -92,6 +92,6 @@ TEST_CASE("a change while paused draws the same number of samples again") {
     Accumulating small;
     small.lab().player().pause();
     small.set("step_size", 2.0);
-    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
     CHECK(small.shown() == 12);
 }

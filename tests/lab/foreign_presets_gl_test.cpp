@@ -16,7 +16,7 @@ public:
     LabElsewhere() {
         write("../../elsewhere/level.frag", level_frag);
         lab().looks().open((folder() / "elsewhere/level.frag").string());
-        REQUIRE(turn_until([&] { return is_open(""); }));
+        REQUIRE(update_until([&] { return is_open(""); }));
     }
     bool is_open(const std::string& preset) {
         return !lab().loader().is_loading() && document().look().id == "level.frag" &&
@@ -62,10 +62,10 @@ TEST_CASE("a preset of a look from another program opens, and so do its defaults
     elsewhere.lab().presets().save_as("Lighter");
     REQUIRE(elsewhere.is_open("Lighter"));
     elsewhere.lab().presets().navigation().step(1);  // from the last preset to the look's defaults
-    CHECK(elsewhere.turn_until([&] { return elsewhere.is_open(""); }));
+    CHECK(elsewhere.update_until([&] { return elsewhere.is_open(""); }));
     CHECK(elsewhere.level() == 0.25);
     elsewhere.lab().presets().navigation().step(1);
-    CHECK(elsewhere.turn_until([&] { return elsewhere.is_open("Lighter"); }));
+    CHECK(elsewhere.update_until([&] { return elsewhere.is_open("Lighter"); }));
     CHECK(elsewhere.level() == 0.75);
     CHECK(elsewhere.lab().messages().problems().empty());
 }

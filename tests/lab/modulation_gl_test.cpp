@@ -43,14 +43,14 @@ TEST_CASE("setting a modulation can be undone, and running it is not a change") 
     CHECK(is_modified(document));
     small.lab().edit([](Document& changed) { changed.opened_preset().saved = changed.state(); });
     for (int i = 0; i < 20; ++i) {
-        small.turn(1);
+        small.update(1);
         CHECK(is_close(small.shown(), small.frames() * gain_at(small.player().transport().time())));
     }
     CHECK(document.values().empty());
     CHECK_FALSE(is_modified(document));
     CHECK(document.history().past().size() == 1);
     small.lab().edit([](Document& changed) { changed.undo(); });
-    small.turn(1);
+    small.update(1);
     CHECK(document.state().modulations.empty());
     CHECK(small.shown() == small.frames());
     small.lab().edit([](Document& changed) { changed.redo(); });
@@ -60,26 +60,26 @@ TEST_CASE("setting a modulation can be undone, and running it is not a change") 
 TEST_CASE("while paused a changed value is drawn with its modulation, and a step advances it") {
     SmallLab small;
     move_gain(small);
-    small.turn(13);
+    small.update(13);
     small.lab().player().pause();
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
-    small.turn(2);
+    small.update(2);
     const double time = small.player().transport().time();
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time))));
     small.lab().player().step();
-    small.turn(1);
+    small.update(1);
     CHECK(is_close(small.player().transport().time(), time + 1.0 / 60.0));
     CHECK(is_close(small.shown(), small.frames() * (2.0 + gain_at(time + 1.0 / 60.0))));
 }
 
 TEST_CASE("a replay uses the modulated values of each frame's time") {
     SmallLab small;
-    small.turn(40);
+    small.update(40);
     small.lab().player().pause();
     Modulation moving = once_a_second;
     moving.depth = 0.25;  // of 0 .. 4
     small.lab().edit([&](Document& document) { set_modulation(document, "step_size", moving); });
-    small.turn_until([&] {
+    small.update_until([&] {
         return !small.lab().renderer()->replay().is_running() &&
                small.lab().renderer()->replay().total() > 0;
     });

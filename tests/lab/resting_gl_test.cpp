@@ -18,9 +18,9 @@ constexpr const char* still = R"({
 })";
 
 void rest(SmallLab& small) {
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return !small.lab().is_moving() || small.lab().frames().has_converged(); }));
-    small.turn(2);
+    small.update(2);
 }
 
 void turn_gain(SmallLab& small, double gain) {
@@ -33,21 +33,21 @@ TEST_CASE("a paused picture makes draw calls only after a change") {
     small.lab().player().pause();
     rest(small);
     const CountedDraws draws;
-    small.turn(100);
+    small.update(100);
     CHECK(CountedDraws::take() == 0);
     for (const double gain : {2.0, 3.0}) {
         turn_gain(small, gain);
-        small.turn(1);
+        small.update(1);
         CHECK(CountedDraws::take() == 1);  // the last pass
         CHECK(small.lab().renderer()->executor().drawer().draw_calls() == 1);
-        small.turn(100);
+        small.update(100);
         CHECK(CountedDraws::take() == 0);
     }
     turn_gain(small, 3.0);  // unchanged
-    small.turn(1);
+    small.update(1);
     CHECK(CountedDraws::take() == 0);
     small.lab().player().play();
-    small.turn(3);
+    small.update(3);
     CHECK(CountedDraws::take() >= 3 * 2);
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("a converged picture makes no draw calls while time continues") {
     CHECK(small.player().transport().is_playing());
     CHECK(small.lab().frames().has_converged());
     const CountedDraws draws;
-    small.turn(100);
+    small.update(100);
     CHECK(CountedDraws::take() == 0);
     CHECK_FALSE(small.lab().is_moving());
 }

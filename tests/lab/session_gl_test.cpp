@@ -32,7 +32,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
     set_gain(small, 4.0);
     small.lab().edit([](Document& document) { document.undo(); });
     small.lab().work().size.choose({false, {16, 8}, 0.5});
-    small.turn(5);
+    small.update(5);
     small.lab().player().pause();
     const double time = small.player().transport().time();
     const Session session = stored(small);
@@ -40,7 +40,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
 
     small.start();
     restore(small.lab(), session);
-    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    REQUIRE(small.update_until([&] { return small.lab().document() != nullptr; }));
     CHECK(small.document().values().at("gain") == Value(3.0));
     CHECK(preset_name(small.document()) == "two");
     CHECK(is_modified(small.document()));
@@ -77,16 +77,16 @@ TEST_CASE("a change is saved at once, and a drag when it ends") {
 
 TEST_CASE("a paused picture whose first replay is cancelled is drawn with a partial history") {
     SmallLab small;
-    small.turn(30);
+    small.update(30);
     small.lab().player().pause();
     const Session session = stored(small);
     small.start();
     restore(small.lab(), session);
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return small.lab().renderer() && small.lab().renderer()->replay().is_running(); }));
     small.lab().frames().cancel_replay();
     REQUIRE_FALSE(small.lab().renderer()->has_drawn());
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() >= 1.0f);  // every frame adds one
     CHECK(small.shown() < 20.0f);  // fewer frames than settle_frames
 }
@@ -99,7 +99,7 @@ TEST_CASE("values follow a look that was edited between two sessions") {
     small.write("show.frag", replaced(small_look::show, "* gain", "* strength"));
     small.start();
     restore(small.lab(), session);
-    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    REQUIRE(small.update_until([&] { return small.lab().document() != nullptr; }));
     CHECK(small.document().values() == Values{{"strength", Value(3.0)}});
 }
 
@@ -124,14 +124,14 @@ TEST_CASE("unsaved changes are stored when another look opens, and can be restor
         const auto value = small.document().values().find("gain");
         return value != small.document().values().end() && value->second == Value(gain);
     };
-    REQUIRE(small.turn_until([&] { return has_gain(3.0); }));
+    REQUIRE(small.update_until([&] { return has_gain(3.0); }));
     REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);
     const fs::path five = small.lab().looks().kept_sessions().files().front();
     const fs::path picture = small.lab().looks().kept_sessions().list().front().picture;
     CHECK(load_picture(picture).has_value());
     CHECK_FALSE(fs::exists(three));
     restore_kept(small.lab(), five);
-    CHECK(small.turn_until([&] { return has_gain(5.0); }));
+    CHECK(small.update_until([&] { return has_gain(5.0); }));
     CHECK_FALSE(fs::exists(picture));
 }
 
@@ -212,7 +212,7 @@ TEST_CASE("favourites, locks and slider ranges are restored, even after leaving 
     small.start();
     small.lab().parameters().set_all(session.parameter_settings);
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return small.lab().document() != nullptr; }));
+    REQUIRE(small.update_until([&] { return small.lab().document() != nullptr; }));
     CHECK(small.document().parameter_settings() == ParameterSettings{{"gain", gain}});
     small.lab().parameters().set_slider_ends("gain", Limit{3.0, 1.0});
     REQUIRE(small.lab().messages().notice().has_value());
@@ -233,7 +233,7 @@ TEST_CASE("a changed locked value causes no warning when presets are opened") {
             small.lab().update(10.0);  // earlier notices expire
         small.lab().looks().open(
             small.lab().work().library.find_preset("small", "one")->file.string());
-        REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+        REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
         return small.lab().messages().notice().has_value();
     };
     small.lab().edit(

@@ -332,7 +332,7 @@ public:
     }
     void open_preset(const std::string& name) {
         lab().looks().open(file(name).string());
-        REQUIRE(turn_until([&] { return document().look().manifest == file(name); }));
+        REQUIRE(update_until([&] { return document().look().manifest == file(name); }));
     }
     std::filesystem::path file(const std::string& name) const { return m_files / name; }
     double level() {
@@ -360,7 +360,7 @@ TEST_CASE("changed parameters are saved as a .slangp that references the open on
           "The open look uses this file. Choose another name.");
     CHECK_FALSE(is_modified(slang.document()));
     slang.lab().looks().open("small");
-    REQUIRE(slang.turn_until([&] { return slang.document().look().id == "small"; }));
+    REQUIRE(slang.update_until([&] { return slang.document().look().id == "small"; }));
     CHECK_FALSE(slang.lab().presets().sharing().can_save_slang());
 }
 
@@ -379,11 +379,11 @@ TEST_CASE("a chain keeps its source's shape in the view until another shape is c
     slang.lab().work().size.set_view({100, 60});
     slang.lab().work().size.choose({});
     const FittedSource& source = slang.lab().work().media.source();
-    REQUIRE(slang.turn_until([&] { return source.get() != nullptr; }));
+    REQUIRE(slang.update_until([&] { return source.get() != nullptr; }));
     CHECK(slang.lab().work().size.extent() == Extent{80, 60});  // of 320 x 240
     slang.lab().edit(
         [](Document& document) { set_source(document, "pattern:harbour,size=16x16,aspect=1.25"); });
-    REQUIRE(slang.turn_until([&] { return source.get()->extent() == Extent{16, 16}; }));
+    REQUIRE(slang.update_until([&] { return source.get()->extent() == Extent{16, 16}; }));
     CHECK(slang.lab().work().size.extent() == Extent{75, 60});
     PictureSize size;
     size.shape = ViewShape::whole_pixels;

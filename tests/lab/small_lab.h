@@ -71,7 +71,7 @@ public:
         m_lab->work().size.choose({false, {8, 8}, 1.0});
     }
     void wait_for_frames() {
-        REQUIRE(turn_until(
+        REQUIRE(update_until(
             [&] { return m_lab->renderer() && player().transport().frame_number() > 2; }));
     }
 
@@ -92,7 +92,7 @@ public:
     /// Returns false on timeout. The limit is for failing tests: in parallel with many others a
     /// test may take twenty times as long as alone.
     template <class Condition>
-    bool turn_until(Condition condition) {
+    bool update_until(Condition condition) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
         while (std::chrono::steady_clock::now() < end) {
             m_lab->update(1.0 / 60.0);
@@ -102,7 +102,7 @@ public:
         }
         return false;
     }
-    void turn(int count) {
+    void update(int count) {
         for (int i = 0; i < count; ++i)
             m_lab->update(1.0 / 60.0);
     }

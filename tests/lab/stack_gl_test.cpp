@@ -166,7 +166,7 @@ struct StackLab : SmallLab {
         return other;
     }
     bool shows(const std::string& id) {
-        return turn_until([&] {
+        return update_until([&] {
             return document().look().id == id && !document().is_restacking() &&
                    !lab().loader().is_loading();
         });
@@ -194,7 +194,7 @@ TEST_CASE("looks are added, bypassed and removed in one undo step each and keep 
     small.lab().edit([](Document& document) {
         set_stack(document, with_bypass(document.state().stack, {"gain"}), "Bypass");
     });
-    REQUIRE(small.turn_until([&] { return small.document().look().passes.size() == 2; }));
+    REQUIRE(small.update_until([&] { return small.document().look().passes.size() == 2; }));
     CHECK(small.value("gain/offset") == 1.0);
     CHECK(preset_of(small.document()).bypass == std::vector<std::string>{"gain"});
 
@@ -229,7 +229,7 @@ TEST_CASE("a stack that begins with the open look opens in one undo step, and so
         set_override(document, "show", {Format::rgba16f, {}, {}});
     });
     const auto has_opened = [&small](const char* id, const char* step) {
-        return small.turn_until([&] { return small.document().history().undo_name() == step; }) &&
+        return small.update_until([&] { return small.document().history().undo_name() == step; }) &&
                small.shows(id);
     };
     small.lab().looks().open(preset.string());
@@ -256,16 +256,16 @@ TEST_CASE("each look of a stack is reloaded on changes, and an error keeps the p
     REQUIRE(small.shows("small+gain"));
     REQUIRE(write_atomically(other / "show.frag", replaced(gain_text, "gain = 0.5", "gain = 0.25"))
                 .has_value());
-    REQUIRE(small.turn_until([&] { return small.value("gain/gain") == 0.25; }));
+    REQUIRE(small.update_until([&] { return small.value("gain/gain") == 0.25; }));
     REQUIRE(
         write_atomically(other / "show.frag", replaced(gain_text, "uv) *", "uvv) *")).has_value());
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().messages().problems().front().diagnostic.file == other / "show.frag");
     CHECK(small.document().look().id == "small+gain");
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
     REQUIRE(write_atomically(other / "show.frag", gain_text).has_value());
-    REQUIRE(small.turn_until([&] { return small.value("small/gain") == 2.0; }));
-    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return small.value("small/gain") == 2.0; }));
+    CHECK(small.update_until([&] { return small.lab().messages().problems().empty(); }));
 }
 
 TEST_CASE("a stack with its order, bypass and undo is restored at the next start") {

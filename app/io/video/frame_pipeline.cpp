@@ -33,7 +33,7 @@ FramePipeline::~FramePipeline() {
 FramePipeline::Slot* FramePipeline::find(Slot::State state) {
     Slot* first = nullptr;
     for (Slot& slot : m_slots)
-        if (slot.state == state && (!first || slot.turn < first->turn))
+        if (slot.state == state && (!first || slot.number < first->number))
             first = &slot;
     return first;
 }
@@ -53,7 +53,7 @@ void FramePipeline::push(Frame* frame) {
     const Lock lock(m_mutex);
     const auto slot =
         std::ranges::find_if(m_slots, [&](const Slot& one) { return &one.frame == frame; });
-    slot->turn = m_pushed++;
+    slot->number = m_pushed++;
     slot->state = Slot::State::waiting;
     m_changed.notify_all();
 }
@@ -81,7 +81,7 @@ void FramePipeline::make(Slot& slot, Lock& lock) {
     auto made = m_stages.make(slot.frame);
     lock.lock();
     if (!made) {
-        note_error(slot.turn, std::move(made.error()));
+        note_error(slot.number, std::move(made.error()));
         return;
     }
     slot.made = std::move(*made);
@@ -95,13 +95,13 @@ void FramePipeline::deliver_made(Lock& lock) {
     m_is_delivering = true;
     for (;;) {
         Slot* slot = find(Slot::State::made);
-        if (!slot || slot->turn != m_delivered)
+        if (!slot || slot->number != m_delivered)
             break;
         lock.unlock();
         auto done = m_stages.deliver(slot->frame.number, std::move(slot->made));
         lock.lock();
         if (!done) {
-            note_error(slot->turn, std::move(done.error()));
+            note_error(slot->number, std::move(done.error()));
             free(*slot);  // m_delivered is unchanged, so no later frame is delivered
             break;
         }
@@ -111,10 +111,10 @@ void FramePipeline::deliver_made(Lock& lock) {
     m_is_delivering = false;
 }
 
-void FramePipeline::note_error(std::uint64_t turn, Diagnostics reasons) {
-    if (!m_error || turn < m_failed_turn) {
+void FramePipeline::note_error(std::uint64_t number, Diagnostics reasons) {
+    if (!m_error || number < m_failed_number) {
         m_error = std::move(reasons);
-        m_failed_turn = turn;
+        m_failed_number = number;
     }
     m_is_dropping = true;
     m_changed.notify_all();

@@ -59,7 +59,7 @@ private:
 
         Frame frame;
         State state = State::free;
-        std::uint64_t turn = 0;
+        std::uint64_t number = 0;
         Made made;
     };
     using Lock = std::unique_lock<std::mutex>;
@@ -68,7 +68,7 @@ private:
     Slot* find(Slot::State state);
     void make(Slot& slot, Lock& lock);
     void deliver_made(Lock& lock);
-    void note_error(std::uint64_t turn, Diagnostics reasons);
+    void note_error(std::uint64_t number, Diagnostics reasons);
     void free(Slot& slot);
     void join();
 
@@ -77,11 +77,11 @@ private:
     std::condition_variable m_changed;
     std::vector<Slot> m_slots;
     std::uint64_t m_pushed = 0;     // number of frames pushed
-    std::uint64_t m_delivered = 0;  // the next turn
+    std::uint64_t m_delivered = 0;  // the number of the next one
     bool m_is_delivering = false;
     bool m_is_ending = false;
     bool m_is_dropping = false;  // no further frame is started
-    std::uint64_t m_failed_turn = 0;
+    std::uint64_t m_failed_number = 0;
     std::optional<Diagnostics> m_error;
     std::vector<std::thread> m_threads;
 };

@@ -24,7 +24,8 @@ void MidiControl::learn(std::optional<MidiGoal> goal) {
 }
 
 // A 14-bit device sends the lower half immediately after the upper one. Then both are bound.
-std::optional<MidiBinding> MidiControl::learnt_of(const MidiTurn& turn, double now_seconds) {
+std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& turn,
+                                                  double now_seconds) {
     constexpr double right_behind = 0.05;  // s
     if (m_goal) {
         m_learnt = MidiBinding{*std::exchange(m_goal, {}), turn.channel, turn.controller};
@@ -56,7 +57,7 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
         else if (document && !document->is_restacking())
             for (const MidiBinding& binding : settings.midi)
                 if (const auto share = m_pairs.share(binding, *turned))
-                    turn(binding, *share, settings, *document, hand, now_seconds);
+                    set_value(binding, *share, settings, *document, hand, now_seconds);
         m_pairs.note(*turned);
     }
     if (learnt)
@@ -65,8 +66,9 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
 }
 
 // A parameter that the open look does not have belongs to another look and is ignored.
-void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSettings& settings,
-                       Document& document, RemoteEdits& hand, double now_seconds) {
+void MidiControl::set_value(const MidiBinding& binding, double share,
+                            const RemoteSettings& settings, Document& document, RemoteEdits& hand,
+                            double now_seconds) {
     const auto meant = meant_parameter(binding.goal.parameter, document.look());
     if (!meant || !can_be_turned(**meant))
         return;
@@ -78,7 +80,7 @@ void MidiControl::turn(const MidiBinding& binding, double share, const RemoteSet
     const bool takes = pick_up.takes(share, present);
     if (settings.picks_up && is_gradual(parameter) && !takes)
         return;
-    const auto done = hand.turn(
+    const auto done = hand.apply(
         document, {parameter.name, value_at_share(number, document.value(parameter), share)},
         now_seconds);
     if (!done) {

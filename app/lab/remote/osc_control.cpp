@@ -26,7 +26,7 @@ Result<Value> asked_value(const OscMessage& message, const Parameter& parameter)
 }
 }  // namespace
 
-Result<RemoteChange> turn_of(const OscMessage& message, const Look& look) {
+Result<RemoteChange> change_of(const OscMessage& message, const Look& look) {
     if (!message.address.starts_with(osc_prefix))
         return fail({{}, 0, fmt::format("expected /afterglow/NAME, got '{}'", message.address)});
     const auto parameter = meant_parameter(message.address.substr(osc_prefix.size()), look);
@@ -89,9 +89,9 @@ void OscControl::read(const std::vector<std::uint8_t>& packet) {
 
 void OscControl::take(const OscMessage& message, Document* document, RemoteEdits& hand,
                       double now_seconds) {
-    const auto turn =
-        document ? turn_of(message, document->look()) : fail(Diagnostic{{}, 0, "no look is open"});
-    const auto turned = turn ? hand.turn(*document, *turn, now_seconds) : fail(turn.error());
+    const auto change = document ? change_of(message, document->look())
+                                 : fail(Diagnostic{{}, 0, "no look is open"});
+    const auto turned = change ? hand.apply(*document, *change, now_seconds) : fail(change.error());
     if (turned)
         ++m_turned;
     else

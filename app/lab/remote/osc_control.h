@@ -10,7 +10,7 @@
 
 /// Parses a message `/afterglow/NAME` with one number per component, or with a text as the user
 /// would type it.
-Result<RemoteChange> turn_of(const OscMessage& message, const Look& look);
+Result<RemoteChange> change_of(const OscMessage& message, const Look& look);
 
 /// Lets other programs on this machine set parameters by Open Sound Control.
 class OscControl {

@@ -29,12 +29,13 @@ bool RemoteGesture::has_ended(double now_seconds) {
     return true;
 }
 
-Result<void> RemoteEdits::turn(Document& document, const RemoteChange& turn, double now_seconds) {
-    if (setting_of(turn.parameter, document.parameter_settings()).is_locked)
-        return fail({{}, 0, fmt::format("'{}' is locked", turn.parameter)});
-    if (!m_gesture.goes_on(turn.parameter, now_seconds))
+Result<void> RemoteEdits::apply(Document& document, const RemoteChange& change,
+                                double now_seconds) {
+    if (setting_of(change.parameter, document.parameter_settings()).is_locked)
+        return fail({{}, 0, fmt::format("'{}' is locked", change.parameter)});
+    if (!m_gesture.goes_on(change.parameter, now_seconds))
         document.finish();
-    set_values(document, {{turn.parameter, turn.value}}, "Remote control", true);
+    set_values(document, {{change.parameter, change.value}}, "Remote control", true);
     return {};
 }
 

@@ -29,7 +29,7 @@ private:
 class RemoteEdits {
 public:
     /// Fails for locked parameters.
-    Result<void> turn(Document& document, const RemoteChange& turn, double now_seconds);
+    Result<void> apply(Document& document, const RemoteChange& change, double now_seconds);
     /// Call it in every update after the messages. It ends undo steps.
     void update(Document* document, double now_seconds);
     /// Whether an undo step is still open.

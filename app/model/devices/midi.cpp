@@ -9,13 +9,13 @@ constexpr int lower_half =
     32;  // offset of the lower 7 bits of controllers 0 .. 31 (MIDI 1.0, table 3)
 }
 
-std::optional<MidiTurn> parse_midi(std::span<const std::uint8_t> bytes) {
+std::optional<MidiControlChange> parse_midi(std::span<const std::uint8_t> bytes) {
     constexpr unsigned control_change = 0xb0;
     constexpr unsigned most = 127;
     if (bytes.size() != 3 || (bytes[0] & 0xf0u) != control_change || bytes[1] > most ||
         bytes[2] > most)
         return std::nullopt;
-    return MidiTurn{static_cast<int>(bytes[0] & 0x0fu) + 1, bytes[1], bytes[2]};
+    return MidiControlChange{static_cast<int>(bytes[0] & 0x0fu) + 1, bytes[1], bytes[2]};
 }
 
 std::string words_of(const MidiBinding& binding) {
@@ -25,12 +25,13 @@ std::string words_of(const MidiBinding& binding) {
     return fmt::format("CC {}, channel {}", binding.controller, binding.channel);
 }
 
-bool is_lower_half(const MidiTurn& turn, const MidiBinding& binding) {
+bool is_lower_half(const MidiControlChange& turn, const MidiBinding& binding) {
     return binding.controller < lower_half && turn.channel == binding.channel &&
            turn.controller == binding.controller + lower_half;
 }
 
-std::optional<double> MidiPairs::share(const MidiBinding& binding, const MidiTurn& turn) const {
+std::optional<double> MidiPairs::share(const MidiBinding& binding,
+                                       const MidiControlChange& turn) const {
     if (!binding.is_fine) {
         const bool is_it = turn.channel == binding.channel && turn.controller == binding.controller;
         return is_it ? std::optional(turn.value / 127.0) : std::nullopt;
@@ -41,7 +42,7 @@ std::optional<double> MidiPairs::share(const MidiBinding& binding, const MidiTur
     return (upper->second * 128 + turn.value) / 16383.0;
 }
 
-void MidiPairs::note(const MidiTurn& turn) {
+void MidiPairs::note(const MidiControlChange& turn) {
     if (turn.controller < lower_half)
         m_upper[{turn.channel, turn.controller}] = turn.value;
 }

@@ -9,16 +9,16 @@
 #include <utility>
 
 /// A Control Change message of MIDI 1.0.
-struct MidiTurn {
+struct MidiControlChange {
     int channel = 1;     // 1 .. 16
     int controller = 0;  // 0 .. 127
     int value = 0;       // 0 .. 127
 
-    bool operator==(const MidiTurn&) const = default;
+    bool operator==(const MidiControlChange&) const = default;
 };
 
 /// Parses one complete message; nullopt if it is another type or truncated.
-std::optional<MidiTurn> parse_midi(std::span<const std::uint8_t> bytes);
+std::optional<MidiControlChange> parse_midi(std::span<const std::uint8_t> bytes);
 
 /// The target of a controller: a parameter, or one component of a vector.
 struct MidiGoal {
@@ -42,16 +42,16 @@ struct MidiBinding {
 std::string words_of(const MidiBinding& binding);
 
 /// Whether the message is the lower half of the binding's 14-bit controller.
-bool is_lower_half(const MidiTurn& turn, const MidiBinding& binding);
+bool is_lower_half(const MidiControlChange& turn, const MidiBinding& binding);
 
 /// Combines the two halves of 14-bit controllers.
 class MidiPairs {
 public:
     /// The position of the bound controller, 0 .. 1. nullopt if the message does not change it, or
     /// is the upper half: the lower half follows.
-    std::optional<double> share(const MidiBinding& binding, const MidiTurn& turn) const;
+    std::optional<double> share(const MidiBinding& binding, const MidiControlChange& turn) const;
     /// Call with every message, after share().
-    void note(const MidiTurn& turn);
+    void note(const MidiControlChange& turn);
 
 private:
     std::map<std::pair<int, int>, int> m_upper;  // by channel and controller

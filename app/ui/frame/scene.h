@@ -26,7 +26,7 @@ struct Scene {
     bool is_behind_output = false;  // the output window covers this one
     const Fonts& fonts;
     const ActionTable& actions;
-    long turn = 0;                                     // number of window frames so far
+    long frame_number = 0;                             // number of window frames so far
     bool is_behind = false;                            // input events wait for later frames
     float scale = 1.0f;                                // window coordinates per layout pixel
     float density = 1.0f;                              // device pixels per window coordinate

@@ -103,7 +103,7 @@ public:
                 return false;
             }
             if (wait())
-                turn();
+                update();
             keeper.update(m_lab, m_state);
         }
         keeper.save(m_lab, m_state);
@@ -117,7 +117,7 @@ private:
     bool wait();  // whether an update is due
     bool has_lost_context() const;
     Extent view() const;
-    void turn();
+    void update();
     void follow_output();
     bool awaits_picture();
     bool is_before_panels(Clock::time_point now);
@@ -157,7 +157,7 @@ private:
     Clock::time_point m_attended_until = m_awake_until;
     Clock::time_point m_drawn = m_last;
     double m_frame_seconds = 0.0;  // since the last complete frame of the picture
-    long m_turn = 0;
+    long m_frame_number = 0;
     bool m_has_had_picture = false;           // a look has been drawn
     std::optional<bool> m_waits_for_display;  // as last set on the window
     bool m_is_quitting = false;
@@ -191,8 +191,8 @@ bool Application::wait() {
 }
 
 bool Application::has_lost_context() const {
-    constexpr int injected_turn = 30;
-    return gpu::was_reset() || (m_turn >= injected_turn && take_injected_reset());
+    constexpr int injected_frame = 30;
+    return gpu::was_reset() || (m_frame_number >= injected_frame && take_injected_reset());
 }
 
 // The size in pixels of a picture that follows the view: that of the output window if it is open.
@@ -201,7 +201,7 @@ Extent Application::view() const {
     return m_state.views.output.is_empty() ? m_state.views.picture : m_state.views.output;
 }
 
-void Application::turn() {
+void Application::update() {
     const Clock::time_point now = Clock::now();
     const double wall_seconds = seconds_between(m_last, now);
     m_last = now;
@@ -277,14 +277,14 @@ bool Application::awaits_picture() {
 // The panels wait briefly, so that a fast first picture is displayed with them. Without stored
 // panel sizes, the size of the picture is unknown.
 bool Application::is_before_panels(Clock::time_point now) {
-    return m_turn == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
+    return m_frame_number == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
            seconds_between(m_drawn, now) < picture_patience_seconds;
 }
 
 // Whether the panels need a new frame now. Otherwise they are drawn ten times a second.
 bool Application::is_attended(Clock::time_point now) {
     constexpr double now_and_then = 0.1;
-    if (m_turn == 0 || m_window.events().has_input() || m_toolkit.is_behind() ||
+    if (m_frame_number == 0 || m_window.events().has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, now) > now_and_then)
         return true;
     return !awaits_picture() && (now < m_attended_until || m_lab.loader().is_loading());
@@ -317,7 +317,7 @@ void Application::draw() {
                       m_output.covers_panels(),
                       m_toolkit.fonts(),
                       m_actions,
-                      ++m_turn,
+                      ++m_frame_number,
                       m_toolkit.is_behind(),
                       m_toolkit.scale(),
                       m_toolkit.density(),

@@ -261,8 +261,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     const Extent picture = lab.work().size.extent();
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
-        lab.document() ? document_text(lab) : std::string(), scene.turn, scene.panel_milliseconds,
-        scene.is_behind, lab.loader().is_loading(),
+        lab.document() ? document_text(lab) : std::string(), scene.frame_number,
+        scene.panel_milliseconds, scene.is_behind, lab.loader().is_loading(),
         json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
                                            : std::string()),
         json_string(lab.work().media.loading()), transport.is_playing(),

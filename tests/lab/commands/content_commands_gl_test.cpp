@@ -38,7 +38,7 @@ public:
     }
     void open_song() {
         lab().looks().open_file(folder() / "song.wav");
-        REQUIRE(turn_until([&] { return plays_song(); }));
+        REQUIRE(update_until([&] { return plays_song(); }));
         lab().work().opened_files.take();
     }
     bool plays_song() {
@@ -46,8 +46,8 @@ public:
     }
     void open_and_wait(const std::string& argument) {
         lab().looks().open(argument);
-        REQUIRE(turn_until([&] { return !lab().loader().is_loading(); }));
-        turn(3);
+        REQUIRE(update_until([&] { return !lab().loader().is_loading(); }));
+        update(3);
     }
     fs::path preset_file(const char* look, const char* name) {
         return folder() / "presets" / look / (std::string(name) + ".json");
@@ -108,11 +108,11 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     const auto command = std::get<std::function<void(Document&)>>(
         small.lab().messages().notice()->buttons.front().commands.front());
     small.lab().edit(command);
-    small.turn(2);
+    small.update(2);
     CHECK(small.document().state().signal.kind == "waveform");
     CHECK(small.player().signal().sound().sound == nullptr);
     small.lab().edit([](Document& document) { document.undo(); });
-    CHECK(small.turn_until([&] { return small.plays_song(); }));
+    CHECK(small.update_until([&] { return small.plays_song(); }));
     CHECK(is_content_locked(small.document()));
     CHECK(preset_name(small.document()) == "wave");
 }
@@ -129,8 +129,8 @@ TEST_CASE("a preset opened with its own signal replaces the user's sound") {
     ContentLab small;
     small.open_song();
     small.lab().looks().open_with_content(small.preset_file("small", "wave").string());
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
-    small.turn(3);
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
+    small.update(3);
     CHECK(small.document().state().signal.kind == "waveform");
     CHECK_FALSE(is_content_locked(small.document()));
 }
@@ -139,8 +139,8 @@ TEST_CASE("the user's sound keeps playing through a morph and its end") {
     ContentLab small;
     small.open_song();
     small.lab().presets().navigation().morph_to(small.preset_file("small", "wave"), 0.1);
-    CHECK(small.turn_until([&] { return !small.lab().presets().navigation().morphing(); }));
-    small.turn(3);
+    CHECK(small.update_until([&] { return !small.lab().presets().navigation().morphing(); }));
+    small.update(3);
     CHECK(preset_name(small.document()) == "wave");
     CHECK(small.plays_song());
     CHECK(small.lab().messages().notice()->text == "Morphed to \"wave\" · Kept song.wav");
@@ -151,15 +151,15 @@ TEST_CASE("user content plays in looks of its kind and is stored during other lo
     small.open_song();
     small.open_and_wait("other");
     CHECK(small.document().look().id == "other");
-    CHECK(small.turn_until([&] { return small.plays_song(); }));
+    CHECK(small.update_until([&] { return small.plays_song(); }));
     CHECK_FALSE(is_modified(small.document()));
     small.open_and_wait("tube");
     CHECK(small.document().state().source == "pattern:white");
     small.lab().looks().open_file(small.folder() / "game.exr");
-    REQUIRE(small.turn_until([&] { return is_content_locked(small.document()); }));
+    REQUIRE(small.update_until([&] { return is_content_locked(small.document()); }));
     const std::string game = small.document().state().source;
     small.open_and_wait("small");
-    CHECK(small.turn_until([&] { return small.plays_song(); }));
+    CHECK(small.update_until([&] { return small.plays_song(); }));
     small.open_and_wait(small.preset_file("tube", "bars").string());
     CHECK(small.document().state().source == game);
     CHECK(small.lab().messages().notice()->text.find("Kept game.exr") != std::string::npos);
@@ -188,9 +188,9 @@ TEST_CASE("a reload keeps the user's sound") {
     ContentLab small;
     small.open_song();
     small.write("gain.glsl", "uniform float gain = 3.0;\n");
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return small.document().look().parameters.back().initial == Value(3.0); }));
-    small.turn(3);
+    small.update(3);
     CHECK(small.plays_song());
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("a preset that changes on disk keeps the user's sound") {
     REQUIRE(write_atomically(file, R"({"format": "afterglow-preset", "version": 1,
         "look": "small", "name": "wave", "signal": {"kind": "harmonics"}, "values": {"gain": 4}})")
                 .has_value());
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         return small.document().values() == Values{{"gain", Value(4.0)}};
     }));
     CHECK(small.plays_song());
@@ -220,7 +220,7 @@ TEST_CASE("a session restores the user's sound, its lock and the undo history") 
     small.start();
     restore(small.lab(), *session);
     small.wait_for_frames();
-    CHECK(small.turn_until([&] { return small.plays_song(); }));
+    CHECK(small.update_until([&] { return small.plays_song(); }));
     CHECK(is_content_locked(small.document()));
     CHECK_FALSE(is_modified(small.document()));
     small.lab().edit([](Document& document) { document.undo(); });
@@ -237,5 +237,5 @@ TEST_CASE("a start with another look plays the sound locked in the last session"
     small.lab().content().set_initial(content_of(session));
     small.lab().looks().open("other");
     small.wait_for_frames();
-    CHECK(small.turn_until([&] { return small.plays_song(); }));
+    CHECK(small.update_until([&] { return small.plays_song(); }));
 }

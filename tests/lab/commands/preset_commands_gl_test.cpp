@@ -31,8 +31,8 @@ public:
     PresetCommands& presets() { return lab().presets(); }
     void open_and_wait(const std::string& argument) {
         lab().looks().open(argument);
-        REQUIRE(turn_until([&] { return !lab().loader().is_loading() && lab().document(); }));
-        turn(2);
+        REQUIRE(update_until([&] { return !lab().loader().is_loading() && lab().document(); }));
+        update(2);
     }
     void turn_gain(double gain) {
         lab().edit([gain](Document& document) { document.set_value("gain", Value(gain)); });

@@ -23,7 +23,7 @@ class Grey : public SmallLab {
 public:
     Grey() {
         write_by_rename("show.frag", even);
-        REQUIRE(turn_until([&] { return find_parameter(document().look(), "level"); }));
+        REQUIRE(update_until([&] { return find_parameter(document().look(), "level"); }));
         lab().player().pause();
         auto made = Views::make();
         REQUIRE(made.has_value());
@@ -38,10 +38,10 @@ public:
     }
     void rest() {
         lab().update(0.0);
-        REQUIRE(turn_until([&] { return !lab().is_moving() || lab().messages().notice(); }));
+        REQUIRE(update_until([&] { return !lab().is_moving() || lab().messages().notice(); }));
         for (int i = 0; i < 3; ++i) {
             lab().update(0.0);
-            REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
+            REQUIRE(update_until([&] { return !lab().renderer()->replay().is_running(); }));
         }
         m_views->update(lab(), window);
     }
@@ -110,7 +110,7 @@ TEST_CASE("slots and the comparison are restored at the next start") {
     small.lab().frames().comparison().set_all_slots(session->slots);
     restore(small.lab(), *session);
     REQUIRE(
-        small.turn_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
+        small.update_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
     CHECK(small.lab().frames().comparison().slots()[2]->values == Values{{"level", Value(0.25)}});
     CHECK(small.lab().frames().comparison().mode() == CompareMode::wipe);
     CHECK(small.lab().frames().comparison().sides()->other == "Slot C");
@@ -184,7 +184,7 @@ TEST_CASE("a comparison with a picture file follows the file on disk") {
 
     const auto next = small.picture_file("next.png", {8, 8}, {0.8f, 0.4f, 0.6f});
     std::filesystem::rename(next, file);
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         small.rest();
         return small.seen(1) > 0.7;
     }));

@@ -33,20 +33,20 @@ class Wiping : public SmallLab {
 public:
     Wiping() {
         write_by_rename("sum.frag", with_a_switch);
-        REQUIRE(turn_until([&] { return find_parameter(document().look(), "as_written"); }));
+        REQUIRE(update_until([&] { return find_parameter(document().look(), "as_written"); }));
     }
     void set(const char* name, double value) {
         lab().edit([&](Document& document) { document.set_value(name, Value(value)); });
     }
     void rest() {
-        REQUIRE(turn_until([&] { return !lab().is_moving(); }));
+        REQUIRE(update_until([&] { return !lab().is_moving(); }));
     }
     /// Turns the wipe on and waits until the history of the other side is drawn.
     void wipe() {
         lab().frames().comparison().set_mode(CompareMode::wipe);
-        REQUIRE(turn_until([&] { return lab().frames().comparison().sides().has_value(); }));
+        REQUIRE(update_until([&] { return lab().frames().comparison().sides().has_value(); }));
         for (int i = 0; i < 1000 && lab().renderer()->replay().is_running(); ++i)
-            turn(1);
+            update(1);
     }
     float shown_beside() {
         return gpu::read_pixel(lab().renderer()->executors().variant()->target(1), 3, 3)[0];
@@ -56,9 +56,9 @@ public:
 
 TEST_CASE("the article's picture is drawn from the frames that led to the current one") {
     Wiping small;
-    small.turn(6);
+    small.update(6);
     small.lab().player().pause();
-    small.turn(1);
+    small.update(1);
     const float frames = small.frames();
     const float shown = small.shown();
     CHECK(small.lab().renderer()->executors().variant() == nullptr);
@@ -73,13 +73,13 @@ TEST_CASE("the article's picture is drawn from the frames that led to the curren
     CHECK_FALSE(small.document().history().can_undo());
 
     small.lab().player().play();
-    small.turn(4);
+    small.update(4);
     CHECK(small.frames() == frames + 4);
     CHECK(small.shown() == shown + 4);
     CHECK(small.shown_beside() == 3 * (std::min(frames, 20.0f) + 4));
 
     small.lab().frames().comparison().set_mode(CompareMode::off);
-    small.turn(1);
+    small.update(1);
     CHECK(small.lab().renderer()->executors().variant() == nullptr);
     CHECK(small.shown() == shown + 5);
 }
@@ -93,18 +93,18 @@ TEST_CASE("an active wipe is restored at the next start") {
     small.start();
     restore(small.lab(), session);
     REQUIRE(
-        small.turn_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
-    CHECK(small.turn_until([&] { return small.shown_beside() > 0.0f; }));
+        small.update_until([&] { return small.lab().frames().comparison().sides().has_value(); }));
+    CHECK(small.update_until([&] { return small.shown_beside() > 0.0f; }));
 }
 
 TEST_CASE("during playback time waits until the history of the other side is drawn") {
     Wiping small;
-    small.turn(30);
+    small.update(30);
     const float frames = small.frames();
     small.wipe();
     CHECK(small.frames() == frames);
     CHECK(small.shown_beside() == 60);
-    small.turn(2);
+    small.update(2);
     CHECK(small.frames() == frames + 2);
     CHECK(small.shown_beside() == 66);
 }
@@ -114,7 +114,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     small.wipe();
     SUBCASE("a parameter without history") {
         small.set("gain", 2.0);
-        small.turn(1);
+        small.update(1);
         CHECK(
             gpu::read_pixel(small.lab().renderer()->executors().variant()->target(1), 3, 3)[0] ==
             2 * gpu::read_pixel(small.lab().renderer()->executors().variant()->target(0), 3, 3)[0]);
@@ -124,7 +124,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     SUBCASE("a parameter with history, while paused") {
         small.lab().player().pause();
         small.set("step_size", 2.0);
-        small.turn(1);
+        small.update(1);
         small.rest();
         CHECK(small.shown_beside() == 3 * small.shown());
         CHECK(small.shown() == 2 * std::min(small.frames(), 20.0f));
@@ -132,7 +132,7 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     SUBCASE("the switch itself, which does not swap the sides") {
         small.lab().player().pause();
         small.set("as_written", 1.0);
-        small.turn(1);
+        small.update(1);
         small.rest();
         CHECK(small.shown() == 3 * small.shown_beside());
         CHECK(small.lab().frames().comparison().sides()->left_name() == "Original article");
@@ -141,11 +141,11 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
     SUBCASE("a shader") {
         small.write_by_rename("show.frag",
                               replaced(small_look::show, "* gain", "* gain * 0.0 + 7.0"));
-        CHECK(small.turn_until([&] { return small.shown_beside() == 7 && small.shown() == 7; }));
+        CHECK(small.update_until([&] { return small.shown_beside() == 7 && small.shown() == 7; }));
     }
     SUBCASE("the size") {
         small.lab().work().size.choose({false, {16, 4}, 1.0});
-        small.turn(1);
+        small.update(1);
         CHECK(small.lab().renderer()->executors().variant()->target(1).extent() == Extent{16, 4});
         CHECK(small.lab().renderer()->executor().target(1).extent() == Extent{16, 4});
     }
@@ -153,12 +153,12 @@ TEST_CASE("changes of values, shaders and the size affect both sides of a wipe")
 
 TEST_CASE("drawing the history of the other side can be cancelled") {
     Wiping small;
-    small.turn(30);
+    small.update(30);
     small.lab().frames().comparison().set_mode(CompareMode::wipe);
     small.lab().update(0.0);  // may have drawn all of it already
     small.lab().frames().cancel_replay();
     const float frames = small.frames();
-    small.turn(2);
+    small.update(2);
     CHECK(small.frames() == frames + 2);
     CHECK(small.lab().frames().comparison().sides().has_value());
 }
@@ -166,7 +166,7 @@ TEST_CASE("drawing the history of the other side can be cancelled") {
 TEST_CASE("a wipe on a look without the switch reports the missing switch") {
     SmallLab small;
     small.lab().frames().comparison().set_mode(CompareMode::wipe);
-    small.turn(1);
+    small.update(1);
     CHECK_FALSE(small.lab().frames().comparison().sides());
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->text.find("no switch as_written") != std::string::npos);
@@ -176,10 +176,10 @@ TEST_CASE("both sides of an accumulating look take all their samples and stop") 
     Wiping small;
     small.write_by_rename("sum.frag", sample);
     small.write_by_rename("look.json", that_accumulates);
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return small.shown() == 6 && small.lab().frames().has_converged(); }));
     small.wipe();
-    REQUIRE(small.turn_until([&] { return small.lab().frames().has_converged(); }));
+    REQUIRE(small.update_until([&] { return small.lab().frames().has_converged(); }));
     small.rest();
     CHECK(small.lab().renderer()->executors().variant()->drawer().samples()->held == 6);
     CHECK(small.shown() == 6);
@@ -200,7 +200,7 @@ public:
         m_lab = std::make_unique<Lab>(Library(roots), *m_context, std::move(*worker));
         m_lab->work().size.choose({false, {48, 36}, 1.0});
         m_lab->looks().open(look);
-        turn_until([&] { return m_lab->player().transport().frame_number() > 5; });
+        update_until([&] { return m_lab->player().transport().frame_number() > 5; });
         m_lab->player().pause();
         m_lab->update(0.0);
         auto views = Views::make();
@@ -217,7 +217,7 @@ public:
     }
 
     template <class Condition>
-    void turn_until(Condition condition) {
+    void update_until(Condition condition) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
         while (!condition()) {
             REQUIRE(std::chrono::steady_clock::now() < end);
@@ -228,7 +228,7 @@ public:
     /// The pixels of the view when nothing changes any more, RGBA.
     std::vector<float> view() {
         m_lab->update(0.0);
-        turn_until([&] { return !m_lab->is_moving(); });
+        update_until([&] { return !m_lab->is_moving(); });
         m_views->update(*m_lab, m_window);
         return m_views->main().read_picture().pixels;
     }

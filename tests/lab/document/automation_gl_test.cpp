@@ -4,12 +4,12 @@
 TEST_CASE("automation recorded in the window renders identically offline") {
     SmallLab small;
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
-    small.turn(1);
+    small.update(1);
     small.lab().automation().record(true);
     std::map<int, float> shown;  // by frame number
     for (const double gain : {3.0, 0.5, 0.5, 4.0, 1.0, 2.0}) {
         small.lab().edit([&](Document& document) { document.set_value("gain", Value(gain)); });
-        small.turn(1);
+        small.update(1);
         shown[static_cast<int>(small.frames())] = small.shown();
     }
     small.lab().automation().record(false);

@@ -49,11 +49,11 @@ TEST_CASE("an active pen shows a still keyframe, and without it the keyframes pl
     lab.drawing().edit_keyframes(&EditedDrawing::add_keyframe);
     pull(lab, {-0.5, 0.5}, {0.5, 0.5});
     CHECK(strokes_of(lab) == "[S-0.5 -0.5 0.5 -0.5][S-0.5 0.5 0.5 0.5]");
-    REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
+    REQUIRE(small.update_until([&] { return lit_heights(lab, 0.0)[0] > 0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1] - 0.5f) < 1e-4f);
     lab.drawing().take_pen(false);
     // Each keyframe is held for half a second. A transition takes one second.
-    REQUIRE(small.turn_until([&] { return lit_heights(lab, 0.0)[1] < -0.4f; }));
+    REQUIRE(small.update_until([&] { return lit_heights(lab, 0.0)[1] < -0.4f; }));
     CHECK(std::abs(lit_heights(lab, 1.0)[1]) < 1e-3f);
     CHECK(std::abs(lit_heights(lab, 1.6)[0] - 0.5f) < 1e-4f);
 }
@@ -85,7 +85,7 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     CHECK(lab.messages().notice()->text.find("plays from its file. Its 20002 points") !=
           std::string::npos);
     CHECK(strokes_of(lab).empty());
-    REQUIRE(small.turn_until([&] { return lab.player().signal().sound().drawing != nullptr; }));
+    REQUIRE(small.update_until([&] { return lab.player().signal().sound().drawing != nullptr; }));
     CHECK(std::abs(lit_heights(lab, 0.0)[1] - 0.8f) < 0.01f);  // 1.6 in total
 }
 
@@ -95,6 +95,6 @@ TEST_CASE("an opened scene is drawn") {
           "{ \"format\": \"afterglow-scene\", \"version\": 1, \"items\": [\n"
           "{ \"shape\": \"line\", \"from\": [-0.5, 0.25], \"to\": [0.5, 0.25] } ] }");
     small.lab().looks().open_file(small.folder() / "s.json");
-    REQUIRE(small.turn_until([&] { return small.player().signal().sound().scene != nullptr; }));
+    REQUIRE(small.update_until([&] { return small.player().signal().sound().scene != nullptr; }));
     CHECK(lit_heights(small.lab(), 0.0)[0] == 0.25f);
 }

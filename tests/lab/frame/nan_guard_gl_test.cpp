@@ -45,12 +45,12 @@ void main() {
 struct DetectingHeadless : SmallLab {
     DetectingHeadless() {
         write_by_rename("sum.frag", wrong_at_40);
-        REQUIRE(turn_until([&] { return find_parameter(document().look(), "none"); }));
+        REQUIRE(update_until([&] { return find_parameter(document().look(), "none"); }));
         lab().frames().restart();
     }
     void wait_for_non_finite() {
-        REQUIRE(turn_until([&] { return lab().frames().nan_guard().found().has_value(); }));
-        REQUIRE(turn_until([&] { return !lab().renderer()->replay().is_running(); }));
+        REQUIRE(update_until([&] { return lab().frames().nan_guard().found().has_value(); }));
+        REQUIRE(update_until([&] { return !lab().renderer()->replay().is_running(); }));
     }
     float sum(int frames_ago_row) {
         return gpu::read_pixel(lab().renderer()->executor().target(0), 3, frames_ago_row)[0];
@@ -74,7 +74,7 @@ TEST_CASE("clamping continues with 0 instead of NaN") {
     lab.lab().frames().nan_guard().answer(NonFiniteAction::clamp);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.player().transport().is_playing());
-    lab.turn(3);
+    lab.update(3);
     CHECK(lab.frames() == 43.0f);
     CHECK(lab.sum(3) == 3.0f);
     CHECK(lab.sum(5) == 23.0f);
@@ -84,12 +84,12 @@ TEST_CASE("clearing restarts the history, and ignoring never asks again") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.lab().frames().nan_guard().answer(NonFiniteAction::clear);
-    lab.turn(2);
+    lab.update(2);
     CHECK(lab.sum(3) == 2.0f);
     lab.lab().frames().restart();
     lab.wait_for_non_finite();
     lab.lab().frames().nan_guard().answer(NonFiniteAction::go_on);
-    lab.turn(10);
+    lab.update(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isnan(lab.sum(3)));
 }
@@ -97,7 +97,7 @@ TEST_CASE("clearing restarts the history, and ignoring never asks again") {
 TEST_CASE("in unattended mode NaN is clamped and reported once") {
     DetectingHeadless lab;
     lab.lab().frames().nan_guard().set_unattended(true);
-    REQUIRE(lab.turn_until([&] {
+    REQUIRE(lab.update_until([&] {
         return lab.lab().messages().notice() && lab.lab().messages().notice()->is_problem;
     }));
     CHECK(lab.lab().messages().notice()->text.find("pass 'sum'") != std::string::npos);
@@ -111,9 +111,9 @@ TEST_CASE("a value that fixes the NaN lets time continue with a valid history") 
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.0)); });
-    REQUIRE(lab.turn_until([&] { return lab.player().transport().is_playing(); }));
+    REQUIRE(lab.update_until([&] { return lab.player().transport().is_playing(); }));
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
-    lab.turn(10);
+    lab.update(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.frames() >= 49.0f);
     CHECK(lab.sum(3) == lab.sum(5));
@@ -123,7 +123,7 @@ TEST_CASE("a value that does not fix the NaN keeps the clock paused") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.lab().edit([](Document& document) { document.set_value("danger", Value(0.9)); });
-    lab.turn(1);
+    lab.update(1);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     lab.wait_for_non_finite();
     CHECK(*lab.lab().frames().nan_guard().found() == NonFinitePixel{0, 3, 3, 40});
@@ -134,8 +134,8 @@ TEST_CASE("an edit that fixes the NaN lets time continue") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
     lab.write_by_rename("sum.frag", small_look::sum);
-    REQUIRE(lab.turn_until([&] { return lab.player().transport().is_playing(); }));
-    lab.turn(10);
+    REQUIRE(lab.update_until([&] { return lab.player().transport().is_playing(); }));
+    lab.update(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isfinite(lab.sum(3)));
 }
@@ -153,17 +153,17 @@ TEST_CASE("the pass that wrote it first is reported, even if another one was che
     { "name": "sum", "fragment": "sum.frag", "format": "rgba32f", "inputs": { "previous": "sum@1", "fresh": "spark" } }
   ]
 })");
-    REQUIRE(lab.turn_until([&] { return lab.document().look().passes.size() == 3; }));
+    REQUIRE(lab.update_until([&] { return lab.document().look().passes.size() == 3; }));
     lab.lab().frames().restart();
-    REQUIRE(lab.turn_until([&] { return lab.lab().frames().nan_guard().found().has_value(); }));
+    REQUIRE(lab.update_until([&] { return lab.lab().frames().nan_guard().found().has_value(); }));
     CHECK(lab.lab().frames().nan_guard().found()->frame == 40);
-    REQUIRE(lab.turn_until([&] { return !lab.lab().renderer()->replay().is_running(); }));
-    lab.turn(1);
+    REQUIRE(lab.update_until([&] { return !lab.lab().renderer()->replay().is_running(); }));
+    lab.update(1);
     CHECK(*lab.lab().frames().nan_guard().found() == NonFinitePixel{1, 3, 3, 40});
 }
 
 TEST_CASE("formats that cannot store NaN are not checked") {
     SmallLab lab(replaced(replaced(small_look::manifest, "rgba32f", "rgba8"), "rgba32f", "rgba8"));
-    lab.turn(3);
+    lab.update(3);
     CHECK_FALSE(lab.lab().frames().nan_guard().is_waiting());
 }

@@ -18,7 +18,7 @@ int displayed_value(const Lab& lab, Views& views) {
 
 void pause(SmallLab& small) {
     small.lab().player().pause();
-    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
 }
 }  // namespace
 
@@ -28,11 +28,11 @@ TEST_CASE("a bypassed pass outputs its input, also in a static picture") {
     pause(small);
     CHECK(small.shown() == 4 * small.frames());
     small.lab().frames().passes().toggle(PassSwitch::bypass, "show");
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == small.frames());
     CHECK_FALSE(small.lab().is_moving());
     small.lab().frames().passes().toggle(PassSwitch::bypass, "show");
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 4 * small.frames());
 }
 
@@ -51,16 +51,16 @@ TEST_CASE("a frozen pass survives edits and a replay, and is replayed when unfro
     const float before = small.shown();
     small.lab().frames().passes().toggle(PassSwitch::freeze, "sum");
     small.lab().player().play();
-    small.turn(5);
+    small.update(5);
     CHECK(small.shown() == before);
     small.write_by_rename("show.frag", replaced(small_look::show, "* gain", "* gain * 4.0"));
-    REQUIRE(small.turn_until([&] { return small.shown() == 4 * before; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 4 * before; }));
     pause(small);
     small.lab().edit([](Document& document) { document.set_value("step_size", Value(2.0)); });
-    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
     CHECK(small.shown() == 4 * before);
     small.lab().frames().passes().toggle(PassSwitch::freeze, "sum");
-    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
     const float replayed = std::min(small.frames(), 20.0f);  // settle_frames
     CHECK(small.shown() == 4 * 2 * replayed);
 }
@@ -69,10 +69,10 @@ TEST_CASE("another look resets the pass switches, and another preset keeps them"
     SmallLab small;
     small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().frames().passes().switches().solo == "sum");
     small.lab().looks().create("other");
-    REQUIRE(small.turn_until([&] { return small.document().look().id == "other"; }));
+    REQUIRE(small.update_until([&] { return small.document().look().id == "other"; }));
     CHECK(small.lab().frames().passes().switches().is_empty());
 }
 
@@ -83,21 +83,21 @@ TEST_CASE("a solo or stopped pass is shown as the picture, without later passes"
     small.write_by_rename("sum.frag",
                           replaced(small_look::sum, "+ step_size", "* 0.0 + 0.25 * step_size"));
     small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
-    REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 0.5f; }));
     pause(small);
     CHECK(displayed_value(small.lab(), *views) == 128);  // the last pass is display-encoded
     small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
-    small.turn(1);
+    small.update(1);
     CHECK(displayed_value(small.lab(), *views) == 137);  // linear 0.25 in sRGB: 0.5371
     CHECK(small.shown() == 0.5f);
     small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
     CHECK(small.lab().frames().passes().switches().solo.empty());
     small.lab().edit([](Document& document) { document.set_value("gain", Value(3.0)); });
-    small.turn(2);
+    small.update(2);
     CHECK(displayed_value(small.lab(), *views) == 137);
     CHECK(small.shown() == 0.5f);
     small.lab().frames().passes().toggle(PassSwitch::stop, "sum");
-    small.turn(2);
+    small.update(2);
     CHECK(displayed_value(small.lab(), *views) == 191);  // 0.75
 }
 
@@ -105,13 +105,13 @@ TEST_CASE("the history of one pass or all can be cleared, also in a static pictu
     SmallLab small;
     pause(small);
     small.lab().frames().passes().clear_history("sum");
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 1.0f);
     small.lab().player().play();
-    small.turn(4);
+    small.update(4);
     CHECK(small.shown() == 5.0f);
     small.lab().frames().passes().clear_history();
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 1.0f);
 }
 

@@ -14,7 +14,7 @@ struct Metered : SmallLab {
         meters.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
         lab().player().pause();
         lab().edit([](Document& document) { document.set_value("gain", Value(0.25)); });
-        REQUIRE(turn_until([&] { return !lab().is_moving(); }));
+        REQUIRE(update_until([&] { return !lab().is_moving(); }));
     }
     void update(double seconds) {
         meters->update(lab().renderer()->executor(), document().values(), seconds);
@@ -41,7 +41,7 @@ TEST_CASE("one pass is measured per update, and again after a change") {
     CHECK_FALSE(lab.meters->is_pending());
 
     lab.lab().player().step();
-    lab.turn(1);
+    lab.update(1);
     REQUIRE(lab.frames() == static_cast<float>(frames + 1.0));
     lab.update(10.1);  // too early
     lab.update(10.1);
@@ -58,12 +58,12 @@ TEST_CASE("one pass is measured per update, and again after a change") {
 
 TEST_CASE("a static picture is measured again after a value changes") {
     Metered lab;
-    for (int turn = 0; turn < 3; ++turn)
+    for (int update = 0; update < 3; ++update)
         lab.update(10.0);
     lab.lab().edit([](Document& document) { document.set_value("gain", Value(0.5)); });
-    lab.turn(1);
+    lab.update(1);
     // Waits until the GPU has checked the picture for NaN and infinity.
-    CHECK(lab.turn_until([&] { return !lab.lab().is_moving(); }));
+    CHECK(lab.update_until([&] { return !lab.lab().is_moving(); }));
     for (const double seconds : {20.0, 21.0, 22.0, 23.0})
         lab.update(seconds);
     CHECK(lab.peak(1) == static_cast<double>(lab.frames()) / 2.0);

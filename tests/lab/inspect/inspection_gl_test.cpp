@@ -15,7 +15,7 @@ struct Inspecting : Headless {
     }
     void show(float number) { target->clear({number, number, number, 1}); }
     // Enough updates for pending results.
-    void turn(double seconds) {
+    void update(double seconds) {
         REQUIRE((inspection && target));
         for (int i = 0; i < 3; ++i) {
             inspection->update(target->texture(), subject, seconds);
@@ -28,35 +28,35 @@ struct Inspecting : Headless {
 
 TEST_CASE_FIXTURE(Inspecting, "a target is measured at most five times per second") {
     show(1);
-    turn(1000.0);
-    turn(1100.0);  // the first measurement takes longer
+    update(1000.0);
+    update(1100.0);  // the first measurement takes longer
     CHECK(mean() == 1.0);
     show(2);
-    turn(1100.19);
+    update(1100.19);
     CHECK(mean() == 1.0);
-    turn(1200.0);
+    update(1200.0);
     CHECK(mean() == 2.0);
 }
 
 TEST_CASE_FIXTURE(Inspecting, "the histogram follows the black and white points at once") {
     show(3);
-    turn(1000.0);
+    update(1000.0);
     CHECK(inspection->histogram().bins[0][96] == 256);  // three quarters of 128
     subject.levels = {0, 6};
-    turn(1000.01);
+    update(1000.01);
     CHECK(inspection->histogram().bins[0][64] == 256);
     subject.levels = {0, 2};
-    turn(1000.02);
+    update(1000.02);
     CHECK(inspection->histogram().above == 3 * 256);
 }
 
 TEST_CASE_FIXTURE(Inspecting, "statistics are cleared for another pass and after the end") {
     show(1);
-    turn(1000.0);
+    update(1000.0);
     subject.pass = "bloom";
-    turn(1000.01);
+    update(1000.01);
     CHECK_FALSE(inspection->statistics().has_value());
-    turn(1100.0);
+    update(1100.0);
     CHECK(mean() == 1.0);
     inspection->stop();
     CHECK_FALSE(inspection->statistics().has_value());

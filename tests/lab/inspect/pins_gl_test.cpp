@@ -5,7 +5,7 @@
 TEST_CASE("a pin reads its point in every pass, at most five times per second") {
     SmallLab small;
     small.lab().player().pause();
-    small.turn(2);
+    small.update(2);
     const Executor& executor = small.lab().renderer()->executor();
     const auto present = [&] { return gpu::read_pixel(executor.target(0), 0, 0)[0]; };
     auto pins = Pins::make();
@@ -26,7 +26,7 @@ TEST_CASE("a pin reads its point in every pass, at most five times per second") 
     CHECK(pins->value(1, 0) == nullptr);
 
     small.lab().player().step();
-    small.turn(1);
+    small.update(1);
     REQUIRE(present() == first + 1.0f);
     look(1000.19);
     CHECK((*pins->value(0, 0))[0] == first);

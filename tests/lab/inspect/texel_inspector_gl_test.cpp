@@ -24,7 +24,7 @@ struct TexelInspection : Headless {
                 {40, 30},
                 executor.textures().number()};
     }
-    void turn(const PictureView& view, double seconds) {
+    void update(const PictureView& view, double seconds) {
         REQUIRE(texels.has_value());
         const CellNumbers::Subject subject = cells(view, {200, 100});
         texels->update_picture(&subject, seconds);
@@ -34,7 +34,7 @@ struct TexelInspection : Headless {
         const auto* block = texels->picture().block();
         return block ? block->numbers[0][2] : -1.0f;
     }
-    void turn(const ScanLine& line, double seconds) {
+    void update(const ScanLine& line, double seconds) {
         REQUIRE(texels.has_value());
         const Waveform::Subject subject{executor.target(0), name, line,
                                         executor.textures().number()};
@@ -66,8 +66,8 @@ TEST_CASE_FIXTURE(TexelInspection,
     PictureView there = at_50;
     there.x = 0.25;
     executor.draw(frame(1));
-    turn(at_50, 1.0);
-    turn(at_50, 1.01);
+    update(at_50, 1.0);
+    update(at_50, 1.01);
     REQUIRE(texels->picture().block());
     CHECK(texels->picture().block()->numbers[0] == Rgba{8, 4, 1, 1});
     CHECK(texels->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
@@ -75,23 +75,23 @@ TEST_CASE_FIXTURE(TexelInspection,
     CHECK(texels->picture().is_light(0));  // 8, 4, 1 is brighter than white
     CHECK_FALSE(texels->is_pending());
     executor.draw(frame(2));
-    turn(at_50, 1.1);
-    turn(at_50, 1.11);
+    update(at_50, 1.1);
+    update(at_50, 1.11);
     CHECK(blue() == 1.0f);
     CHECK(texels->is_pending());
-    turn(at_50, 1.21);
-    turn(at_50, 1.22);
+    update(at_50, 1.21);
+    update(at_50, 1.22);
     CHECK(blue() == 2.0f);
-    turn(there, 1.23);
-    turn(there, 1.24);
+    update(there, 1.23);
+    update(there, 1.24);
     CHECK(texels->picture().block()->left == 3);
     CHECK(texels->picture().block()->numbers[0][0] == 3.0f);
     name = "another";
-    turn(there, 1.25);
+    update(there, 1.25);
     CHECK(texels->picture().block() == nullptr);  // the values belonged to another target
-    turn(there, 1.26);
+    update(there, 1.26);
     REQUIRE(texels->picture().block());
-    turn({PictureView::Fit::free, 8.0}, 1.27);
+    update({PictureView::Fit::free, 8.0}, 1.27);
     CHECK(texels->picture().block() == nullptr);
     CHECK_FALSE(texels->is_pending());
 }
@@ -112,8 +112,8 @@ TEST_CASE_FIXTURE(TexelInspection, "the waveform of a line contains the values o
     executor.draw(frame(3));
     // From (15, 2) to (7, 6): eight to the left, four down.
     const ScanLine line{{0.76, 0.25}, {0.36, 0.65}};
-    turn(line, 1.0);
-    turn(line, 1.01);
+    update(line, 1.0);
+    update(line, 1.01);
     const Waveform& waveform = texels->waveform();
     const auto& numbers = waveform.numbers();
     REQUIRE(numbers.size() == 9);

@@ -21,18 +21,18 @@ TEST_CASE_FIXTURE(Headless, "one thumbnail at a time is redrawn, five times per 
         pass.output = Encoding::display;
     Executor executor = executor_of(look, {16, 8});
     Thumbnails thumbnails;
-    const auto turn = [&](int number, double seconds) {
+    const auto update = [&](int number, double seconds) {
         executor.draw(frame(number));
         thumbnails.update(*viewer, executor, 8, seconds);
     };
-    turn(6, 1.0);  // 6/60 s: 0.1
+    update(6, 1.0);  // 6/60 s: 0.1
     CHECK(grey(thumbnails, 0) == 26);
     CHECK(grey(thumbnails, 1) == -1);
-    turn(12, 1.01);
+    update(12, 1.01);
     CHECK(grey(thumbnails, 1) == 51);
-    turn(30, 1.1);  // too early
+    update(30, 1.1);  // too early
     CHECK(grey(thumbnails, 0) == 26);
-    turn(30, 1.22);
+    update(30, 1.22);
     CHECK(grey(thumbnails, 0) == 128);
     CHECK(grey(thumbnails, 1) == 51);
     REQUIRE(thumbnails.picture(0));

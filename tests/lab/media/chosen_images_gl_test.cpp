@@ -40,7 +40,7 @@ struct PickerLab : SmallLab {
     PickerLab() {
         write("sum.frag", picker);
         write("look.json", with_a_picker);
-        REQUIRE(turn_until(
+        REQUIRE(update_until(
             [this] { return find_parameter(document().look(), "picked") && shown() == 0.0f; }));
     }
 };
@@ -86,13 +86,13 @@ TEST_CASE("a chosen picture that is overwritten is shown without an edit of the 
     PickerLab small;
     const fs::path file = save_grey(small.folder() / "picked.exr", 0.25f);
     pick(small, file);
-    REQUIRE(small.turn_until([&] { return small.shown() == 0.25f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 0.25f; }));
     save_grey(file, 3.0f);
-    CHECK(small.turn_until([&] { return small.shown() == 3.0f; }));
+    CHECK(small.update_until([&] { return small.shown() == 3.0f; }));
     small.lab().player().pause();
-    small.turn(2);
+    small.update(2);
     save_grey(file, 0.125f);
-    CHECK(small.turn_until([&] { return small.shown() == 0.125f; }));
+    CHECK(small.update_until([&] { return small.shown() == 0.125f; }));
 }
 
 TEST_CASE("a new encoding of an image in look.json takes effect with the same file") {
@@ -109,7 +109,7 @@ TEST_CASE("a new encoding of an image in look.json takes effect with the same fi
     small.write("sum.frag", picker);
     small.write("look.json", manifest);
     const auto shows = [&small](double level) {
-        return small.turn_until([&] { return std::abs(small.shown() - level) < 1e-4; });
+        return small.update_until([&] { return std::abs(small.shown() - level) < 1e-4; });
     };
     REQUIRE(shows(linear));
     small.write("look.json", replaced(manifest, R"("source_encoding": "linear")",
@@ -121,7 +121,7 @@ TEST_CASE("the notice of a problem disappears with the problem") {
     PickerLab small;
     const fs::path file = small.folder() / "picked.exr";
     pick(small, file);
-    small.turn(1);
+    small.update(1);
     REQUIRE(small.lab().messages().notice().has_value());
     CHECK(small.lab().messages().notice()->is_problem);
     REQUIRE(small.lab().messages().problems().size() == 1);
@@ -129,15 +129,15 @@ TEST_CASE("the notice of a problem disappears with the problem") {
 
     SUBCASE("the file is created") {
         save_grey(file, 0.5f);
-        REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
+        REQUIRE(small.update_until([&] { return small.shown() == 0.5f; }));
     }
     SUBCASE("another file is chosen") {
         pick(small, save_grey(small.folder() / "other.exr", 0.5f));
-        small.turn(2);
+        small.update(2);
     }
     SUBCASE("the choice is undone") {
         small.lab().edit([](Document& document) { document.undo(); });
-        small.turn(2);
+        small.update(2);
     }
     CHECK(small.lab().messages().problems().empty());
     CHECK_FALSE(small.lab().messages().notice().has_value());
@@ -146,10 +146,10 @@ TEST_CASE("the notice of a problem disappears with the problem") {
 TEST_CASE("a newer notice stays when an earlier problem is fixed") {
     PickerLab small;
     pick(small, small.folder() / "picked.exr");
-    small.turn(1);
+    small.update(1);
     small.lab().messages().say("Saved");
     small.lab().edit([](Document& document) { document.undo(); });
-    small.turn(2);
+    small.update(2);
     REQUIRE(small.lab().messages().notice().has_value());
     CHECK(small.lab().messages().notice()->text == "Saved");
 }
@@ -161,11 +161,11 @@ TEST_CASE("a preset that is broken and repaired on disk leaves no notice") {
     const fs::path file = preset_file(small.document());
     const std::string good = content_of(file);
     REQUIRE(write_atomically(file, "{ broken").has_value());
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         return small.lab().messages().notice() && small.lab().messages().notice()->is_problem;
     }));
     REQUIRE(write_atomically(file, good).has_value());
-    CHECK(small.turn_until([&] { return !small.lab().messages().notice().has_value(); }));
+    CHECK(small.update_until([&] { return !small.lab().messages().notice().has_value(); }));
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
 }
 
@@ -201,20 +201,20 @@ TEST_CASE("a picture chosen while a look is open is loaded in the background") {
     PickerLab small;
     pick(small, save_grey(small.folder() / "one.exr", 0.25f));
     const float frames = small.frames();
-    small.turn(1);
+    small.update(1);
     CHECK(small.frames() == frames + 1.0f);
     CHECK(small.shown() == 0.0f);  // unchanged, because it takes effect at the start of an update
-    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+    CHECK(small.update_until([&] { return small.shown() == 0.25f; }));
 }
 
 TEST_CASE("of two pictures chosen in succession the second one stays") {
     PickerLab small;
     pick(small, save_grey(small.folder() / "one.exr", 0.25f));
-    small.turn(1);
+    small.update(1);
     pick(small, save_grey(small.folder() / "two.exr", 0.5f));
-    REQUIRE(small.turn_until([&] { return small.shown() == 0.5f; }));
-    for (int turn = 0; turn < 50; ++turn) {
-        small.turn(1);
+    REQUIRE(small.update_until([&] { return small.shown() == 0.5f; }));
+    for (int update = 0; update < 50; ++update) {
+        small.update(1);
         CHECK(small.shown() == 0.5f);
     }
 }
@@ -226,7 +226,7 @@ TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported")
                 " \"PASSES\": [{\"FLOAT\": true}]}*/\n"
                 "void main() { gl_FragColor = textureCube(room, vec3(-1.0, 0.5, 0.25)); }\n");
     small.lab().looks().open((small.folder() / "elsewhere/room.fs").string());
-    REQUIRE(small.turn_until([&] { return small.document().look().id == "room.fs"; }));
+    REQUIRE(small.update_until([&] { return small.document().look().id == "room.fs"; }));
     const auto choose = [&small](const Picture& picture, const char* name) {
         const fs::path file = small.folder() / name;
         REQUIRE(save_picture(picture, file).has_value());
@@ -238,13 +238,13 @@ TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported")
         return gpu::read_pixel(small.lab().executors()->executor().target(0), 3, 3)[0];
     };
     choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
-    CHECK(small.turn_until([&] { return red() == 1.0f; }));
+    CHECK(small.update_until([&] { return red() == 1.0f; }));
     choose({{5, 3}, 1, Encoding::display, std::vector<float>(15, 1.0f)}, "neither.png");
-    CHECK(small.turn_until([&] { return small.lab().messages().problems().size() == 1; }));
+    CHECK(small.update_until([&] { return small.lab().messages().problems().size() == 1; }));
     CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "neither.png");
     CHECK(small.lab().messages().problems().front().diagnostic.message.starts_with(
         "can't be a cube map at 5 x 3 px."));
-    CHECK(small.turn_until([&] { return red() == 0.0f; }));
+    CHECK(small.update_until([&] { return red() == 0.0f; }));
 }
 
 TEST_CASE("a picture outside a preset's folder needs the user's permission once") {
@@ -258,8 +258,8 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
                                              file + "\"}}")
                     .has_value());
         small.lab().looks().open(preset.string());
-        REQUIRE(small.turn_until([&] { return preset_file(small.document()) == preset; }));
-        small.turn(3);
+        REQUIRE(small.update_until([&] { return preset_file(small.document()) == preset; }));
+        small.update(3);
     };
     open_with(outside.string());
     CHECK(small.shown() == 0.0f);
@@ -270,16 +270,16 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
     const MenuEntry use = small.lab().messages().notice()->buttons.front();
     CHECK(use.name == "Use it");
     std::get<std::function<void(Lab&)>>(use.commands.front())(small.lab());
-    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+    CHECK(small.update_until([&] { return small.shown() == 0.5f; }));
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return preset_file(small.document()).empty(); }));
+    REQUIRE(small.update_until([&] { return preset_file(small.document()).empty(); }));
     open_with(outside.string());
-    CHECK(small.turn_until([&] { return small.shown() == 0.5f; }));
+    CHECK(small.update_until([&] { return small.shown() == 0.5f; }));
 
     save_grey(preset.parent_path() / "beside.exr", 0.25f);
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return preset_file(small.document()).empty(); }));
+    REQUIRE(small.update_until([&] { return preset_file(small.document()).empty(); }));
     open_with("beside.exr");
-    CHECK(small.turn_until([&] { return small.shown() == 0.25f; }));
+    CHECK(small.update_until([&] { return small.shown() == 0.25f; }));
     CHECK_FALSE(is_modified(small.document()));
 }

@@ -56,7 +56,7 @@ Picture grey(float level) {
 }
 
 bool has_sound(SmallLab& small) {
-    return small.turn_until([&] { return small.player().signal().sound().sound != nullptr; });
+    return small.update_until([&] { return small.player().signal().sound().sound != nullptr; });
 }
 }  // namespace
 
@@ -75,7 +75,7 @@ TEST_CASE("an opened sound draws and plays from its start, and undo restores the
     CHECK(beam[beam.size() / 2].y == about(-0.25, 0.01));
 
     small.lab().edit([](Document& document) { document.undo(); });
-    small.turn(1);
+    small.update(1);
     CHECK(small.player().signal().sound().sound == nullptr);
     small.lab().edit([](Document& document) { document.redo(); });
     CHECK(has_sound(small));
@@ -103,10 +103,10 @@ TEST_CASE("a preset finds its sound again, and a missing sound is reported") {
     small.lab().looks().open("small");
     small.wait_for_frames();
     small.lab().edit([](Document& document) { set_signal(document, Spec{"waveform", {}}); });
-    small.turn(1);
+    small.update(1);
     const Signal* of_another = small.player().signal().get();
     small.lab().looks().open(file.string());
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.player().signal().get() != of_another);
     CHECK(small.lab().messages().notice()->text.find("song.wav") != std::string::npos);
     CHECK(small.player().signal().get() != nullptr);  // the look's default
@@ -126,22 +126,22 @@ TEST_CASE("a missing file stays listed as a problem while it is referenced") {
             else
                 set_source(document, file.string());
         });
-        REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+        REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
         small.lab().update(60.0);  // the notice has expired
         small.lab().edit([](Document& document) { document.set_value("gain", Value(2.0)); });
-        small.turn(3);
+        small.update(3);
         CHECK_FALSE(small.lab().messages().notice().has_value());
         REQUIRE(small.lab().messages().problems().size() == 1);
         CHECK(small.lab().messages().problems().front().diagnostic.file == file);
         CHECK(small.lab().messages().problems().front().diagnostic.severity == Severity::warning);
         small.write("gain.glsl", "uniform float gain = 3.0;\n");  // a reload clears nothing
-        REQUIRE(small.turn_until(
+        REQUIRE(small.update_until(
             [&] { return small.document().look().parameters.back().initial == Value(3.0); }));
         CHECK(small.lab().messages().problems().size() == 1);
         small.lab().edit([](Document& document) { document.undo(); });
         small.lab().edit([](Document& document) { document.undo(); });
         INFO(is_sound);
-        CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
+        CHECK(small.update_until([&] { return small.lab().messages().problems().empty(); }));
         for (const Problem& problem : small.lab().messages().problems())
             FAIL_CHECK(to_string(problem.diagnostic));
     }
@@ -166,13 +166,13 @@ TEST_CASE("loading a sound can be cancelled, and the previous signal returns") {
     const fs::path song = small.folder() / "long.wav";
     REQUIRE(write_atomically(song, wav(4000000)).has_value());
     small.lab().looks().open_file(song);
-    small.turn(1);
+    small.update(1);
     CHECK(small.lab().work().media.loading() == song.string());
     CHECK(small.lab().is_moving());
     small.lab().content().cancel_loading();
     CHECK(small.lab().work().media.loading().empty());
     CHECK(small.document().state().signal.kind == "lissajous");
-    small.turn(50);
+    small.update(50);
     CHECK(small.player().signal().sound().sound == nullptr);
 }
 
@@ -181,14 +181,14 @@ TEST_CASE("a picture or sound follows its file, and a broken file keeps the last
     const fs::path file = painted.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
     painted.lab().looks().open_file(file);
-    REQUIRE(painted.turn_until([&] { return painted.shown() == 1.25f; }));
+    REQUIRE(painted.update_until([&] { return painted.shown() == 1.25f; }));
     REQUIRE(save_picture(grey(0.5f), file).has_value());
-    CHECK(painted.turn_until([&] { return painted.shown() == 1.5f; }));
+    CHECK(painted.update_until([&] { return painted.shown() == 1.5f; }));
     REQUIRE(write_atomically(file, "no picture").has_value());
-    CHECK(painted.turn_until([&] { return !painted.lab().messages().problems().empty(); }));
+    CHECK(painted.update_until([&] { return !painted.lab().messages().problems().empty(); }));
     CHECK(painted.shown() == 1.5f);
     REQUIRE(save_picture(grey(0.75f), file).has_value());
-    CHECK(painted.turn_until([&] { return painted.shown() == 1.75f; }));
+    CHECK(painted.update_until([&] { return painted.shown() == 1.75f; }));
     CHECK(painted.lab().messages().problems().empty());
 
     SmallLab played(on_a_signal);
@@ -198,9 +198,9 @@ TEST_CASE("a picture or sound follows its file, and a broken file keeps the last
     REQUIRE(has_sound(played));
     const auto seconds = [&] { return played.player().signal().sound_seconds(); };
     REQUIRE(write_atomically(song, wav(4000)).has_value());
-    CHECK(played.turn_until([&] { return seconds() == doctest::Approx(0.5); }));
+    CHECK(played.update_until([&] { return seconds() == doctest::Approx(0.5); }));
     REQUIRE(write_atomically(song, "RIFF and nothing more").has_value());
-    CHECK(played.turn_until([&] { return !played.lab().messages().problems().empty(); }));
+    CHECK(played.update_until([&] { return !played.lab().messages().problems().empty(); }));
     CHECK(seconds() == doctest::Approx(0.5));
 }
 
@@ -225,8 +225,8 @@ TEST_CASE("a chosen file that cannot be read changes nothing and is named in the
         const DocumentState before = small.document().state();
         const Signal* signal = small.player().signal().get();
         small.lab().looks().open_file(file);
-        REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
-        small.turn(3);
+        REQUIRE(small.update_until([&] { return small.lab().messages().notice().has_value(); }));
+        small.update(3);
         CHECK(small.lab().messages().notice()->is_problem);
         CHECK(small.lab().messages().notice()->text.find(bad.file) != std::string::npos);
         CHECK(small.document().state() == before);
@@ -242,12 +242,12 @@ TEST_CASE("an opened file of any kind is reported once") {
     const fs::path picture = small.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), picture).has_value());
     small.lab().looks().open_file(picture);
-    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 1.25f; }));
     CHECK(small.lab().work().opened_files.take() == std::vector{picture});
     small.lab().presets().save_as("grey");
     const fs::path preset = preset_file(small.document());
     small.lab().looks().open_file(preset);
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().work().opened_files.take() == std::vector{preset});
     CHECK(small.lab().work().opened_files.take().empty());
 }
@@ -281,12 +281,12 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
                 set_signal(document, {"scene", {{"file", scene.string()}}});
             });
         }
-        REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+        REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
         const Diagnostic& problem = small.lab().messages().problems().front().diagnostic;
         CHECK(problem.file.filename() == bad.file);
         CHECK(problem.message.find(bad.words) != std::string::npos);
         const float frames = small.frames();
-        small.turn(3);
+        small.update(3);
         CHECK(small.frames() == frames + 3);
         if (bad.manifest == on_a_signal)
             CHECK(small.player().signal().get() != nullptr);
@@ -297,16 +297,16 @@ TEST_CASE("an unreadable video, drawing or model is reported, and the lab contin
 
 TEST_CASE("a look driven by a picture shows its pattern, then the user's file") {
     SmallLab small(on_a_picture);
-    REQUIRE(small.turn_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
+    REQUIRE(small.update_until([&] { return small.shown() == 2.0f; }));  // 1 + step_size
     const fs::path file = small.folder() / "grey.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
     small.lab().looks().open_file(file);
-    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 1.25f; }));
     CHECK(small.lab().work().media.source_extent() == Extent{4, 4});
 
     small.lab().looks().open_file(small.folder() / "none.exr");
-    REQUIRE(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
-    small.turn(3);
+    REQUIRE(small.update_until([&] { return small.lab().messages().notice().has_value(); }));
+    small.update(3);
     CHECK(small.shown() == 1.25f);
 }
 
@@ -316,19 +316,19 @@ TEST_CASE("a picture chosen for a sampler is loaded, and a missing one is black"
         "show.frag",
         replaced(replaced(small_look::show, "uv) * gain", "uv) * gain + texture(extra, uv)"),
                  "uniform sampler2D image;", "uniform sampler2D image;\nuniform sampler2D extra;"));
-    REQUIRE(small.turn_until([&] { return find_parameter(small.document().look(), "extra"); }));
+    REQUIRE(small.update_until([&] { return find_parameter(small.document().look(), "extra"); }));
     const fs::path file = small.folder() / "extra.exr";
     REQUIRE(save_picture(grey(0.25f), file).has_value());
     const auto choose = [&](const fs::path& path) {
         small.lab().edit([path](Document& document) {
             document.set_value("extra", Value::of_path(path.string()));
         });
-        small.turn(2);
+        small.update(2);
     };
     choose(file);
-    CHECK(small.turn_until([&] { return small.shown() - small.frames() == 0.25f; }));
+    CHECK(small.update_until([&] { return small.shown() - small.frames() == 0.25f; }));
     small.lab().edit([](Document& document) { document.undo(); });
-    small.turn(2);
+    small.update(2);
     CHECK(small.shown() - small.frames() == 0.0f);
     choose(small.folder() / "gone.exr");
     CHECK(small.shown() - small.frames() == 0.0f);
@@ -341,9 +341,10 @@ TEST_CASE("each change of the placement of a source is an undo step") {
     const std::string file = (small.folder() / "grey.exr").string();
     REQUIRE(save_picture(grey(0.25f), file).has_value());
     small.lab().looks().open_file(file);
-    REQUIRE(small.turn_until([&] { return small.shown() == 1.25f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 1.25f; }));
     const auto lies_in = [&](Extent extent) {
-        return small.turn_until([&] { return small.lab().work().media.source_extent() == extent; });
+        return small.update_until(
+            [&] { return small.lab().work().media.source_extent() == extent; });
     };
     small.lab().edit([&](Document& document) {
         set_source(document, file + ",fit=whole,aspect=2");
@@ -355,7 +356,7 @@ TEST_CASE("each change of the placement of a source is an undo step") {
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(lies_in({4, 4}));
     small.lab().edit([&](Document& document) { set_source(document, file + ",fit=tall"); });
-    CHECK(small.turn_until([&] { return small.lab().messages().notice().has_value(); }));
+    CHECK(small.update_until([&] { return small.lab().messages().notice().has_value(); }));
 }
 
 TEST_CASE("numbered pictures play in order, and a gap is reported") {
@@ -366,7 +367,7 @@ TEST_CASE("numbered pictures play in order, and a gap is reported") {
                     .has_value());
     small.lab().looks().open_file(small.folder() / "f_%d.exr");
     for (const float number : {1.0f, 2.0f, 4.0f, 1.0f})
-        CHECK(small.turn_until([&] { return small.shown() == 1.0f + number; }));
+        CHECK(small.update_until([&] { return small.shown() == 1.0f + number; }));
     REQUIRE(small.lab().messages().notice().has_value());
     CHECK(small.lab().messages().notice()->text.find("picture 3 is missing") != std::string::npos);
 }
@@ -374,7 +375,7 @@ TEST_CASE("numbered pictures play in order, and a gap is reported") {
 TEST_CASE("a replay shows a moving pattern as it was in each frame") {
     SmallLab small(on_the_past);
     small.lab().work().size.choose({false, {64, 48}, 1.0});
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         return !small.lab().work().media.source_extent().is_empty() && small.frames() > 40.0f;
     }));
     // The harbour moves by one step in ten frames.
@@ -382,7 +383,7 @@ TEST_CASE("a replay shows a moving pattern as it was in each frame") {
     REQUIRE(make_pattern("harbour,size=64x48", end)->pixels !=
             make_pattern("harbour,size=64x48", end - 10.0 / 60.0)->pixels);
     small.lab().player().pause();
-    small.turn(2);
+    small.update(2);
     const auto shown = [&] {
         return gpu::read_picture(small.lab().renderer()->executor().target(1)).pixels;
     };
@@ -392,8 +393,8 @@ TEST_CASE("a replay shows a moving pattern as it was in each frame") {
             document.set_value("step_size", Value(step_size));
             document.finish();
         });
-        small.turn(1);
-        REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+        small.update(1);
+        REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
         CHECK((shown() == before) == (step_size == 1.0));
     }
 }
@@ -405,15 +406,15 @@ TEST_CASE("a changed image of the look is shown, and a broken one is reported") 
     SmallLab small;
     small.write("grain.exr", content_of(grain));
     small.write_by_rename("look.json", with_an_image);
-    REQUIRE(small.turn_until([&] { return small.shown() == 1.5f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 1.5f; }));
     REQUIRE(save_picture(grey(4.0f), grain).has_value());
     small.write("grain.exr", content_of(grain));
-    REQUIRE(small.turn_until([&] { return small.shown() == 5.0f; }));
+    REQUIRE(small.update_until([&] { return small.shown() == 5.0f; }));
     small.write("grain.exr", "no picture");
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().messages().problems().front().diagnostic.file.filename() == "grain.exr");
-    small.turn(3);
+    small.update(3);
     CHECK(small.shown() == 5.0f);
     small.write("grain.exr", content_of(grain));
-    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
+    CHECK(small.update_until([&] { return small.lab().messages().problems().empty(); }));
 }

@@ -22,7 +22,7 @@ public:
     Fading(const std::string& kept, const std::string& kept_first) {
         std::string text = replaced(fading, "KEPT_FIRST", kept_first);
         write_by_rename("sum.frag", replaced(text, "KEPT", kept));
-        REQUIRE(turn_until([&] { return find_parameter(document().look(), "decay"); }));
+        REQUIRE(update_until([&] { return find_parameter(document().look(), "decay"); }));
     }
     Result<RateComparison> compare() {
         Work work;
@@ -79,7 +79,7 @@ TEST_CASE("a rate comparison runs in the background and can be cancelled and res
     lab.lab().jobs().cancel_rates();
     CHECK_FALSE(lab.lab().jobs().rates().is_running());
     lab.lab().jobs().compare_rates();
-    REQUIRE(lab.turn_until([&] { return !lab.lab().jobs().rates().is_running(); }));
+    REQUIRE(lab.update_until([&] { return !lab.lab().jobs().rates().is_running(); }));
     REQUIRE(lab.lab().jobs().rates().outcome());
     REQUIRE(lab.lab().jobs().rates().outcome()->has_value());
     const RateComparison& found = **lab.lab().jobs().rates().outcome();

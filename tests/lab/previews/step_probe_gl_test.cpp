@@ -34,15 +34,15 @@ public:
     Probing() {
         write_by_rename("sum.frag", counting_text);
         write_by_rename("show.frag", adding_text);
-        REQUIRE(turn_until([&] {
+        REQUIRE(update_until([&] {
             return find_parameter(document().look(), "level") &&
                    find_parameter(document().look(), "light");
         }));
-        turn(30);
+        update(30);
     }
     const StepProbe& ask(const char* parameter, bool is_up = true) {
         lab().frames().previews().probe().ask({parameter, 0, is_up});
-        REQUIRE(turn_until([&] { return !probe().is_busy(); }));
+        REQUIRE(update_until([&] { return !probe().is_busy(); }));
         return probe();
     }
     const StepProbe& probe() { return lab().frames().previews().probe(); }
@@ -105,18 +105,18 @@ TEST_CASE("a slider without effect reports the pass in which its effect ends") {
 TEST_CASE("probing a step leaves clock, history and values unchanged") {
     Probing small;
     small.lab().edit([](Document& document) { document.set_value("light", Value(0.125)); });
-    small.turn(60);  // reaches 0.25 + 0.25
+    small.update(60);  // reaches 0.25 + 0.25
     const double time = small.player().transport().time();
     const DocumentState before = small.document().state();
     small.lab().frames().previews().probe().ask({"light", 0, true});
-    int turns = 0;
-    for (; small.probe().is_busy() && turns < 2000; ++turns)
+    int updates = 0;
+    for (; small.probe().is_busy() && updates < 2000; ++updates)
         small.lab().update(1.0 / 60.0);
-    CHECK(is_near_step(small.player().transport().time(), time + turns / 60.0,
+    CHECK(is_near_step(small.player().transport().time(), time + updates / 60.0,
                        1e-6));  // time continued
     CHECK(small.document().state() == before);
     CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
-    small.turn(1);
+    small.update(1);
     CHECK(is_near_step(static_cast<double>(small.shown()), 0.5, 1e-5));
 }
 
@@ -127,7 +127,7 @@ TEST_CASE("the end of a slider is reported, and the probe follows later changes"
     CHECK(end.has_failed());
     CHECK(end.words() == "Level is at its maximum");
     small.lab().edit([](Document& document) { document.set_value("level", Value(0.5)); });
-    small.turn(1);
-    REQUIRE(small.turn_until([&] { return !small.probe().is_busy(); }));
+    small.update(1);
+    REQUIRE(small.update_until([&] { return !small.probe().is_busy(); }));
     CHECK(small.probe().words().starts_with("Level 0.5 → 0.51"));
 }

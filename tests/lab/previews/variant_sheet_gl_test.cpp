@@ -21,12 +21,12 @@ class Laying : public SmallLab {
 public:
     Laying() {
         write_by_rename("show.frag", sheet_text);
-        REQUIRE(turn_until([&] { return find_parameter(document().look(), "red"); }));
-        turn(5);
+        REQUIRE(update_until([&] { return find_parameter(document().look(), "red"); }));
+        update(5);
     }
     const VariantSheet& lay_out(const SheetRequest& request) {
         lab().frames().previews().sheet().begin(request);
-        REQUIRE(turn_until([&] { return !sheet().is_running(); }));
+        REQUIRE(update_until([&] { return !sheet().is_running(); }));
         return sheet();
     }
     const VariantSheet& sheet() { return lab().frames().previews().sheet(); }
@@ -60,7 +60,7 @@ TEST_CASE("a filmstrip shows the look along a slider, and a click applies a valu
     CHECK(small.document().value(*find_parameter(small.document().look(), "red")) == Value(0.75));
     CHECK(small.document().history().undo_name() == "Apply Red 0.75");
     CHECK(strip.present(small.document()) == 3);
-    small.turn(2);
+    small.update(2);
     CHECK_FALSE(small.sheet().is_running());  // applying a cell needs no new sheet
     small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().empty());
@@ -83,7 +83,7 @@ TEST_CASE("a contact sheet varies two parameters and is redrawn when others chan
     small.lab().edit([](Document& document) { document.set_value("green", Value(0.0)); });
     small.lab().update(0.0);
     CHECK(small.sheet().is_running());
-    REQUIRE(small.turn_until([&] { return !small.sheet().is_running(); }));
+    REQUIRE(small.update_until([&] { return !small.sheet().is_running(); }));
     CHECK(is_near_cell(small.color(8)[1], 0.0));
 }
 

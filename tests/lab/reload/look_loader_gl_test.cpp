@@ -24,25 +24,25 @@ std::string open_look(const SmallLab& small) {
 TEST_CASE("opening can be cancelled at any time, and the open look continues") {
     SmallLab small;
     add_other_look(small);
-    for (int turns = 0; turns < 4; ++turns) {
+    for (int updates = 0; updates < 4; ++updates) {
         small.lab().looks().open("other");
         REQUIRE(small.lab().loader().is_loading());
-        small.turn(turns);
+        small.update(updates);
         if (open_look(small) == "other")
             break;  // a fast machine has opened it already
         small.lab().looks().cancel_opening();
         CHECK_FALSE(small.lab().loader().is_loading());
         const float frames = small.frames();
-        small.turn(30);
+        small.update(30);
         CHECK(open_look(small) == "small");
         CHECK(small.frames() > frames);
         CHECK(small.lab().messages().problems().empty());
         CHECK(small.lab().messages().notice()->text == "Cancelled opening \"other\"");
         small.lab().looks().open("small");
-        REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+        REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     }
     small.lab().looks().open("other");
-    CHECK(small.turn_until([&] { return open_look(small) == "other"; }));
+    CHECK(small.update_until([&] { return open_look(small) == "other"; }));
 }
 
 TEST_CASE("after cancelling, an edit of the open look is still drawn") {
@@ -52,7 +52,7 @@ TEST_CASE("after cancelling, an edit of the open look is still drawn") {
     small.lab().looks().cancel_opening();
     small.write("gain.glsl", "uniform float gain = 5.0;  // @range 0 8\n");
     std::set<std::string> shown_texts;
-    CHECK(small.turn_until([&] {
+    CHECK(small.update_until([&] {
         shown_texts.insert(open_look(small));
         const Parameter* gain = find_parameter(small.document().look(), "gain");
         return gain && gain->initial == Value(5.0);
@@ -68,18 +68,18 @@ TEST_CASE("what follows an opening is called once for its look, and never for an
     const auto count = [&calls] { ++calls; };
     small.write("../other/sum.frag", "nonsense\n");
     small.lab().loader().open({other, {}, {}}, count);
-    REQUIRE(small.turn_until([&] { return small.lab().loader().failed() == "other"; }));
+    REQUIRE(small.update_until([&] { return small.lab().loader().failed() == "other"; }));
     small.lab().looks().dismiss_problems();
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
-    small.turn(5);
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
+    small.update(5);
     CHECK(open_look(small) == "small");
     CHECK(calls == 0);
 
     small.write("../other/sum.frag", small_look::sum);
     small.lab().loader().open({other, {}, {}}, count);
-    REQUIRE(small.turn_until([&] { return open_look(small) == "other"; }));
+    REQUIRE(small.update_until([&] { return open_look(small) == "other"; }));
     small.write("../other/gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         const Parameter* gain = find_parameter(small.document().look(), "gain");
         return gain && gain->initial == Value(3.0);
     }));
@@ -96,7 +96,7 @@ TEST_CASE("of two looks opened in succession only the second one opens") {
     small.lab().looks().open("other");
     small.lab().looks().open("third");
     std::set<std::string> shown_texts;
-    CHECK(small.turn_until([&] {
+    CHECK(small.update_until([&] {
         shown_texts.insert(open_look(small));
         return open_look(small) == "third";
     }));
@@ -132,13 +132,13 @@ TEST_CASE("each look draws in its own context, and successive looks use two in t
     REQUIRE(first);
     CHECK(first != gpu::Context::current());
     small.lab().looks().open("other");
-    REQUIRE(small.turn_until([&] { return open_look(small) == "other"; }));
+    REQUIRE(small.update_until([&] { return open_look(small) == "other"; }));
     small.wait_for_frames();
     const gpu::Context* second = home_of(small);
     REQUIRE(second);
     CHECK(second != first);
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return open_look(small) == "small"; }));
+    REQUIRE(small.update_until([&] { return open_look(small) == "small"; }));
     small.wait_for_frames();
     CHECK(home_of(small) == first);
     CHECK(small.shown() == small.frames());
@@ -148,10 +148,10 @@ TEST_CASE("an edit, and the same look opened again, keep the look's context") {
     SmallLab small;
     const gpu::Context* home = home_of(small);
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
-    CHECK(small.turn_until([&] { return small.shown() == 2.0f * small.frames(); }));
+    CHECK(small.update_until([&] { return small.shown() == 2.0f * small.frames(); }));
     CHECK(home_of(small) == home);
     small.lab().looks().open("small");
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(home_of(small) == home);
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("a look draws nothing before its source is available") {
                          "\"driven_by\": \"picture\", \"default_source\": \"pattern:smpte\""));
     bool has_drawn_without = false;
     small.lab().looks().open("other");
-    CHECK(small.turn_until([&] {
+    CHECK(small.update_until([&] {
         if (open_look(small) != "other")
             return false;
         const Executor& executor = small.lab().renderer()->executor();
@@ -197,7 +197,7 @@ TEST_CASE("the bindings of the window survive an edit of the look") {
         gpu::draw_triangle();
     };
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
-    CHECK(small.turn_until([&] {
+    CHECK(small.update_until([&] {
         draw();
         gpu::finish();
         return small.shown() == 2.0f * small.frames();

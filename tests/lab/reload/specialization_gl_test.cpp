@@ -12,7 +12,7 @@ class SpecializingLab : public SmallLab {
 public:
     bool is_specialized() { return lab().renderer()->executor().programs().is_specialized(); }
     bool specializes() {
-        return turn_until([&] { return is_specialized(); });
+        return update_until([&] { return is_specialized(); });
     }
     /// Saves the text with the picture multiplied by `factor`.
     void save_times(int factor) {
@@ -34,21 +34,21 @@ TEST_CASE("static values become constants, and a change is drawn in its own fram
     SpecializingLab small;
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 2.0f * small.frames());
 
     small.set("gain", 3.0);
-    small.turn(1);
+    small.update(1);
     CHECK_FALSE(small.is_specialized());
     CHECK(small.shown() == 3.0f * small.frames());
 
     REQUIRE(small.specializes());
     const float before = small.frames();
     small.set("step_size", 4.0);
-    small.turn(5);
+    small.update(5);
     CHECK(small.shown() == 3.0f * (before + 4.0f * (small.frames() - before)));
     small.lab().edit([](Document& document) { document.undo(); });
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 3.0f * (before + 20.0f + small.frames() - before - 5.0f));
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("a modulated parameter keeps moving while the others are constants") {
     const Modulation moving{.rate = 1.0};
     small.lab().edit([&](Document& document) { set_modulation(document, "gain", moving); });
     REQUIRE(small.specializes());
-    small.turn(7);
+    small.update(7);
     CHECK(small.is_specialized());
     const double gain = small.lab().renderer()->executor().graph().values().at("gain").number();
     CHECK(gain != 1.0);
@@ -69,16 +69,16 @@ TEST_CASE("an edit of a specialised picture is drawn specialised, and later chan
     REQUIRE(small.specializes());
     bool was_specialized = true;
     small.save_times(5);
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         was_specialized = was_specialized && small.is_specialized();
         return small.shown() == 5.0f * small.frames();
     }));
     CHECK(was_specialized);
     small.set("gain", 2.0);
-    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 10.0f * small.frames(); }));
     CHECK_FALSE(small.is_specialized());
     REQUIRE(small.specializes());
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 10.0f * small.frames());
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("a text that returns is drawn with its earlier specialised programs") 
         CAPTURE(factor);
         small.save_times(factor);
         const auto shown = static_cast<float>(factor);
-        REQUIRE(small.turn_until([&] { return small.shown() == shown * small.frames(); }));
+        REQUIRE(small.update_until([&] { return small.shown() == shown * small.frames(); }));
         CHECK(small.is_specialized());
     }
 }
@@ -99,22 +99,22 @@ TEST_CASE("an edit and a simultaneous change are both drawn") {
     REQUIRE(small.specializes());
     small.save_times(5);
     small.set("gain", 2.0);
-    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 10.0f * small.frames(); }));
     small.save_times(7);
-    small.turn(1);
+    small.update(1);
     small.set("gain", 3.0);
-    REQUIRE(small.turn_until([&] { return small.shown() == 21.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 21.0f * small.frames(); }));
 }
 
 TEST_CASE("a change after a failed edit is drawn") {
     SpecializingLab small;
     REQUIRE(small.specializes());
     small.save_times(5);
-    REQUIRE(small.turn_until([&] { return small.shown() == 5.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 5.0f * small.frames(); }));
     small.write_by_rename("gain.glsl", "uniform float gain = 1.0;  // @range 0 8\nnonsense\n");
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
     small.set("gain", 2.0);
-    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
 
 TEST_CASE("an edit is drawn with programs that can be turned where it is compared") {
@@ -123,10 +123,10 @@ TEST_CASE("an edit is drawn with programs that can be turned where it is compare
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
-    REQUIRE(
-        small.turn_until([&] { return small.lab().renderer()->executors().variant() != nullptr; }));
+    REQUIRE(small.update_until(
+        [&] { return small.lab().renderer()->executors().variant() != nullptr; }));
     small.save_times(5);
-    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 10.0f * small.frames(); }));
 }
 
 TEST_CASE("an edit after the end of a comparison is drawn with specialised programs") {
@@ -135,14 +135,14 @@ TEST_CASE("an edit after the end of a comparison is drawn with specialised progr
     small.set("gain", 2.0);
     REQUIRE(small.specializes());
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
-    REQUIRE(
-        small.turn_until([&] { return small.lab().renderer()->executors().variant() != nullptr; }));
+    REQUIRE(small.update_until(
+        [&] { return small.lab().renderer()->executors().variant() != nullptr; }));
     small.lab().frames().comparison().choose({});
-    REQUIRE(
-        small.turn_until([&] { return small.lab().renderer()->executors().variant() == nullptr; }));
-    small.turn(1);
+    REQUIRE(small.update_until(
+        [&] { return small.lab().renderer()->executors().variant() == nullptr; }));
+    small.update(1);
     small.save_times(5);
-    REQUIRE(small.turn_until([&] { return small.shown() == 10.0f * small.frames(); }));
+    REQUIRE(small.update_until([&] { return small.shown() == 10.0f * small.frames(); }));
     CHECK(small.is_specialized());
 }
 
@@ -158,8 +158,8 @@ TEST_CASE("an edit that adds a pass is drawn with its own plan") {
             small_look::manifest, "\n  ]",
             ",\n{ \"name\": \"double\", \"fragment\": \"double.frag\", \"format\": \"rgba32f\", "
             "\"inputs\": { \"image\": \"show\" } }\n  ]"));
-    REQUIRE(small.turn_until([&] { return small.document().look().passes.size() == 3; }));
-    small.turn(1);
+    REQUIRE(small.update_until([&] { return small.document().look().passes.size() == 3; }));
+    small.update(1);
     const Executor& executor = small.lab().renderer()->executor();
     CHECK(gpu::read_pixel(executor.target(2), 3, 3)[0] == 2.0f * small.shown());
 }
@@ -174,11 +174,11 @@ TEST_CASE("another renderer with the same programs draws its own values") {
     REQUIRE(others.picture().resize({8, 8}, {8, 8}).has_value());
     others.draw({.number = 1, .span = {0.0, 1.0 / 60.0}}, Beam());
     CHECK(gpu::read_pixel(others.picture().target(1), 3, 3)[0] == 7.0f);
-    small.turn(1);
+    small.update(1);
     CHECK(small.is_specialized());
     CHECK(small.shown() == 2.0f * small.frames());
     small.set("gain", 4.0);
-    small.turn(1);
+    small.update(1);
     CHECK(small.shown() == 4.0f * small.frames());
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("a paused picture is not specialised") {
     SpecializingLab small;
     small.lab().player().pause();
     const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    small.turn_until(
+    small.update_until(
         [&] { return small.is_specialized() || std::chrono::steady_clock::now() > end; });
     CHECK_FALSE(small.lab().is_moving());
 }

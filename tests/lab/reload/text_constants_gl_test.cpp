@@ -32,7 +32,7 @@ public:
         m_file = folder() / "a.glsl";
         REQUIRE(write_atomically(m_file, std::string_view(text)).has_value());
         lab().looks().open(m_file.string());
-        REQUIRE(turn_until([&] { return is_at(0.25); }));
+        REQUIRE(update_until([&] { return is_at(0.25); }));
     }
     void set(const char* name, double value, bool goes_on = false) {
         lab().edit([&](Document& document) {
@@ -50,7 +50,7 @@ public:
         return document().look().id == "a.glsl" && std::abs(red() - level) < 0.003;
     }
     bool becomes(double level) {
-        return turn_until([&] { return is_at(level) && !lab().loader().is_loading(); });
+        return update_until([&] { return is_at(level) && !lab().loader().is_loading(); });
     }
     const fs::path& file() const { return m_file; }
 
@@ -85,7 +85,7 @@ TEST_CASE("constants follow changes, undo, redo, reset and a reload of the file"
                 .has_value());
     CHECK(small.becomes(0.25));
     small.lab().edit([](Document& document) { reset_parameters(document, {"LEVEL"}); });
-    CHECK(small.turn_until([&] {
+    CHECK(small.update_until([&] {
         return small.document().look().constants.at("LEVEL") == Value(0.25) && small.is_at(0.0);
     }));
 }
@@ -95,7 +95,7 @@ TEST_CASE("dragging a constant shows intermediate values in order, then the last
     std::vector<double> shown_levels;
     double value = 0.3;
     // Like a drag: a new value in each update, whether or not the previous one is compiled.
-    REQUIRE(small.turn_until([&] {
+    REQUIRE(small.update_until([&] {
         value = std::min(value + 0.0005, 1.0);
         small.set("LEVEL", value, true);
         const double compiled = small.document().look().constants.at("LEVEL").number();
@@ -113,14 +113,14 @@ TEST_CASE("dragging a constant shows intermediate values in order, then the last
 TEST_CASE("a value that does not compile is reported at its line, and the picture stays") {
     ConstantLab small;
     small.set("SIZE", 0.0);
-    REQUIRE(small.turn_until([&] { return !small.lab().messages().problems().empty(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().messages().problems().empty(); }));
     CHECK(small.lab().messages().problems().front().diagnostic.line == 5);
-    REQUIRE(small.turn_until([&] { return !small.lab().loader().is_loading(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.is_at(0.25));
-    small.turn(20);
+    small.update(20);
     CHECK_FALSE(small.lab().loader().is_loading());  // it is tried once
     small.set("SIZE", 2.0);
-    CHECK(small.turn_until([&] { return small.lab().messages().problems().empty(); }));
+    CHECK(small.update_until([&] { return small.lab().messages().problems().empty(); }));
     small.set("LEVEL", 0.5);
     CHECK(small.becomes(0.5));
 }
@@ -128,10 +128,10 @@ TEST_CASE("a value that does not compile is reported at its line, and the pictur
 TEST_CASE("a changed constant is drawn while paused") {
     ConstantLab small;
     small.lab().player().pause();
-    small.turn(3);
+    small.update(3);
     small.set("LEVEL", 0.625);
     CHECK(small.becomes(0.625));
-    CHECK(small.turn_until([&] { return !small.lab().is_moving(); }));
+    CHECK(small.update_until([&] { return !small.lab().is_moving(); }));
 }
 
 TEST_CASE("a constant cannot be modulated, and the reason is reported") {
@@ -149,7 +149,7 @@ TEST_CASE("each side of a comparison has its own constants") {
     REQUIRE(small.becomes(0.75));
     small.lab().frames().comparison().choose({{Other::Kind::slot, 0, {}}, CompareMode::wipe});
     const auto other_is = [&](double level) {
-        return small.turn_until([&] {
+        return small.update_until([&] {
             const Executor* other = small.lab().renderer()->executors().variant();
             return other && small.lab().frames().comparison().sides() &&
                    std::abs(small.red(*other) - level) < 0.003;
@@ -175,7 +175,7 @@ TEST_CASE("a session restores changed constants") {
     const Session session = session_of(small.lab(), {});
     small.start();
     restore(small.lab(), session, {});
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return small.lab().document() && !small.lab().loader().is_loading(); }));
     CHECK(small.document().look().constants.at("LEVEL") == Value(0.75));
     CHECK(small.becomes(0.75));

@@ -145,7 +145,7 @@ TEST_CASE("a switch has no soft takeover, so a knob changes it at once") {
                           "uniform float gain = 1.0;\nuniform bool is_dark = false;\n");
     small.write_by_rename("show.frag",
                           replaced(small_look::show, "* gain", "* (is_dark ? 0.0 : gain)"));
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return find_parameter(small.document().look(), "is_dark") != nullptr; }));
     RemoteSettings settings;
     settings.listens_to_midi = true;

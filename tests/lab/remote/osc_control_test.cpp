@@ -16,16 +16,16 @@ OscMessage message(const std::string& name, std::vector<OscMessage::Argument> ar
 }
 
 Value asked(const std::string& name, std::vector<OscMessage::Argument> arguments) {
-    const auto turn = turn_of(message(name, std::move(arguments)), sample_look());
-    REQUIRE(turn.has_value());
-    CHECK(turn->parameter == name);
-    return turn->value;
+    const auto change = change_of(message(name, std::move(arguments)), sample_look());
+    REQUIRE(change.has_value());
+    CHECK(change->parameter == name);
+    return change->value;
 }
 
 std::string refusal_of(const OscMessage& message) {
-    const auto turn = turn_of(message, sample_look());
-    REQUIRE_FALSE(turn.has_value());
-    return turn.error().front().message;
+    const auto change = change_of(message, sample_look());
+    REQUIRE_FALSE(change.has_value());
+    return change.error().front().message;
 }
 
 std::string big_endian(std::uint32_t number) {

@@ -24,8 +24,8 @@ public:
               "void main() {\n    color = texture(before, uv);\n"
               "    if (!u_drawn_onto)\n        color += texture(now, uv);\n}\n");
         write_by_rename("look.json", glowing);
-        REQUIRE(turn_until([&] { return document().look().passes.size() == 3; }));
-        turn(2);
+        REQUIRE(update_until([&] { return document().look().passes.size() == 3; }));
+        update(2);
         m_before = at(2) - frames();
     }
 
@@ -48,29 +48,29 @@ TEST_CASE("displaying and hiding passes neither loses nor doubles light") {
     for (int n = 0; n < 6; ++n) {
         CAPTURE(n);
         small.lab().frames().set_displayed(n % 2 == 0 ? picture_alone : PassSelection());
-        small.turn(1);
+        small.update(1);
         CHECK(small.is_shared() == (n % 2 == 0));
         CHECK(small.has_all_light());
         CHECK(small.at(0) == 1.0f);
-        small.turn(n);
+        small.update(n);
         CHECK(small.has_all_light());
     }
     small.lab().frames().set_displayed({.are_all = false, .names = {"light"}});
-    small.turn(1);
+    small.update(1);
     CHECK_FALSE(small.is_shared());
 }
 
 TEST_CASE("a static picture draws its passes as soon as they are displayed") {
     GlowingLab small;
     small.lab().frames().set_displayed(picture_alone);
-    small.turn(1);
+    small.update(1);
     small.lab().player().pause();
-    REQUIRE(small.turn_until([&] { return !small.lab().is_moving(); }));
+    REQUIRE(small.update_until([&] { return !small.lab().is_moving(); }));
     const float frames = small.frames();
     CHECK(small.is_shared());
     for (const bool is_seen : {true, false, true}) {
         small.lab().frames().set_displayed(is_seen ? PassSelection() : picture_alone);
-        small.turn(1);
+        small.update(1);
         CHECK(small.lab().renderer()->has_whole_picture());
         CHECK_FALSE(small.lab().is_moving());
         CHECK(small.has_all_light());
@@ -81,23 +81,23 @@ TEST_CASE("a static picture draws its passes as soon as they are displayed") {
 
 TEST_CASE("specialised programs follow changes of shared targets") {
     GlowingLab small;
-    REQUIRE(small.turn_until([&] { return small.executor().programs().is_specialized(); }));
+    REQUIRE(small.update_until([&] { return small.executor().programs().is_specialized(); }));
     small.lab().frames().set_displayed(picture_alone);
-    small.turn(1);
+    small.update(1);
     CHECK_FALSE(small.executor().programs().is_specialized());
     CHECK(small.has_all_light());
-    REQUIRE(small.turn_until([&] { return small.executor().programs().is_specialized(); }));
+    REQUIRE(small.update_until([&] { return small.executor().programs().is_specialized(); }));
     CHECK(small.is_shared());
     CHECK(small.has_all_light());
     small.lab().frames().passes().toggle(PassSwitch::freeze, "light");
-    small.turn(2);
+    small.update(2);
     CHECK_FALSE(small.is_shared());
     CHECK(small.has_all_light());
     small.lab().frames().passes().toggle(PassSwitch::freeze, "light");
-    small.turn(2);
+    small.update(2);
     CHECK(small.has_all_light());
     small.lab().frames().set_displayed({});
-    small.turn(3);
+    small.update(3);
     CHECK(small.has_all_light());
 }
 

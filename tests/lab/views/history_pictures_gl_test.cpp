@@ -24,14 +24,14 @@ TEST_CASE("each state of the history has its own picture until another state rep
         views->update(small.lab(), {});
         pictures.update(small.lab(), *views);
     };
-    const auto turn_with = [&](double gain) {
+    const auto update_with = [&](double gain) {
         small.lab().edit([gain](Document& document) { document.set_value("gain", Value(gain)); });
         small.lab().update(1.0 / 60.0);
         look();
     };
     look();
-    turn_with(2.0);
-    turn_with(3.0);
+    update_with(2.0);
+    update_with(3.0);
     const auto handle = [&](std::size_t place) {
         return pictures.picture(small.document(), place).handle;
     };

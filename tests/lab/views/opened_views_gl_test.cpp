@@ -13,7 +13,7 @@ bool has_met_all(Lab& lab) {
 }
 
 bool is_open(SmallLab& small, const std::string& look) {
-    return small.turn_until([&] {
+    return small.update_until([&] {
         return !small.lab().loader().is_loading() && small.document().look().id == look &&
                small.lab().renderer()->has_drawn();
     });
@@ -27,7 +27,7 @@ TEST_CASE("the viewers of an opening look are warmed up while the previous look 
     bool has_met = false;  // a look that opens before the reader was idle is not warmed up
     for (int rests = 0; !has_met && rests < 10; ++rests) {
         const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(1500);
-        small.turn_until([end] { return std::chrono::steady_clock::now() > end; });
+        small.update_until([end] { return std::chrono::steady_clock::now() > end; });
         small.lab().looks().open("small");
         REQUIRE(is_open(small, "small"));
         has_met = has_met_all(small.lab());
@@ -43,7 +43,7 @@ TEST_CASE("a reload that changes a target's format is shown after its viewers ar
     const auto now = small.lab().renderer()->executor().programs().generic().first_views;
     has_met_all(small.lab());  // the warm-ups that are due now are done with the edit
     small.write_by_rename("look.json", replaced(small_look::manifest, "rgba32f", "rg16f"));
-    REQUIRE(small.turn_until(
+    REQUIRE(small.update_until(
         [&] { return small.document().look().passes[0].format == Format::rg16f; }));
     CHECK(small.lab().renderer()->executor().programs().generic().first_views == now);
     CHECK(has_met_all(small.lab()));

@@ -16,7 +16,7 @@ public:
     Painting() {
         write("show.frag",
               replaced(small_look::show, "texture(image, uv) * gain", "vec4(gain / 100.0)"));
-        turn_until([&] { return std::abs(shown() - 0.01f) < 1e-4f; });
+        update_until([&] { return std::abs(shown() - 0.01f) < 1e-4f; });
     }
     std::filesystem::path preset(const char* name, double gain) {
         Preset preset;
@@ -29,7 +29,7 @@ public:
     }
     /// Updates until every picture is available. "": the look's defaults.
     void look_at(PresetPictures& pictures, const std::vector<std::filesystem::path>& files) {
-        REQUIRE(turn_until([&] {
+        REQUIRE(update_until([&] {
             pictures.update(lab(), true, 1.0);
             return std::ranges::none_of(files,
                                         [&](const auto& file) { return pictures.of(file).is_due; });
@@ -99,7 +99,7 @@ TEST_CASE("cached pictures are used, and damaged ones are drawn again") {
     CHECK(drawn == 2);
     small.write("show.frag", replaced(small_look::show, "texture(image, uv) * gain",
                                       "vec4(gain / 50.0)"));  // the look was edited
-    REQUIRE(small.turn_until([&] { return std::abs(small.shown() - 0.02f) < 1e-4f; }));
+    REQUIRE(small.update_until([&] { return std::abs(small.shown() - 0.02f) < 1e-4f; }));
     const auto picture = painted(small, bright, &drawn);
     CHECK(std::abs(picture->pixels[0] * 255.0f - 40.8f) <= 0.5f);
     CHECK(drawn == 3);
@@ -111,7 +111,7 @@ TEST_CASE("pictures are drawn only while displayed, and a broken preset reports 
     const auto broken = small.folder() / "presets" / "small" / "broken.json";
     REQUIRE(write_atomically(broken, "{\n\"format\": 3 }").has_value());
     PresetPictures pictures;
-    for (int turn = 0; turn < 3; ++turn)
+    for (int update = 0; update < 3; ++update)
         pictures.update(small.lab(), false, 1.0);
     CHECK_FALSE(pictures.is_drawing());
     CHECK(pictures.of(bright).is_due);
@@ -150,7 +150,7 @@ TEST_CASE("a preset's picture follows the file that the preset references") {
     CHECK(drawn == 1);
     PresetPictures pictures;
     const auto look = [&] {
-        REQUIRE(small.turn_until([&] {
+        REQUIRE(small.update_until([&] {
             pictures.update(small.lab(), true, 1.0);
             return !pictures.of(file).is_due && !pictures.of({}).is_due;
         }));

@@ -22,7 +22,7 @@ Picture saved(SmallLab& small, const PassView& view, const char* name) {
 TEST_CASE("a pass is saved with its values as EXR, and as displayed as PNG") {
     SmallLab small;
     small.lab().player().pause();
-    small.turn(2);
+    small.update(2);
     const float frames = gpu::read_pixel(small.lab().renderer()->executor().target(0), 0, 0)[0];
     PassView view = view_of("sum");
     CHECK(saved(small, view, "sum.exr").pixels == std::vector<float>(8 * 8 * 4, frames));

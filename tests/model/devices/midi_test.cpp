@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace {
-std::optional<MidiTurn> parsed(std::vector<std::uint8_t> bytes) {
+std::optional<MidiControlChange> parsed(std::vector<std::uint8_t> bytes) {
     return parse_midi(bytes);
 }
 
@@ -20,8 +20,8 @@ bool is_share(const std::optional<double>& share, double expected) {
 
 TEST_CASE("only a complete Control Change message is parsed") {
     // MIDI 1.0 Detailed Specification, table 2: 1011nnnn 0ccccccc 0vvvvvvv
-    CHECK(parsed({0xb0, 21, 64}) == MidiTurn{1, 21, 64});
-    CHECK(parsed({0xbf, 127, 127}) == MidiTurn{16, 127, 127});
+    CHECK(parsed({0xb0, 21, 64}) == MidiControlChange{1, 21, 64});
+    CHECK(parsed({0xbf, 127, 127}) == MidiControlChange{16, 127, 127});
     CHECK_FALSE(parsed({}));
     CHECK_FALSE(parsed({0xb0, 21}));
     CHECK_FALSE(parsed({0xb0, 21, 64, 0}));
