@@ -37,13 +37,13 @@ PassProgress::State PassProgress::state() const {
 
 namespace {
 /// The text for a step: before passes are counted, during the step, and at a slow pass.
-struct StepWords {
+struct StepNames {
     const char* begun;
     const char* counted;
     const char* slow;
 };
 
-StepWords words_of(PassProgress::Step step) {
+StepNames names_of(PassProgress::Step step) {
     switch (step) {
         case PassProgress::Step::reading:
             return {"Reading", "Reading: {} of {} passes", "Reading: {} of {} passes ({} is slow)"};
@@ -57,12 +57,12 @@ StepWords words_of(PassProgress::Step step) {
 }
 }  // namespace
 
-std::string words_of(const PassProgress::State& state) {
+std::string to_string(const PassProgress::State& state) {
     constexpr double long_seconds = 3.0;
-    const StepWords words = words_of(state.step);
+    const StepNames names = names_of(state.step);
     if (state.total == 0)
-        return words.begun;
+        return names.begun;
     if (state.seconds <= long_seconds)
-        return fmt::format(fmt::runtime(words.counted), state.done, state.total);
-    return fmt::format(fmt::runtime(words.slow), state.done, state.total, state.pass);
+        return fmt::format(fmt::runtime(names.counted), state.done, state.total);
+    return fmt::format(fmt::runtime(names.slow), state.done, state.total, state.pass);
 }

@@ -44,4 +44,4 @@ private:
 };
 
 /// "Linking: 3 of 12 passes", with the name of a slow pass.
-std::string words_of(const PassProgress::State& state);
+std::string to_string(const PassProgress::State& state);

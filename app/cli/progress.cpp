@@ -57,5 +57,5 @@ void OpeningLine::show(const PassProgress::State& state) {
         return;
     m_last = now;
     m_has_shown = true;
-    std::cerr << fmt::format("\r{}\033[K", words_of(state));
+    std::cerr << fmt::format("\r{}\033[K", to_string(state));
 }

@@ -10,14 +10,14 @@ TEST_CASE("a pass counts as done when the next one begins") {
     PassProgress progress;
     CHECK(progress.state().total == 0);
     progress.begin(Step::linking, 3);
-    CHECK(words_of(progress.state()) == "Linking: 0 of 3 passes");
+    CHECK(to_string(progress.state()) == "Linking: 0 of 3 passes");
     CHECK(progress.next("beam"));
     CHECK(progress.state().done == 0);
     CHECK(progress.state().pass == "beam");
     CHECK(progress.next("glow"));
-    CHECK(words_of(progress.state()) == "Linking: 1 of 3 passes");
+    CHECK(to_string(progress.state()) == "Linking: 1 of 3 passes");
     progress.begin(Step::drawing, 2);
-    CHECK(words_of(progress.state()) == "First frame: 0 of 2 passes");
+    CHECK(to_string(progress.state()) == "First frame: 0 of 2 passes");
 }
 
 TEST_CASE("the listener is called for each pass, and cancelling stops at the next pass") {
@@ -35,7 +35,7 @@ TEST_CASE("the listener is called for each pass, and cancelling stops at the nex
 
 TEST_CASE("only a pass that takes over 3 seconds is named") {
     PassProgress::State state{Step::linking, 2, 7, "blur", 2.9};
-    CHECK(words_of(state) == "Linking: 2 of 7 passes");
+    CHECK(to_string(state) == "Linking: 2 of 7 passes");
     state.seconds = 3.1;
-    CHECK(words_of(state) == "Linking: 2 of 7 passes (blur is slow)");
+    CHECK(to_string(state) == "Linking: 2 of 7 passes (blur is slow)");
 }

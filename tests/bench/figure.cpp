@@ -12,7 +12,7 @@ namespace bench {
 namespace {
 constexpr double least_idle = 0.92;
 
-const char* words_of(Verdict verdict) {
+const char* text_of(Verdict verdict) {
     switch (verdict) {
         case Verdict::pass:
             return "pass";
@@ -26,7 +26,7 @@ const char* words_of(Verdict verdict) {
     return "";
 }
 
-std::string words_of(const Bound& bound) {
+std::string text_of(const Bound& bound) {
     return fmt::format("{} {:.4g}", bound.side == Bound::Side::at_most ? "at most" : "at least",
                        bound.value);
 }
@@ -68,10 +68,10 @@ void tell(const Topic& topic, const Figure& figure) {
         fmt::print(stderr, "{}/{}: not a finite number\n", topic.key, figure.key);
         std::exit(EXIT_FAILURE);
     }
-    const char* verdict = words_of(verdict_of(figure));
+    const char* verdict = text_of(verdict_of(figure));
     std::string line =
         fmt::format("  {:<72} {:>8} {:<8} {:<17} {:<14}", figure.what, digits_of(figure.value),
-                    figure.unit, figure.bound ? words_of(*figure.bound) : "", verdict);
+                    figure.unit, figure.bound ? text_of(*figure.bound) : "", verdict);
     if (figure.itself)
         line += fmt::format(" reference noise {:.3f}", *figure.itself);
     if (figure.idle)

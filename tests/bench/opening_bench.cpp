@@ -82,7 +82,7 @@ private:
         gpu::finish();
         Update update{busy_milliseconds() - start, "start"};
         if (const auto opening = m_lab->loader().opening())
-            update.doing = words_of(opening->progress);
+            update.doing = to_string(opening->progress);
         if (!m_lab->loader().is_loading())
             update.doing = "switch";
         std::this_thread::sleep_for(std::chrono::milliseconds(2));

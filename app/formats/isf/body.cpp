@@ -151,7 +151,7 @@ private:
 };
 }  // namespace
 
-std::string isf_declared_word(std::string_view name) {
+std::string isf_declared_name(std::string_view name) {
     const bool is_taken =
         is_reserved_later(name, ReservedWord::Kind::keyword) || language_words().contains(name);
     return (is_taken ? own_prefix : std::string()) + std::string(name);

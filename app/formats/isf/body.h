@@ -8,7 +8,7 @@ enum class IsfStage { vertex, fragment };
 
 /// The identifier in the translated GLSL for a name in the header. It differs if the name became
 /// reserved or belongs to the language ("texture", "smooth").
-std::string isf_declared_word(std::string_view name);
+std::string isf_declared_name(std::string_view name);
 /// The author's name for such an identifier.
 std::string_view isf_author_word(std::string_view word);
 

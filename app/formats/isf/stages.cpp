@@ -96,7 +96,7 @@ private:
 
     void declare(const std::string& type, const std::string& name) {
         names.push_back(name);
-        text += fmt::format("uniform {} {};\n", type, isf_declared_word(name));
+        text += fmt::format("uniform {} {};\n", type, isf_declared_name(name));
         if (type == "sampler2D")
             add_facts(name);
     }
@@ -109,7 +109,7 @@ private:
                 text += fmt::format("#define {} {}\n", asked, value);
         };
         add("imgRect", "vec4(0.0, 0.0, 1.0, 1.0)");
-        add("imgSize", fmt::format("vec2(textureSize({}, 0))", isf_declared_word(name)));
+        add("imgSize", fmt::format("vec2(textureSize({}, 0))", isf_declared_name(name)));
         add("flip", "false");
     }
 

@@ -2,7 +2,7 @@
 
 #include "formats/json/json_text.h"
 #include "formats/json/value_json.h"
-#include "formats/look/look_words.h"
+#include "formats/look/look_names.h"
 #include "formats/preset/modulation_format.h"
 #include "model/look/orbit.h"
 
@@ -14,20 +14,20 @@ namespace {
 Json described(const Input& input) {
     return {{"name", input.uniform},
             {"from", input.reference()},
-            {"filter", word_of(filter_words(), input.sampler.filter)},
-            {"wrap", word_of(wrap_words(), input.sampler.wrap)},
+            {"filter", name_of(filter_names(), input.sampler.filter)},
+            {"wrap", name_of(wrap_names(), input.sampler.wrap)},
             {"mipmap", input.sampler.mipmap}};
 }
 
 Json described(const Pass& pass, const PlannedTarget& target) {
     Json json{{"name", pass.name},
-              {"draw", pass.draw == Draw::quad ? "quad" : word_of(draw_words(), pass.draw)},
+              {"draw", pass.draw == Draw::quad ? "quad" : name_of(draw_names(), pass.draw)},
               {"vertex", pass.vertex.text},
               {"fragment", pass.fragment.text},
-              {"format", word_of(format_words(), target.format)},
+              {"format", name_of(format_names(), target.format)},
               {"width", target.extent.width},
               {"height", target.extent.height},
-              {"blend", word_of(blend_words(), pass.blend)},
+              {"blend", name_of(blend_names(), pass.blend)},
               {"inputs", Json::array()},
               {"set", Json::object()}};
     for (const Input& input : pass.inputs)
@@ -70,8 +70,8 @@ void add_orbit(const Look& look, const Values& values, int pass, Json& set) {
 Json described(const Image& image) {
     return {{"name", image.name},
             {"file", image.file.string()},
-            {"filter", word_of(filter_words(), image.sampler.filter)},
-            {"wrap", word_of(wrap_words(), image.sampler.wrap)},
+            {"filter", name_of(filter_names(), image.sampler.filter)},
+            {"wrap", name_of(wrap_names(), image.sampler.wrap)},
             {"mipmap", image.sampler.mipmap},
             {"linear", image.is_linear}};
 }

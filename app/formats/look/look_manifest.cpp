@@ -3,8 +3,8 @@
 #include "base/file.h"
 #include "formats/json/spec_json.h"
 #include "formats/look/look_folder.h"
+#include "formats/look/look_names.h"
 #include "formats/look/look_passes.h"
-#include "formats/look/look_words.h"
 #include "glsl/text/shader_files.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
@@ -112,11 +112,11 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
     look.about = reader.text("about");
     look.author = reader.text("author");
     look.license = reader.text("license");
-    look.driven_by = reader.choice("driven_by", driver_words(), Driver::nothing);
+    look.driven_by = reader.choice("driven_by", driver_names(), Driver::nothing);
     read_default_signal(reader, folder, look);
     read_default_source(reader, folder, look);
-    look.source_encoding = reader.choice("source_encoding", encoding_words(), Encoding::linear);
-    look.output = reader.choice("output", encoding_words(), Encoding::display);
+    look.source_encoding = reader.choice("source_encoding", encoding_names(), Encoding::linear);
+    look.output = reader.choice("output", encoding_names(), Encoding::display);
     look.settle_frames = reader.whole("settle_frames", 1, 1, most_settle_frames);
     look.has_orbit = reader.boolean("orbit", false);
     read_groups(reader, look);

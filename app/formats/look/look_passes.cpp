@@ -2,7 +2,7 @@
 
 #include "formats/json/value_json.h"
 #include "formats/look/look_inputs.h"
-#include "formats/look/look_words.h"
+#include "formats/look/look_names.h"
 
 #include <algorithm>
 #include <map>
@@ -217,16 +217,16 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
         reader.problem(*name,
                        with_sentence(fmt::format("'{}' can't be the name of a pass", pass.name),
                                      look_name_rule()));
-    pass.draw = reader.choice("draw", draw_words(), Draw::fullscreen);
+    pass.draw = reader.choice("draw", draw_names(), Draw::fullscreen);
     read_shaders(reader, folder, look, pass);
     const bool is_shown = is_last && look.output == Encoding::display;
     pass.format =
-        reader.choice("format", format_words(), is_shown ? Format::rgba8 : Format::rgba16f);
+        reader.choice("format", format_names(), is_shown ? Format::rgba8 : Format::rgba16f);
     pass.one_channel = read_expression(reader, "one_channel", "$mono");
     pass.half_floats = read_expression(reader, "half_floats", "1 - $slow");
     read_size(reader, look, pass);
     read_spot(reader, pass);
-    pass.blend = reader.choice("blend", blend_words(), Blend::replace);
+    pass.blend = reader.choice("blend", blend_names(), Blend::replace);
     if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)
         reader.problem(*reader.find("blend"), "a target with an integer format can't be blended");
     read_set(reader, pass);
@@ -286,8 +286,8 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
 
 Sampler read_sampler(ObjectReader& reader) {
     Sampler sampler;
-    sampler.filter = reader.choice("filter", filter_words(), Filter::linear);
-    sampler.wrap = reader.choice("wrap", wrap_words(), Wrap::edge);
+    sampler.filter = reader.choice("filter", filter_names(), Filter::linear);
+    sampler.wrap = reader.choice("wrap", wrap_names(), Wrap::edge);
     sampler.mipmap = reader.boolean("mipmap", false);
     return sampler;
 }

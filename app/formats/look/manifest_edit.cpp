@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "formats/json/json_document.h"
-#include "formats/look/look_words.h"
+#include "formats/look/look_names.h"
 #include "io/files/atomic_file.h"
 
 #include <fmt/format.h>
@@ -95,7 +95,7 @@ void write_filters(TextEdit& edit, const JsonValue& pass, const PassOverrides& o
         const auto read = from ? overrides.find(std::string(name_of(*from))) : overrides.end();
         if (read == overrides.end() || !read->second.filter)
             continue;
-        const std::string filter = quoted(word_of(filter_words(), *read->second.filter));
+        const std::string filter = quoted(name_of(filter_names(), *read->second.filter));
         if (from == &input)
             edit.replace(
                 input.begin, input.end,
@@ -109,7 +109,7 @@ void write_pass(TextEdit& edit, const JsonValue& pass, const PassOverrides& over
     const JsonValue* name = find_member(pass, "name");
     const auto own = name ? overrides.find(name->text) : overrides.end();
     if (own != overrides.end() && own->second.format)
-        edit.set(pass, "format", quoted(word_of(format_words(), *own->second.format)));
+        edit.set(pass, "format", quoted(name_of(format_names(), *own->second.format)));
     if (own != overrides.end() && own->second.scale)
         write_scale(edit, pass, *own->second.scale);
     write_filters(edit, pass, overrides);

@@ -70,14 +70,14 @@ const Choices<DifferenceMeasure> measures{{"absolute", DifferenceMeasure::absolu
                                           {"relative", DifferenceMeasure::relative},
                                           {"squared", DifferenceMeasure::squared}};
 
-const Choices<Other> other_words{{"article", {}},
+const Choices<Other> other_names{{"article", {}},
                                  {"file", {Other::Kind::file}},
                                  {"A", {Other::Kind::slot, 0}},
                                  {"B", {Other::Kind::slot, 1}},
                                  {"C", {Other::Kind::slot, 2}}};
 
 template <class T>
-std::string_view word_or_first(const Choices<T>& choices, const T& chosen) {
+std::string_view name_or_first(const Choices<T>& choices, const T& chosen) {
     const auto found =
         std::ranges::find(choices, chosen, [](const auto& each) { return each.second; });
     return found == choices.end() ? choices.front().first : found->first;
@@ -86,10 +86,10 @@ std::string_view word_or_first(const Choices<T>& choices, const T& chosen) {
 nlohmann::ordered_json json_of(const Comparison& comparison) {
     Other other = comparison.other;
     other.file.clear();
-    return {{"mode", word_or_first(modes, comparison.mode)},
-            {"with", word_or_first(other_words, other)},
+    return {{"mode", name_or_first(modes, comparison.mode)},
+            {"with", name_or_first(other_names, other)},
             {"file", comparison.other.file.string()},
-            {"measure", word_or_first(measures, comparison.measure)},
+            {"measure", name_or_first(measures, comparison.measure)},
             {"gain", comparison.gain_stops},
             {"equal_brightness", comparison.has_equal_brightness}};
 }
@@ -137,7 +137,7 @@ Comparison read_comparison(const JsonValue& value, const std::filesystem::path& 
     ObjectReader reader(value, file, problems);
     Comparison comparison;
     comparison.mode = reader.choice("mode", modes, comparison.mode);
-    comparison.other = reader.choice("with", other_words, comparison.other);
+    comparison.other = reader.choice("with", other_names, comparison.other);
     comparison.other.file = reader.text("file");
     comparison.measure = reader.choice("measure", measures, comparison.measure);
     comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -most_stops, most_stops);

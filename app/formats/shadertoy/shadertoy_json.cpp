@@ -16,7 +16,7 @@ using Kind = ShadertoyPass::Kind;
 constexpr const char* error_key = "Error";  // of a response without a shader
 constexpr std::size_t most_code_bytes = std::size_t{4} << 20;
 
-constexpr auto kind_words = std::to_array<std::pair<std::string_view, ShadertoyKind>>(
+constexpr auto kind_names = std::to_array<std::pair<std::string_view, ShadertoyKind>>(
     {{"buffer", ShadertoyKind::buffer},
      {"texture", ShadertoyKind::texture},
      {"cubemap", ShadertoyKind::cubemap},
@@ -28,7 +28,7 @@ constexpr auto kind_words = std::to_array<std::pair<std::string_view, ShadertoyK
      {"musicstream", ShadertoyKind::music_stream},
      {"soundcloud", ShadertoyKind::music_stream},
      {"mic", ShadertoyKind::microphone}});
-constexpr auto pass_words =
+constexpr auto pass_names =
     std::to_array<std::pair<std::string_view, Kind>>({{"image", Kind::image},
                                                       {"buffer", Kind::buffer},
                                                       {"common", Kind::common},
@@ -189,7 +189,7 @@ private:
 
     void add_pass(const JsonValue& value, Shadertoy& shadertoy) {
         const std::string type = text_of(find_member(value, "type"));
-        const auto kind = find_named(pass_words, type);
+        const auto kind = find_named(pass_names, type);
         if (!kind)
             return warn(value, fmt::format("unknown pass type '{}'; the pass is ignored", type));
         ShadertoyPass pass;
@@ -236,7 +236,7 @@ private:
         if (!value.is(JsonValue::Kind::object))
             return;
         const std::string type = text_of(member(value, {"ctype", "type"}));
-        const auto kind = find_named(kind_words, type);
+        const auto kind = find_named(kind_names, type);
         ShadertoyInput input;
         const auto channel = parse_integer(text_of(find_member(value, "channel")));
         if (!channel || *channel < 0 || *channel >= shadertoy_channels)

@@ -1,8 +1,8 @@
 #include "formats/slang/chain.h"
 
 #include "formats/slang/near_file.h"
+#include "formats/slang/slang_text.h"
 #include "formats/slang/wildcards.h"
-#include "formats/slang/words.h"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,8 @@
 
 #include "base/text.h"
 #include "formats/slang/chain.h"
+#include "formats/slang/slang_text.h"
 #include "formats/slang/wildcards.h"
-#include "formats/slang/words.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "formats/slang/shader.h"
 
 #include "formats/slang/expand.h"
-#include "formats/slang/words.h"
+#include "formats/slang/slang_text.h"
 
 #include <fmt/format.h>
 

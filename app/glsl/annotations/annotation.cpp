@@ -26,7 +26,7 @@ struct Site {
         error(fmt::format("{} is only for numbers; '{}' is a bool", hint.key, parameter.name));
     }
 
-    void refuse_words() const { error(fmt::format("{} takes no arguments", hint.key)); }
+    void refuse_arguments() const { error(fmt::format("{} takes no arguments", hint.key)); }
 };
 
 bool is_boolean(const Parameter& parameter) {
@@ -181,7 +181,7 @@ void apply_control(const Site& site, Control control, std::initializer_list<int>
     const bool is_fit = type.scalar == Scalar::floating && type.columns == 1 &&
                         std::ranges::find(rows, type.rows) != rows.end();
     if (!site.hint.words.empty())
-        return site.refuse_words();
+        return site.refuse_arguments();
     if (!is_fit)
         return site.error(
             fmt::format(fmt::runtime(refusal), site.parameter.name, with_article(glsl_name(type))));
@@ -223,7 +223,7 @@ void apply_was(const Site& site) {
 
 void apply_hidden(const Site& site) {
     if (!site.hint.words.empty())
-        return site.refuse_words();
+        return site.refuse_arguments();
     site.parameter.is_hidden = true;
 }
 

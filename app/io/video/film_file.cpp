@@ -11,7 +11,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-using Words = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 constexpr double most_gif_rate = 50.0;  // browsers treat a higher rate as an error
 
@@ -26,8 +26,8 @@ int step_of(const fs::path& file, const FilmRate& rate) {
     return std::max(1, static_cast<int>(std::ceil(rate.number() / most_gif_rate - 1e-9)));
 }
 
-void add_words(Words& words, const Words& more) {
-    words.insert(words.end(), more.begin(), more.end());
+void add_arguments(Arguments& arguments, const Arguments& more) {
+    arguments.insert(arguments.end(), more.begin(), more.end());
 }
 
 // H.264 with 4:2:0 needs even sides: the last row and column are repeated.
@@ -40,34 +40,34 @@ std::string evened(Extent extent) {
                        extent.height + below, right, below);
 }
 
-Words picture_words(const std::string& ending, Extent extent) {
+Arguments picture_arguments(const std::string& ending, Extent extent) {
     if (ending == ".gif")  // one palette per picture, so none waits for the last picture
         return {"-vf",
                 "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither="
                 "bayer:bayer_scale=3",
                 "-f", "gif"};
-    Words words{"-vf",
-                (ending == ".mp4" ? evened(extent) : std::string()) +
-                    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
-                    "full_chroma_int+full_chroma_inp,format=yuv420p",
-                "-colorspace",
-                "bt709",
-                "-color_primaries",
-                "bt709",
-                "-color_trc",
-                "bt709",
-                "-color_range",
-                "tv"};
+    Arguments arguments{"-vf",
+                        (ending == ".mp4" ? evened(extent) : std::string()) +
+                            "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
+                            "full_chroma_int+full_chroma_inp,format=yuv420p",
+                        "-colorspace",
+                        "bt709",
+                        "-color_primaries",
+                        "bt709",
+                        "-color_trc",
+                        "bt709",
+                        "-color_range",
+                        "tv"};
     if (ending == ".mp4")
-        add_words(words, {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags",
-                          "+faststart", "-f", "mp4"});
+        add_arguments(arguments, {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags",
+                                  "+faststart", "-f", "mp4"});
     else
-        add_words(words, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1",
-                          "-deadline", "good", "-cpu-used", "4", "-f", "webm"});
-    return words;
+        add_arguments(arguments, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1",
+                                  "-deadline", "good", "-cpu-used", "4", "-f", "webm"});
+    return arguments;
 }
 
-Words sound_words(const std::string& ending) {
+Arguments sound_arguments(const std::string& ending) {
     if (ending == ".mp4")
         return {"-c:a", "aac", "-b:a", "256k"};
     // Opus starts before the sound, for which WebM has a field. With additional negative
@@ -75,36 +75,36 @@ Words sound_words(const std::string& ending) {
     return {"-c:a", "libopus", "-b:a", "256k", "-bsf:a", "setts=pts=PTS-STARTPTS:dts=DTS-STARTDTS"};
 }
 
-Words command_of(const std::string& ending, const FilmFormat& format, int step) {
+Arguments command_of(const std::string& ending, const FilmFormat& format, int step) {
     const FilmRate rate = film_rate_of(format.rate.number() / step);
-    Words words{"ffmpeg",
-                "-v",
-                "error",
-                "-nostdin",
-                "-y",
-                "-f",
-                "rawvideo",
-                "-pixel_format",
-                "rgb24",
-                "-video_size",
-                fmt::format("{}x{}", format.extent.width, format.extent.height),
-                "-framerate",
-                rate.text('/'),
-                "-i",
-                "pipe:0"};
+    Arguments arguments{"ffmpeg",
+                        "-v",
+                        "error",
+                        "-nostdin",
+                        "-y",
+                        "-f",
+                        "rawvideo",
+                        "-pixel_format",
+                        "rgb24",
+                        "-video_size",
+                        fmt::format("{}x{}", format.extent.width, format.extent.height),
+                        "-framerate",
+                        rate.text('/'),
+                        "-i",
+                        "pipe:0"};
     const bool has_sound = format.sound.rate > 0;
     if (has_sound)
-        add_words(words, {"-f", "f32le", "-ar", std::to_string(format.sound.rate), "-ac", "2", "-i",
-                          fmt::format("pipe:{}", ChildProcess::second_input)});
-    add_words(words, {"-map", "0:v"});
+        add_arguments(arguments, {"-f", "f32le", "-ar", std::to_string(format.sound.rate), "-ac",
+                                  "2", "-i", fmt::format("pipe:{}", ChildProcess::second_input)});
+    add_arguments(arguments, {"-map", "0:v"});
     if (has_sound)
-        add_words(words, {"-map", "1:a"});
+        add_arguments(arguments, {"-map", "1:a"});
     if (has_sound)
-        add_words(words, sound_words(ending));
-    add_words(words, picture_words(ending, format.extent));
+        add_arguments(arguments, sound_arguments(ending));
+    add_arguments(arguments, picture_arguments(ending, format.extent));
     // Already open, so a cancelled film never creates a file.
-    words.push_back(fmt::format("file:/dev/fd/{}", ChildProcess::given_output));
-    return words;
+    arguments.push_back(fmt::format("file:/dev/fd/{}", ChildProcess::given_output));
+    return arguments;
 }
 }  // namespace
 

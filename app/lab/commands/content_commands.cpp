@@ -155,7 +155,7 @@ void ContentCommands::offer_own(const Preset& preset) {
         return;
     const std::string text = fmt::format("Kept {}", content_name(present, look));
     m_work.messages.append(
-        text, {.name = use_content_words(look),
+        text, {.name = use_content_label(look),
                .commands = {[own](Document& document) { use_content(document, own); }}});
 }
 

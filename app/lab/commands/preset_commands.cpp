@@ -92,7 +92,7 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
         return;
     document.opened_preset() = {preset, file, document.state()};
     m_loader.files().add_extra(file);  // it may change before the next update
-    m_work.messages.say(saved_words(name));
+    m_work.messages.say(saved_text(name));
 }
 
 bool PresetCommands::has_source_checkout() const {

@@ -66,7 +66,7 @@ void PresetSharing::save_slang(const fs::path& given) {
     const std::string name = file.filename().string();
     m_work.messages.say(
         left_out.empty()
-            ? saved_words(name)
+            ? saved_text(name)
             : fmt::format("Saved \"{}\". A .slangp file can't store {}.", name, left_out));
 }
 

@@ -42,7 +42,7 @@ void use_content(Document& document, const Content& content) {
         next.source = content.source;
         next.locks.source = false;
     }
-    change_content(document, std::move(next), use_content_words(document.look()), false);
+    change_content(document, std::move(next), use_content_label(document.look()), false);
 }
 
 void keep_content(Document& document, const Content& content) {

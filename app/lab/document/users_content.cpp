@@ -112,11 +112,11 @@ std::string content_name(const Content& content, const Look& look) {
                                              : signal_name(content.signal);
 }
 
-std::string keep_content_words(const Look& look) {
+std::string keep_content_label(const Look& look) {
     return look.driven_by == Driver::picture ? "Keep my source" : "Keep my signal";
 }
 
-std::string use_content_words(const Look& look) {
+std::string use_content_label(const Look& look) {
     return look.driven_by == Driver::picture ? "Use the preset's source"
                                              : "Use the preset's signal";
 }

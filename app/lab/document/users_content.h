@@ -37,8 +37,8 @@ inline constexpr const char* needs_picture_look =
     "This look doesn't use a picture or video. Open a picture look (such as CRT) first.";
 
 /// Labels: "Keep my signal" or "Keep my source"; "Use the preset's signal" or "... source".
-std::string keep_content_words(const Look& look);
-std::string use_content_words(const Look& look);
+std::string keep_content_label(const Look& look);
+std::string use_content_label(const Look& look);
 
 /// Whether the content that this look uses is locked.
 bool is_locked_in(const Look& look, const ContentLocks& locks);

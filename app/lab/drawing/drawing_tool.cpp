@@ -124,5 +124,5 @@ void DrawingTool::save(const fs::path& given) {
         return m_messages.say("The drawing is empty. Draw something first.", true);
     const fs::path file = given.has_extension() ? given : fs::path(given.string() + ".svg");
     if (m_messages.succeeded(write_atomically(file, svg_text(*m_board.drawing()))))
-        m_messages.say(saved_words(file.filename().string()));
+        m_messages.say(saved_text(file.filename().string()));
 }

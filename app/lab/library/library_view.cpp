@@ -11,17 +11,17 @@
 namespace fs = std::filesystem;
 
 namespace {
-LibraryView::Words read_look(const fs::path& file) {
+LibraryView::Texts read_look(const fs::path& file) {
     std::vector<fs::path> files;
     const auto look = load_manifest(file, files);
-    return look ? LibraryView::Words{{}, look->name, look->about}
-                : LibraryView::Words{{}, {}, to_string(look.error().front())};
+    return look ? LibraryView::Texts{{}, look->name, look->about}
+                : LibraryView::Texts{{}, {}, to_string(look.error().front())};
 }
 
-LibraryView::Words read_preset(const fs::path& file) {
+LibraryView::Texts read_preset(const fs::path& file) {
     const auto preset = load_preset(file);
-    return preset ? LibraryView::Words{{}, preset->name, preset->about}
-                  : LibraryView::Words{{}, {}, to_string(preset.error().front())};
+    return preset ? LibraryView::Texts{{}, preset->name, preset->about}
+                  : LibraryView::Texts{{}, {}, to_string(preset.error().front())};
 }
 
 const std::string& file_name(const ListedLook& look) {
@@ -55,20 +55,20 @@ bool is_listed_as(const Look& look, const ListedLook& entry) {
     return fs::path(argument_of(look)) == fs::path(entry.argument());
 }
 
-const LibraryView::Words& LibraryView::words_of(const fs::path& file, bool is_look) {
+const LibraryView::Texts& LibraryView::texts_of(const fs::path& file, bool is_look) {
     std::error_code error;
     const fs::file_time_type written = fs::last_write_time(file, error);
-    const auto known = m_words.find(file);
-    if (known != m_words.end() && known->second.written == written)
+    const auto known = m_texts.find(file);
+    if (known != m_texts.end() && known->second.written == written)
         return known->second;
-    Words words = is_look ? read_look(file) : read_preset(file);
-    words.written = written;
-    return m_words[file] = words;
+    Texts read = is_look ? read_look(file) : read_preset(file);
+    read.written = written;
+    return m_texts[file] = read;
 }
 
 void LibraryView::add_presets(ListedLook& look, const Library& library) {
     for (const PresetEntry& preset : library.presets(look.entry.id)) {
-        const Words& texts = words_of(preset.file, false);
+        const Texts& texts = texts_of(preset.file, false);
         look.presets.push_back(
             {preset, texts.name.empty() ? preset.name : texts.name, texts.about});
     }
@@ -122,8 +122,8 @@ void LibraryView::update(const Library& library, const Look* open, double wall_s
     m_seconds_left = 1.0;
     m_looks.clear();
     for (const LookEntry& entry : library.looks()) {
-        const Words& words = words_of(entry.folder / "look.json", true);
-        ListedLook look{entry, words.name.empty() ? entry.id : words.name, words.about, {}};
+        const Texts& texts = texts_of(entry.folder / "look.json", true);
+        ListedLook look{entry, texts.name.empty() ? entry.id : texts.name, texts.about, {}};
         add_presets(look, library);
         m_looks.push_back(std::move(look));
     }

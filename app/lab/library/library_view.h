@@ -42,7 +42,7 @@ public:
 
     const std::vector<ListedLook>& looks() const { return m_looks; }
     /// The name and description in a file; an empty name: not readable.
-    struct Words {
+    struct Texts {
         std::filesystem::file_time_type written;
         std::string name;
         std::string about;
@@ -52,10 +52,10 @@ private:
     void add_presets(ListedLook& look, const Library& library);
     void add_stacks(const Library& library);
     void add_open(const Library& library, const Look& open);
-    const Words& words_of(const std::filesystem::path& file, bool is_look);
+    const Texts& texts_of(const std::filesystem::path& file, bool is_look);
 
     double m_seconds_left = 0.0;
     std::string m_open;  // argument of the open look
     std::vector<ListedLook> m_looks;
-    std::map<std::filesystem::path, Words> m_words;
+    std::map<std::filesystem::path, Texts> m_texts;
 };

@@ -133,7 +133,7 @@ MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool 
                                    })};
                                }}});
     for (const MidiBinding& binding : settings.midi)
-        offer(fmt::format("Unmap {} ({})", binding.goal.parameter, words_of(binding)), false,
+        offer(fmt::format("Unmap {} ({})", binding.goal.parameter, to_string(binding)), false,
               [goal = binding.goal](RemoteSettings& changed) { changed.unbind(goal); });
     return section;
 }

@@ -133,7 +133,7 @@ MenuCommand command_for(const SignalKind& kind) {
 
 MenuEntry content_lock_entry(const Document& document) {
     const bool is_locked = is_content_locked(document);
-    return {.name = keep_content_words(document.look()),
+    return {.name = keep_content_label(document.look()),
             .commands = {[is_locked](Document& changed) { lock_content(changed, !is_locked); }},
             .is_present = is_locked};
 }

@@ -27,14 +27,14 @@ void StepProbe::stop() {
     m_effect.reset();
     m_is_answered = false;
     m_has_failed = false;
-    m_words.clear();
+    m_text.clear();
 }
 
-void StepProbe::fail_with(std::string words) {
+void StepProbe::fail_with(std::string text) {
     m_trial.reset();
     m_is_answered = true;
     m_has_failed = true;
-    m_words = std::move(words);
+    m_text = std::move(text);
 }
 
 bool StepProbe::make_tools() {
@@ -77,7 +77,7 @@ void StepProbe::begin(const PreviewSubject& subject) {
     before.values = m_values;
     after.values = others;
     m_change = line_of(changes_between(look, before, after).front());
-    m_words = fmt::format("{} …", m_change);
+    m_text = fmt::format("{} …", m_change);
     constexpr double patience_seconds = 1.0;
     constexpr double times = 2.0;
     const std::size_t frames = bearable_frames(look, subject.shown, patience_seconds, times);
@@ -138,9 +138,9 @@ void StepProbe::conclude() {
     m_gain = gain_for(changes.back().largest);
     draw_difference();
     const std::string effect = effect_text(*m_effect, changes.back());
-    m_words = m_has_picture && changes.back().has_changed() && m_gain > 1.0
-                  ? fmt::format("{}: {} · amplified {:.0f}×", m_change, effect, m_gain)
-                  : fmt::format("{}: {}", m_change, effect);
+    m_text = m_has_picture && changes.back().has_changed() && m_gain > 1.0
+                 ? fmt::format("{}: {} · amplified {:.0f}×", m_change, effect, m_gain)
+                 : fmt::format("{}: {}", m_change, effect);
     m_trial.reset();
     m_is_answered = true;
 }
@@ -157,7 +157,7 @@ void StepProbe::update(const PreviewSubject& subject, double slice_seconds) {
     if (m_trial->is_running()) {
         m_trial->go_on(subject, slice_seconds);
         const std::size_t share = 100 * m_trial->done() / m_trial->total();
-        m_words = fmt::format("{}: rendering, {} %", m_change, share);
+        m_text = fmt::format("{}: rendering, {} %", m_change, share);
         return;
     }
     measure();

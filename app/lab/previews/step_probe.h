@@ -41,7 +41,7 @@ public:
     /// nullopt: still pending.
     const std::optional<StepEffect>& effect() const { return m_effect; }
     /// The message for the user, in one line.
-    const std::string& words() const { return m_words; }
+    const std::string& text() const { return m_text; }
     bool has_failed() const { return m_has_failed; }
 
 private:
@@ -51,7 +51,7 @@ private:
     };
 
     void begin(const PreviewSubject& subject);
-    void fail_with(std::string words);
+    void fail_with(std::string text);
     bool make_tools();
     void measure();
     void conclude();
@@ -72,5 +72,5 @@ private:
     bool m_is_answered = false;
     bool m_has_failed = false;
     double m_gain = 1.0;
-    std::string m_words;
+    std::string m_text;
 };

@@ -65,7 +65,7 @@ void RemoteControl::bind_midi(const MidiBinding& binding) {
     const Parameter* parameter =
         m_document ? find_parameter(m_document->look(), binding.goal.parameter) : nullptr;
     const std::string& name = parameter ? parameter->label : binding.goal.parameter;
-    m_messages.say(fmt::format("{} now controls \"{}\"", words_of(binding), name));
+    m_messages.say(fmt::format("{} now controls \"{}\"", to_string(binding), name));
     m_messages.succeeded(save_remote_settings(m_roots, m_settings));
 }
 

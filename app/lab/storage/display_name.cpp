@@ -11,7 +11,7 @@ std::string display_name(const std::filesystem::path& file) {
     return name == "look.json" && !folder.empty() ? folder + "/" + name : name;
 }
 
-std::string saved_words(const std::string& name) {
+std::string saved_text(const std::string& name) {
     return fmt::format("Saved \"{}\"", name);
 }
 

@@ -8,7 +8,7 @@
 std::string display_name(const std::filesystem::path& file);
 
 /// Saved "amber.json".
-std::string saved_words(const std::string& name);
+std::string saved_text(const std::string& name);
 
 /// A folder with "~" for the user's home folder.
 std::string display_folder(const std::filesystem::path& folder);

@@ -2,7 +2,7 @@
 
 #include "base/text.h"
 #include "io/system/process.h"
-#include "lab/storage/command_words.h"
+#include "lab/storage/split_command.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,8 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 }
 
 // The path of an existing program is not split at its blanks.
-Result<std::vector<std::string>> editor_words(const char* variable_name,
-                                              const std::string& editor) {
+Result<std::vector<std::string>> editor_command(const char* variable_name,
+                                                const std::string& editor) {
     std::error_code error;
     if (std::filesystem::is_regular_file(editor, error))
         return std::vector{editor};
@@ -72,7 +72,7 @@ Result<std::vector<std::string>> editor_command(const Location& asked) {
     const Location place = place_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
         if (const std::string editor = variable(name); !editor.empty()) {
-            auto words = editor_words(name, editor);
+            auto words = editor_command(name, editor);
             if (!words)
                 return fail(words.error());
             return with_place(std::move(*words), place);

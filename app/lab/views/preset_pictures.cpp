@@ -15,7 +15,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-std::string words_of(const Diagnostic& problem) {
+std::string message_of(const Diagnostic& problem) {
     return problem.line > 0 ? fmt::format("line {}: {}", problem.line, problem.message)
                             : problem.message;
 }
@@ -128,12 +128,12 @@ void PresetPictures::take_one() {
     entry.problem.clear();
     entry.picture.reset();
     if (!painted->picture) {
-        entry.problem = words_of(painted->picture.error().front());
+        entry.problem = message_of(painted->picture.error().front());
         return;
     }
     auto texture = gpu::texture_of(*painted->picture, Format::rgba8, Encoding::display);
     if (!texture) {
-        entry.problem = words_of(texture.error().front());
+        entry.problem = message_of(texture.error().front());
         return;
     }
     entry.picture.emplace(std::move(*texture));

@@ -24,7 +24,7 @@ void save_snapshot(Lab& lab, std::filesystem::path file) {
     const auto saved =
         save_picture_with_preset(picture, *lab.document(), file, lab.work().media.recent());
     if (saved)
-        lab.messages().say(saved_words(file.filename().string()));
+        lab.messages().say(saved_text(file.filename().string()));
     else
         lab.messages().say(saved.error().front());
 }

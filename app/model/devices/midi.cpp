@@ -18,7 +18,7 @@ std::optional<MidiControlChange> parse_midi(std::span<const std::uint8_t> bytes)
     return MidiControlChange{static_cast<int>(bytes[0] & 0x0fu) + 1, bytes[1], bytes[2]};
 }
 
-std::string words_of(const MidiBinding& binding) {
+std::string to_string(const MidiBinding& binding) {
     if (binding.is_fine)
         return fmt::format("CC {} and {}, channel {}", binding.controller,
                            binding.controller + lower_half, binding.channel);

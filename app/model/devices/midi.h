@@ -39,7 +39,7 @@ struct MidiBinding {
 };
 
 /// "CC 21, channel 1"; for a fine controller "CC 1 and 33, channel 1".
-std::string words_of(const MidiBinding& binding);
+std::string to_string(const MidiBinding& binding);
 
 /// Whether the message is the lower half of the binding's 14-bit controller.
 bool is_lower_half(const MidiControlChange& turn, const MidiBinding& binding);

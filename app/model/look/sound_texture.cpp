@@ -4,8 +4,8 @@
 #include <array>
 
 std::string SoundTexture::name() const {
-    static constexpr std::array words{"wave", "spectrum", "analyser"};
-    return std::string("sound ") + words[static_cast<std::size_t>(holds)] + ' ' +
+    static constexpr std::array names{"wave", "spectrum", "analyser"};
+    return std::string("sound ") + names[static_cast<std::size_t>(holds)] + ' ' +
            std::to_string(columns);
 }
 

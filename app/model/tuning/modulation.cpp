@@ -81,8 +81,8 @@ Figures beat_figures() {
 }
 
 template <class T>
-const ModulationWord<T>& word_of(const std::vector<ModulationWord<T>>& words, T value) {
-    return *std::ranges::find(words, value, &ModulationWord<T>::value);
+const ModulationName<T>& name_of(const std::vector<ModulationName<T>>& names, T value) {
+    return *std::ranges::find(names, value, &ModulationName<T>::value);
 }
 
 // The fraction of a cycle, 0 <= share < 1.
@@ -130,28 +130,28 @@ const std::vector<ModulationFigure>& figures_of(ModulationKind kind) {
     return lfo;
 }
 
-const std::vector<ModulationWord<ModulationKind>>& modulation_kinds() {
-    static const std::vector<ModulationWord<ModulationKind>> words{
+const std::vector<ModulationName<ModulationKind>>& modulation_kinds() {
+    static const std::vector<ModulationName<ModulationKind>> names{
         {ModulationKind::lfo, "lfo", "LFO"},
         {ModulationKind::envelope, "envelope", "Sound level"},
         {ModulationKind::beat, "beat", "Beat"}};
-    return words;
+    return names;
 }
 
-const std::vector<ModulationWord<LfoShape>>& lfo_shapes() {
-    static const std::vector<ModulationWord<LfoShape>> words{
+const std::vector<ModulationName<LfoShape>>& lfo_shapes() {
+    static const std::vector<ModulationName<LfoShape>> names{
         {LfoShape::sine, "sine", "Sine"},
         {LfoShape::triangle, "triangle", "Triangle"},
         {LfoShape::saw, "saw", "Saw"},
         {LfoShape::square, "square", "Square"},
         {LfoShape::random, "random", "Random steps"}};
-    return words;
+    return names;
 }
 
 std::string summary_of(const Modulation& modulation) {
-    std::string text = word_of(modulation_kinds(), modulation.kind).label;
+    std::string text = name_of(modulation_kinds(), modulation.kind).label;
     if (modulation.kind == ModulationKind::lfo)
-        text += ", " + to_lower(word_of(lfo_shapes(), modulation.shape).label);
+        text += ", " + to_lower(name_of(lfo_shapes(), modulation.shape).label);
     for (const ModulationFigure& figure : figures_of(modulation.kind)) {
         const bool is_close = figure.unit.empty() || figure.unit == "×";
         text +=

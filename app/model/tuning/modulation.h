@@ -45,13 +45,13 @@ const std::vector<ModulationFigure>& figures_of(ModulationKind kind);
 
 /// An option with its key in files and its label.
 template <class T>
-struct ModulationWord {
+struct ModulationName {
     T value;
     std::string key;
     std::string label;
 };
-const std::vector<ModulationWord<ModulationKind>>& modulation_kinds();
-const std::vector<ModulationWord<LfoShape>>& lfo_shapes();
+const std::vector<ModulationName<ModulationKind>>& modulation_kinds();
+const std::vector<ModulationName<LfoShape>>& lfo_shapes();
 
 /// "LFO, sine, rate 0.5 Hz, depth 0.25".
 std::string summary_of(const Modulation& modulation);

@@ -266,8 +266,8 @@ std::vector<SettingFacts> ring_settings() {
 std::vector<SettingFacts> shown_settings() {
     std::vector<SettingFacts> settings = settings_of_all_modes();
     settings.push_back(fit_setting({"mode", {"xy"}}));
-    for (auto part : {scope_settings({.yt_words = {"waveform"},
-                     .scope_words = {"xy", "waveform"},
+    for (auto part : {scope_settings({.yt_modes = {"waveform"},
+                     .scope_modes = {"xy", "waveform"},
                      .seconds_per_division = 0.002,
                      .shortest_division = 1e-4}),
                       channel_settings({}, {"mode", {"xy"}}), spectrum_settings(), ring_settings()})

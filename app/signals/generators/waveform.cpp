@@ -185,7 +185,7 @@ std::vector<SettingFacts> all_settings() {
     for (auto part : {in_group("Wave 1", {}, generator_settings("1", "sine", 2)),
                       in_group("Wave 2", {}, generator_settings("2", "saw", 3)),
                       in_group("Both waves", {}, shared_settings()),
-                      scope_settings({.yt_words = {"yt"}, .scope_words = {"yt", "xy"}})})
+                      scope_settings({.yt_modes = {"yt"}, .scope_modes = {"yt", "xy"}})})
         settings.insert(settings.end(), part.begin(), part.end());
     return settings;
 }

@@ -129,8 +129,8 @@ ScopeControls scope_controls(const Settings& settings) {
 }
 
 std::vector<SettingFacts> scope_settings(const ScopeFacts& facts) {
-    const UsedWhile on_a_scope{"mode", facts.scope_words};
-    const UsedWhile over_time{"mode", facts.yt_words};
+    const UsedWhile on_a_scope{"mode", facts.scope_modes};
+    const UsedWhile over_time{"mode", facts.yt_modes};
     std::vector<SettingFacts> all = vertical_settings(on_a_scope);
     for (SettingFacts& setting : in_group("Horizontal", over_time, horizontal_settings(facts)))
         all.push_back(std::move(setting));

@@ -51,8 +51,8 @@ ScopeControls scope_controls(const Settings& settings);
 
 /// Differences between the scopes of the kinds of signal.
 struct ScopeFacts {
-    std::vector<std::string> yt_words;          // values of `mode` that show traces over time
-    std::vector<std::string> scope_words;       // values of `mode` that use the scope
+    std::vector<std::string> yt_modes;          // values of `mode` that show traces over time
+    std::vector<std::string> scope_modes;       // values of `mode` that use the scope
     double seconds_per_division = 1.0 / 600.0;  // default
     double shortest_division = 1e-6;            // s
     std::string first_trigger = "auto";

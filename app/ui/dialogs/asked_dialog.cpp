@@ -28,7 +28,7 @@ NumberFacts facts_of(const AskedNumber& asked) {
     return {.unit = asked.unit, .limit = asked.limit, .is_whole = asked.is_whole};
 }
 
-std::string words_about(const AskedNumber& asked) {
+std::string help_about(const AskedNumber& asked) {
     constexpr double practically_none = 1e6;
     if (asked.limit.high - asked.limit.low >= practically_none)
         return asked.unit.empty() ? "Any number" : fmt::format("Any number, in {}", asked.unit);
@@ -77,7 +77,7 @@ void draw_asked_dialog(const Scene& scene, Edits& edits) {
     if (entry->number) {
         if (!entry->number->help.empty())
             wrapped_dim_text(entry->number->help);
-        dim_text(words_about(*entry->number));
+        dim_text(help_about(*entry->number));
     }
     const std::string text = draw_answer(*entry, scene.window.dialog, edits);
     if (!draw_dialog_buttons("Apply", true, edits))

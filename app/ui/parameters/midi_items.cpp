@@ -51,7 +51,7 @@ void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) 
         fitted_text(fmt::format("{} (not in this look)", binding.goal.parameter), width,
                     theme::dim);
     ImGui::SameLine(width + ImGui::GetFontSize());
-    dim_text(words_of(binding));
+    dim_text(to_string(binding));
     same_line_right(ImGui::GetFrameHeight());
     if (icon_button("##unbind", Icon::close, "Remove this MIDI mapping", theme::dim))
         unbind(binding.goal, edits);
@@ -97,8 +97,8 @@ void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
     for (const MidiBinding& binding : entry.midi) {
         const std::string label =
             count > 1 ? fmt::format("Unmap {} ({})", part_label(parameter, binding.goal.component),
-                                    words_of(binding))
-                      : fmt::format("Unmap {}", words_of(binding));
+                                    to_string(binding))
+                      : fmt::format("Unmap {}", to_string(binding));
         if (ImGui::MenuItem(label.c_str()))
             unbind(binding.goal, edits);
         edits.mark("midi_let_go");

@@ -20,7 +20,7 @@ FormColumns editor_columns() {
     return {.label = em * 6.0f, .control = em * 9.0f, .number = em * 4.4f, .button = 0.0f};
 }
 
-const char* words_about(const Modulation* modulation) {
+const char* help_about(const Modulation* modulation) {
     if (!modulation)
         return "Modulate this parameter with an LFO, the sound level or beats.";
     switch (modulation->kind) {
@@ -118,5 +118,5 @@ void draw_modulation_editor(const ParameterEntry& entry, const Fonts& fonts, Edi
         for (const ModulationFigure& figure : figures_of(entry.modulation->kind))
             draw_figure(entry, figure, columns, fonts, edits);
     }
-    dim_text(words_about(entry.modulation));
+    dim_text(help_about(entry.modulation));
 }

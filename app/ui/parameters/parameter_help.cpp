@@ -133,7 +133,7 @@ void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
     fact("Range", range_text(parameter));
     fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
     for (const MidiBinding& binding : entry.midi)
-        fact("MIDI", words_of(binding));
+        fact("MIDI", to_string(binding));
     if (entry.modulation)
         fact("Modulation", summary_of(*entry.modulation));
     fact("Declared", place_text(parameter.declared));

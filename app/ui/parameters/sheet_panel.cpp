@@ -112,7 +112,7 @@ struct Grid {
     float width = 0.0f;  // of a picture
     float height = 0.0f;
     float gap = 0.0f;
-    float words = 0.0f;  // height of the text line below
+    float text_height = 0.0f;  // of the line below
 };
 
 Grid grid_for(const VariantSheet& sheet, Extent picture) {
@@ -120,25 +120,25 @@ Grid grid_for(const VariantSheet& sheet, Extent picture) {
     const auto count = static_cast<float>(sheet.cells().size());
     Grid grid{.columns = sheet.columns(),
               .gap = ImGui::GetFontSize() * 0.5f,
-              .words = ImGui::GetTextLineHeightWithSpacing()};
+              .text_height = ImGui::GetTextLineHeightWithSpacing()};
     const auto columns = static_cast<float>(grid.columns);
     const float rows = std::ceil(count / columns);
     const float aspect =
         static_cast<float>(picture.width) / static_cast<float>(std::max(picture.height, 1));
     const float by_width = (room.x - ImGui::GetStyle().ScrollbarSize) / columns - grid.gap;
-    const float by_height = (room.y / rows - grid.words - grid.gap) * aspect;
+    const float by_height = (room.y / rows - grid.text_height - grid.gap) * aspect;
     const float least = ImGui::GetFontSize() * 6.0f;
     grid.width = std::floor(std::max(std::min(by_width, by_height), std::min(least, by_width)));
     grid.height = std::floor(grid.width / aspect);
     return grid;
 }
 
-std::string words_of(const SweepCell& cell, const Look& look) {
-    std::string words;
+std::string text_of(const SweepCell& cell, const Look& look) {
+    std::string text;
     for (const auto& [name, value] : cell.values)
         if (const Parameter* parameter = find_parameter(look, name))
-            words += (words.empty() ? "" : " · ") + short_value(*parameter, value);
-    return words;
+            text += (text.empty() ? "" : " · ") + short_value(*parameter, value);
+    return text;
 }
 
 void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid,
@@ -154,9 +154,9 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
     if (is_present || is_hovered)
         list.AddRect(low, high, theme::packed(is_present ? theme::accent : theme::faint), 0.0f, 0,
                      is_present ? 2.0f : 1.0f);
-    const std::string words = cut_to_fit(words_of(cell.values, look), grid.width);
+    const std::string text = cut_to_fit(text_of(cell.values, look), grid.width);
     list.AddText({low.x, high.y + 2.0f}, theme::packed(is_present ? theme::accent : theme::label),
-                 words.c_str());
+                 text.c_str());
 }
 
 void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
@@ -168,7 +168,7 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
         const ScopedId id(static_cast<int>(i));
         if (i % static_cast<std::size_t>(grid.columns) != 0)
             ImGui::SameLine(0.0f, grid.gap);
-        if (ImGui::InvisibleButton("##cell", {grid.width, grid.height + grid.words}))
+        if (ImGui::InvisibleButton("##cell", {grid.width, grid.height + grid.text_height}))
             edits.add([i](Lab& lab) {
                 if (lab.work().document)
                     lab.frames().previews().sheet().apply(i, *lab.work().document);

@@ -112,7 +112,7 @@ void draw_flaws(const Statistics& all, const ImVec2& at) {
     list.AddText(at, theme::packed(theme::problem), text.c_str());
 }
 
-void draw_words(const Statistics& all, const ImVec2& at, const Scene& scene) {
+void draw_text(const Statistics& all, const ImVec2& at, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     ImVec2 place = at;
@@ -183,7 +183,7 @@ void draw_strip(const Scene& scene, Edits& edits) {
         draw_ramp({low.x, high.y - legend}, high);
     draw_ends(histogram, low, {high.x, high.y - legend}, 2.0f * scene.scale);
     if (const auto& all = scene.views.inspector().statistics())
-        draw_words(*all, {low.x + 5.0f * scene.scale, low.y + 2.0f * scene.scale}, scene);
+        draw_text(*all, {low.x + 5.0f * scene.scale, low.y + 2.0f * scene.scale}, scene);
 }
 
 // The value of one end. Click to type it.

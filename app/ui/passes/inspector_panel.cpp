@@ -54,7 +54,7 @@ void draw_pictures(const InspectedTexture& inspected, const Scene& scene, float 
     edits.mark("inspector_picture");
 }
 
-std::string frame_words(int ago) {
+std::string frame_text(int ago) {
     return ago == 0 ? "This frame" : ago == 1 ? "1 frame ago" : fmt::format("{} frames ago", ago);
 }
 
@@ -65,7 +65,7 @@ void draw_frames(const InspectedTexture& inspected, int count, float width, Edit
         for (int ago = 0; ago < count; ++ago) {
             TextureChoice choice = inspected.choice;
             choice.frames_ago = ago;
-            draw_choice(choice, frame_words(ago), ago == present, edits);
+            draw_choice(choice, frame_text(ago), ago == present, edits);
         }
         ImGui::EndCombo();
     } else {

@@ -19,8 +19,8 @@ const char* filter_text(const Sampler& sampler) {
 }
 
 const char* wrap_text(Wrap wrap) {
-    static constexpr std::array words{"edge", "border", "repeat", "mirror"};
-    return words[static_cast<std::size_t>(wrap)];
+    static constexpr std::array names{"edge", "border", "repeat", "mirror"};
+    return names[static_cast<std::size_t>(wrap)];
 }
 
 void draw_read(const SamplerReport& sampler, Edits& edits) {

@@ -12,7 +12,7 @@
 #include <cmath>
 
 namespace {
-constexpr float word_lines = 3.7f;  // below the picture: name, facts, gain
+constexpr float text_lines = 3.7f;  // below the picture: name, facts, gain
 
 // In a stack, the key of the look is shown above its passes.
 std::string look_key(const std::string& pass) {
@@ -33,48 +33,48 @@ void draw_state(const std::string& state, const Scene& scene, const ImVec2& low,
     list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), words.c_str());
 }
 
-ImU32 color_of_time(const StripWords& words) {
-    return theme::packed(words.longest > heavy_pass_milliseconds ? theme::problem : theme::dim);
+ImU32 color_of_time(const StripText& strip) {
+    return theme::packed(strip.longest > heavy_pass_milliseconds ? theme::problem : theme::dim);
 }
 
 // Draws the time to the left of `right`; returns its width.
-float draw_time(const StripWords& words, const ImVec2& right, const Scene& scene) {
+float draw_time(const StripText& strip, const ImVec2& right, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
-    const std::string time = strip_words::time(words.milliseconds);
+    const std::string time = strip_text::time(strip.milliseconds);
     const float width = ImGui::CalcTextSize(time.c_str()).x;
-    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, color_of_time(words),
+    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, color_of_time(strip),
                                         time.c_str());
     return width;
 }
 
-void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, const ImVec2& at,
-                float width) {
+void draw_text(const StripText& strip, bool is_narrow, const Scene& scene, const ImVec2& at,
+               float width) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float line = ImGui::GetFontSize();
-    const std::string time = strip_words::time(words.milliseconds);
+    const std::string time = strip_text::time(strip.milliseconds);
     float room = width;
     if (!is_narrow && !time.empty())
-        room -= draw_time(words, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
-    const std::string name = elided_to(words.name, room, [](const std::string& text) {
+        room -= draw_time(strip, {at.x + width, at.y + 1.0f}, scene) + line * 0.6f;
+    const std::string name = elided_to(strip.name, room, [](const std::string& text) {
         return ImGui::CalcTextSize(text.c_str()).x;
     });
-    list.AddText(at, theme::packed(words.is_chosen ? theme::accent : theme::text), name.c_str());
+    list.AddText(at, theme::packed(strip.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
-    const std::string facts = cut_to_fit(is_narrow ? time : words.facts, width);
+    const std::string facts = cut_to_fit(is_narrow ? time : strip.facts, width);
     list.AddText({at.x, at.y + line * 1.2f},
-                 is_narrow ? color_of_time(words) : theme::packed(theme::dim), facts.c_str());
-    if (words.change) {
-        const std::string change = cut_to_fit(strip_words::change(*words.change, is_narrow), width);
-        const theme::Color color = words.change->has_changed() ? theme::accent : theme::dim;
+                 is_narrow ? color_of_time(strip) : theme::packed(theme::dim), facts.c_str());
+    if (strip.change) {
+        const std::string change = cut_to_fit(strip_text::change(*strip.change, is_narrow), width);
+        const theme::Color color = strip.change->has_changed() ? theme::accent : theme::dim;
         list.AddText({at.x, at.y + line * 2.4f}, theme::packed(color), change.c_str());
         return;
     }
-    if (!words.gain)
+    if (!strip.gain)
         return;
-    const std::string all = strip_words::gain(*words.gain, false);
+    const std::string all = strip_text::gain(*strip.gain, false);
     const bool is_cut = is_narrow || ImGui::CalcTextSize(all.c_str()).x > width;
-    const std::string gain = is_cut ? cut_to_fit(strip_words::gain(*words.gain, true), width) : all;
-    const bool is_clipped = strip_words::is_clipped(*words.gain);
+    const std::string gain = is_cut ? cut_to_fit(strip_text::gain(*strip.gain, true), width) : all;
+    const bool is_clipped = strip_text::is_clipped(*strip.gain);
     list.AddText({at.x, at.y + line * 2.4f},
                  theme::packed(is_clipped ? theme::warning : theme::dim), gain.c_str());
 }
@@ -84,7 +84,7 @@ void draw_words(const StripWords& words, bool is_narrow, const Scene& scene, con
 void draw_block(const StripBlock& block, const Scene& scene, float image_height, Edits& edits) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = block.width_of_one();
-    const float words = ImGui::GetFontSize() * word_lines;
+    const float text_height = ImGui::GetFontSize() * text_lines;
     const float seam = block.is_pass() ? 0.0f : scene.scale;
     ImGui::BeginGroup();
     for (std::size_t i = 0; i < block.passes.size(); ++i) {
@@ -93,13 +93,13 @@ void draw_block(const StripBlock& block, const Scene& scene, float image_height,
         const float last = static_cast<float>(block.passes.size()) - 1.0f;
         const float part = block.is_pass() ? 0.5f : static_cast<float>(i) / last;
         const Rect place{low.x + width * static_cast<float>(i), low.y, width - seam, image_height};
-        draw_strip_cell(block.passes[i], scene, place, words, part, edits);
+        draw_strip_cell(block.passes[i], scene, place, text_height, part, edits);
     }
     ImGui::EndGroup();
     if (!block.state.empty())
         draw_state(block.state, scene, low, block.width);
-    draw_words(block.words, block.is_narrow, scene,
-               {low.x, low.y + image_height + 3.0f * scene.scale}, block.width);
+    draw_text(block.text, block.is_narrow, scene,
+              {low.x, low.y + image_height + 3.0f * scene.scale}, block.width);
 }
 
 /// The passes of one look of a stack and their extent in the strip.
@@ -181,7 +181,7 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
         return;
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
     const float room =
-        ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * word_lines - scrollbar;
+        ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * text_lines - scrollbar;
     const float image_height = std::max(24.0f, std::floor(room));
     const int wanted = static_cast<int>(image_height * scene.density);
     if (wanted != scene.window.views.thumbnail_height)

@@ -43,29 +43,29 @@ bool is_louder(const Gain& gain, const Gain& other) {
 }
 
 // For a pyramid: the total time, and the highest of the other values.
-StripWords words_of_pyramid(std::span<const StripPass> levels, std::span<const StripPass> all) {
-    StripWords words{pyramid_name(levels, all),
-                     strip_words::facts(levels.front().target, levels.back().target)};
+StripText text_of_pyramid(std::span<const StripPass> levels, std::span<const StripPass> all) {
+    StripText text{pyramid_name(levels, all),
+                   strip_text::facts(levels.front().target, levels.back().target)};
     for (const StripPass& level : levels) {
-        words.milliseconds += level.milliseconds;
-        words.longest = std::max(words.longest, level.milliseconds);
-        if (level.gain && (!words.gain || is_louder(*level.gain, *words.gain)))
-            words.gain = level.gain;
+        text.milliseconds += level.milliseconds;
+        text.longest = std::max(text.longest, level.milliseconds);
+        if (level.gain && (!text.gain || is_louder(*level.gain, *text.gain)))
+            text.gain = level.gain;
         if (level.change &&
-            (!words.change || change_share(*level.change) > change_share(*words.change)))
-            words.change = level.change;
+            (!text.change || change_share(*level.change) > change_share(*text.change)))
+            text.change = level.change;
     }
-    return words;
+    return text;
 }
 
 // An inspected level of a pyramid shows its own text instead of that of the pyramid.
-StripWords words_of(std::span<const StripPass> passes, std::span<const StripPass> all) {
+StripText text_of(std::span<const StripPass> passes, std::span<const StripPass> all) {
     const auto chosen = std::ranges::find(passes, true, &StripPass::is_chosen);
     if (passes.size() > 1 && chosen == passes.end())
-        return words_of_pyramid(passes, all);
+        return text_of_pyramid(passes, all);
     const StripPass& shown = passes.size() > 1 ? *chosen : passes.front();
     return {.name = elided_name(own_name(shown.pass.name), others_than(shown.pass.name, all)),
-            .facts = strip_words::facts(shown.target),
+            .facts = strip_text::facts(shown.target),
             .milliseconds = shown.milliseconds,
             .longest = shown.milliseconds,
             .gain = shown.gain,
@@ -91,7 +91,7 @@ std::vector<StripBlock> blocks_of(std::span<const StripPass> passes) {
     std::size_t first = 0;
     for (const std::size_t count : count_levels(sized)) {
         const auto own = passes.subspan(first, count);
-        blocks.push_back({own, words_of(own, passes), state_of(own)});
+        blocks.push_back({own, text_of(own, passes), state_of(own)});
         first += count;
     }
     return blocks;
@@ -102,13 +102,13 @@ float text_width(const std::string& text) {
 }
 
 // Width of the name, up to a limit, and the time. It does not depend on the time.
-float words_width(const StripWords& words, const Scene& scene) {
+float text_width_of(const StripText& text, const Scene& scene) {
     const float longest = ImGui::GetFontSize() * 11.0f;
     const float gap = strip_gap();
-    const float name = std::min(text_width(words.name.front + words.name.end), longest);
+    const float name = std::min(text_width(text.name.front + text.name.end), longest);
     const ScopedFont font(scene.fonts.numbers);
     const float time = text_width("00.00 ms");
-    return std::max(name + time + gap, text_width(words.facts));
+    return std::max(name + time + gap, text_width(text.facts));
 }
 
 float image_width(std::span<const StripPass> passes, const Scene& scene) {
@@ -123,12 +123,12 @@ float gain_width(const Scene& scene) {
     return text_width("peak 00.0, 0.0 % clipped");
 }
 
-AskedWidth asked_by(const StripBlock& block, float words, float each, const Scene& scene) {
+AskedWidth asked_by(const StripBlock& block, float text_size, float each, const Scene& scene) {
     const float least = std::floor(ImGui::GetFontSize() * 4.8f);
     const float picture = std::ceil(image_width(block.passes, scene));
     if (block.is_pass())
         return {.least = std::max(picture, least),
-                .wanted = std::max({picture, least, std::ceil(words)}),
+                .wanted = std::max({picture, least, std::ceil(text_size)}),
                 .best = std::min(std::ceil(gain_width(scene)), each)};
     const auto count = static_cast<float>(block.passes.size());
     const float a_level = std::floor(ImGui::GetFontSize() * 0.8f);
@@ -141,17 +141,17 @@ void share_room(std::vector<StripBlock>& blocks, float room, const Scene& scene)
     const auto count = static_cast<float>(blocks.size());
     room -= strip_gap() * (count - 1.0f);
     std::vector<AskedWidth> asked;
-    std::vector<float> words;
+    std::vector<float> text_widths;
     for (const StripBlock& block : blocks) {
-        words.push_back(words_width(block.words, scene));
-        asked.push_back(asked_by(block, words.back(), std::floor(room / count), scene));
+        text_widths.push_back(text_width_of(block.text, scene));
+        asked.push_back(asked_by(block, text_widths.back(), std::floor(room / count), scene));
     }
     const StripRoom shared = share_strip(asked, room);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StripBlock& block = blocks[i];
         const auto levels = static_cast<float>(block.passes.size());
         block.width = std::floor(shared.widths[i] / levels) * levels;
-        block.is_narrow = block.is_pass() ? shared.is_narrow : block.width < words[i];
+        block.is_narrow = block.is_pass() ? shared.is_narrow : block.width < text_widths[i];
     }
 }
 }  // namespace

@@ -21,7 +21,7 @@ struct StripPass {
 };
 
 /// The text below a picture of the strip.
-struct StripWords {
+struct StripText {
     ElidedName name;
     std::string facts;
     double milliseconds = 0.0;
@@ -34,7 +34,7 @@ struct StripWords {
 /// A pass, or the levels of a pyramid side by side as one picture.
 struct StripBlock {
     std::span<const StripPass> passes;
-    StripWords words;
+    StripText text;
     std::string state;  // switch state; "": unchanged
     float width = 0.0f;
     bool is_narrow = false;  // shows the time instead of size and format

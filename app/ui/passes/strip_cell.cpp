@@ -40,7 +40,7 @@ void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
     };
     list.AddRectFilled(low, high, theme::packed(theme::field));
     list.AddRectFilled(low, {at(gain.mean), high.y}, theme::packed(theme::filled));
-    const theme::Color color = strip_words::is_clipped(gain) ? theme::warning : theme::label;
+    const theme::Color color = strip_text::is_clipped(gain) ? theme::warning : theme::label;
     const float peak = std::clamp(at(gain.peak), low.x + 2.0f, high.x);
     if (gain.peak > 0.0)
         list.AddRectFilled({peak - 2.0f, low.y}, {peak, high.y}, theme::packed(color));
@@ -57,14 +57,14 @@ void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high
 std::string cell_help(const StripPass& pass) {
     const double mebibytes = static_cast<double>(memory_of(pass.target)) / (1024.0 * 1024.0);
     std::vector<std::string> lines{
-        pass.pass.name, fmt::format("{}, {:.1f} MiB", strip_words::facts(pass.target), mebibytes)};
-    const std::string time = strip_words::time(pass.milliseconds);
+        pass.pass.name, fmt::format("{}, {:.1f} MiB", strip_text::facts(pass.target), mebibytes)};
+    const std::string time = strip_text::time(pass.milliseconds);
     if (pass.milliseconds > heavy_pass_milliseconds)
         lines.push_back(fmt::format("{}, slows down the window", time));
     else if (!time.empty())
         lines.push_back(time);
     if (pass.gain)
-        lines.push_back(strip_words::gain_help(*pass.gain));
+        lines.push_back(strip_text::gain_help(*pass.gain));
     if (!pass.state.empty())
         lines.push_back(pass.state);
     lines.emplace_back("Double-click to view large. Right-click to bypass, solo or freeze.");
@@ -92,10 +92,11 @@ bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, 
 }
 }  // namespace
 
-void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& place, float words,
-                     float part, Edits& edits) {
+void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& place,
+                     float text_height, float part, Edits& edits) {
     const ScopedId id(static_cast<int>(pass.index));
-    const bool is_hovered = draw_button(pass, {place.width, place.height + words}, scene, edits);
+    const bool is_hovered =
+        draw_button(pass, {place.width, place.height + text_height}, scene, edits);
     draw_image(scene.views.strip().thumbnail(pass.index), place, scene.density, part,
                pass.state.ends_with("not drawn"));
     const ImVec2 low(place.left, place.top);

@@ -17,30 +17,30 @@ std::string stops_text(double stops) {
 }
 }  // namespace
 
-std::string strip_words::facts(const PlannedTarget& target) {
+std::string strip_text::facts(const PlannedTarget& target) {
     return fmt::format("{}×{} {}", target.extent.width, target.extent.height,
                        facts_of(target.format).name);
 }
 
-std::string strip_words::facts(const PlannedTarget& first, const PlannedTarget& last) {
+std::string strip_text::facts(const PlannedTarget& first, const PlannedTarget& last) {
     return fmt::format("{}×{} to {}×{}", first.extent.width, first.extent.height, last.extent.width,
                        last.extent.height);
 }
 
 // Three significant digits.
-std::string strip_words::time(double milliseconds) {
+std::string strip_text::time(double milliseconds) {
     if (milliseconds <= 0.0)
         return {};
     const int decimals = milliseconds < 99.995 ? 2 : milliseconds < 999.95 ? 1 : 0;
     return fmt::format("{:.{}f} ms", milliseconds, decimals);
 }
 
-bool strip_words::is_clipped(const Gain& gain) {
+bool strip_text::is_clipped(const Gain& gain) {
     constexpr double counts = 0.0005;  // shown as "0.1 %"
     return gain.clipped >= counts;
 }
 
-std::string strip_words::gain(const Gain& gain, bool is_narrow) {
+std::string strip_text::gain(const Gain& gain, bool is_narrow) {
     if (is_narrow && is_clipped(gain))
         return fmt::format("{} clipped", percent_text(gain.clipped));
     if (is_clipped(gain))
@@ -53,7 +53,7 @@ std::string strip_words::gain(const Gain& gain, bool is_narrow) {
     return fmt::format("peak {:.3g}, {} stops", gain.peak, stops_text(*headroom));
 }
 
-std::string strip_words::gain_help(const Gain& gain) {
+std::string strip_text::gain_help(const Gain& gain) {
     const auto headroom = headroom_stops(gain);
     const std::string peak =
         fmt::format("Peak {}, mean {}", short_number(gain.peak), short_number(gain.mean));
@@ -64,7 +64,7 @@ std::string strip_words::gain_help(const Gain& gain) {
                : fmt::format("{}\n{}\nBlack", peak, clipped);
 }
 
-std::string strip_words::change(const PassChange& change, bool is_narrow) {
+std::string strip_text::change(const PassChange& change, bool is_narrow) {
     if (!change.has_changed())
         return "unchanged";
     const double percent = 100.0 * change_share(change);

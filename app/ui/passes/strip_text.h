@@ -7,7 +7,7 @@
 #include <string>
 
 /// The texts of a pass in the strip.
-namespace strip_words {
+namespace strip_text {
 /// "640×480 rgba16f".
 std::string facts(const PlannedTarget& target);
 /// Of a pyramid, from its first to its last level: "320×240 to 5×4".
@@ -21,4 +21,4 @@ std::string gain(const Gain& gain, bool is_narrow);
 std::string gain_help(const Gain& gain);
 /// The amount of the change, or a text for no change.
 std::string change(const PassChange& change, bool is_narrow);
-}  // namespace strip_words
+}  // namespace strip_text

@@ -195,7 +195,8 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
 }
 
 std::string opening_text(const LookLoader::Opening& opening) {
-    return fmt::format("Opening {} · {} · Esc to cancel", opening.look, words_of(opening.progress));
+    return fmt::format("Opening {} · {} · Esc to cancel", opening.look,
+                       to_string(opening.progress));
 }
 
 void draw_loading(const Scene& scene) {
@@ -214,11 +215,11 @@ void draw_loading(const Scene& scene) {
 
 void draw_step(const Scene& scene, Edits& edits) {
     const StepProbe& probe = scene.lab.frames().previews().probe();
-    if (!probe.question() || probe.words().empty())
+    if (!probe.question() || probe.text().empty())
         return;
     const bool changes_nothing =
         probe.has_failed() || (probe.effect() && probe.effect()->kind != StepEffect::Kind::seen);
-    draw_pill({"##step", probe.words(), changes_nothing ? theme::warning : theme::text, 1.0f},
+    draw_pill({"##step", probe.text(), changes_nothing ? theme::warning : theme::text, 1.0f},
               scene);
     edits.mark("step");
 }

@@ -80,7 +80,7 @@ float budget_width(double budget) {
            ImGui::GetFontSize() * 0.6f;
 }
 
-void draw_budget_words(const Scene& scene, Edits& edits) {
+void draw_budget_text(const Scene& scene, Edits& edits) {
     const double present = scene.lab.renderer()->times().passes().present_total();
     double budget = scene.window.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
@@ -184,7 +184,7 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     ImGui::BeginGroup();
     draw_budget(scene.lab.renderer()->times().passes(), scene.window.budget_milliseconds, width,
                 height, scene.scale);
-    draw_budget_words(scene, edits);
+    draw_budget_text(scene, edits);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     {  // only for this child: popups above it keep their own padding

@@ -205,7 +205,7 @@ std::string tryouts_text(const Scene& scene) {
     return fmt::format(
         R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
         json_string(scene.window.pointed ? scene.window.pointed->parameter : std::string()),
-        json_string(probe.words()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
+        json_string(probe.text()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
         sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
         lab.presets().navigation().morphing()
             ? fmt::format("{:.3f}", lab.presets().navigation().morphing()->share())
@@ -263,7 +263,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document() ? document_text(lab) : std::string(), scene.frame_number,
         scene.panel_milliseconds, scene.is_behind, lab.loader().is_loading(),
-        json_string(lab.loader().opening() ? words_of(lab.loader().opening()->progress)
+        json_string(lab.loader().opening() ? to_string(lab.loader().opening()->progress)
                                            : std::string()),
         json_string(lab.work().media.loading()), transport.is_playing(),
         lab.renderer() && lab.renderer()->has_drawn(), transport.frame_number(),

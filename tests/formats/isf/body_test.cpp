@@ -54,7 +54,7 @@ TEST_CASE("an input named like a GLSL function or keyword is renamed, but calls 
           "texture(isf_own_texture, p) * isf_own_smooth;");
     CHECK(fragment_body("switch (x) { default: a.texture; }") ==
           "switch (x) { default: a.texture; }");
-    CHECK(isf_declared_word("texture") == "isf_own_texture");
-    CHECK(isf_declared_word("sample") == "isf_own_sample");
-    CHECK(isf_declared_word("textures") == "textures");
+    CHECK(isf_declared_name("texture") == "isf_own_texture");
+    CHECK(isf_declared_name("sample") == "isf_own_sample");
+    CHECK(isf_declared_name("textures") == "textures");
 }

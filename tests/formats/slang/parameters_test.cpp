@@ -1,6 +1,6 @@
 #include "formats/slang/parameters.h"
 
-#include "formats/slang/words.h"
+#include "formats/slang/slang_text.h"
 
 #include <doctest/doctest.h>
 

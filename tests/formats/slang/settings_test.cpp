@@ -1,7 +1,7 @@
 #include "formats/slang/settings.h"
 
 #include "base/text.h"
-#include "formats/slang/words.h"
+#include "formats/slang/slang_text.h"
 #include "io/temporary_folder.h"
 
 #include <doctest/doctest.h>

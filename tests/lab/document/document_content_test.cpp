@@ -194,8 +194,8 @@ TEST_CASE("content is named by its file, otherwise by its kind") {
     CHECK(content_name({song, {}, {}}, beam) == "song.wav");
     CHECK(content_name({Spec{"microphone", {}}, {}, {}}, beam) == "Live sound");
     CHECK(content_name({{}, "/pictures/game.png,fit=whole", {}}, tube) == "game.png");
-    CHECK(keep_content_words(beam) == "Keep my signal");
-    CHECK(use_content_words(tube) == "Use the preset's source");
+    CHECK(keep_content_label(beam) == "Keep my signal");
+    CHECK(use_content_label(tube) == "Use the preset's source");
 }
 
 TEST_CASE("the user's XY signal keeps circles round unless it specifies a fit") {

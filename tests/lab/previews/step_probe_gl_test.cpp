@@ -65,7 +65,7 @@ TEST_CASE("a step is shown as its change of the picture and of each pass") {
     CHECK(is_near_step(up.changes()[1]->level, 0.25));
     CHECK(up.gain() == 32.0);  // the largest power of two up to 0.5 / 0.01
     CHECK(is_near_step(small.seen(), 0.5 + 32.0 * 0.01, 1e-5));
-    CHECK(up.words() ==
+    CHECK(up.text() ==
           "Level 0.25 → 0.26: changes the picture by up to 3 of 255 levels, 3 on "
           "average · amplified 32×");
 
@@ -94,7 +94,7 @@ TEST_CASE("a slider without effect reports the pass in which its effect ends") {
     CHECK(hidden.changes()[0]->has_changed());
     const StepProbe& dead = small.ask("dead");
     CHECK(dead.effect()->kind == StepEffect::Kind::none);
-    CHECK(dead.words().ends_with("has no effect: the output of \"show\" stays the same"));
+    CHECK(dead.text().ends_with("has no effect: the output of \"show\" stays the same"));
     CHECK(is_near_step(small.seen(), 0.5, 1e-6));
 
     small.lab().edit([](Document& document) { document.set_value("opens", Value(1.0)); });
@@ -125,9 +125,9 @@ TEST_CASE("the end of a slider is reported, and the probe follows later changes"
     small.lab().edit([](Document& document) { document.set_value("level", Value(1.0)); });
     const StepProbe& end = small.ask("level");
     CHECK(end.has_failed());
-    CHECK(end.words() == "Level is at its maximum");
+    CHECK(end.text() == "Level is at its maximum");
     small.lab().edit([](Document& document) { document.set_value("level", Value(0.5)); });
     small.update(1);
     REQUIRE(small.update_until([&] { return !small.probe().is_busy(); }));
-    CHECK(small.probe().words().starts_with("Level 0.5 → 0.51"));
+    CHECK(small.probe().text().starts_with("Level 0.5 → 0.51"));
 }

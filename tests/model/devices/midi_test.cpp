@@ -47,8 +47,8 @@ TEST_CASE("a controller maps 0..1 to 127 steps, and a 14-bit pair to 16383") {
     CHECK(is_share(pairs.share(fine, {3, 33, 5}), 8197.0 / 16383.0));
     pairs.note({3, 1, 127});
     CHECK(is_share(pairs.share(fine, {3, 33, 127}), 1.0));
-    CHECK(words_of(plain) == "CC 21, channel 1");
-    CHECK(words_of(fine) == "CC 1 and 33, channel 3");
+    CHECK(to_string(plain) == "CC 21, channel 1");
+    CHECK(to_string(fine) == "CC 1 and 33, channel 3");
     CHECK(is_lower_half({3, 33, 0}, fine));
     CHECK_FALSE(is_lower_half({3, 34, 0}, fine));
     CHECK_FALSE(is_lower_half({1, 96, 0}, {{"decay"}, 1, 64}));  // controller 64 has no lower half

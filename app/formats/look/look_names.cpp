@@ -1,12 +1,12 @@
-#include "formats/look/look_words.h"
+#include "formats/look/look_names.h"
 
-const Choices<Draw>& draw_words() {
+const Choices<Draw>& draw_names() {
     static const Choices<Draw> words{
         {"fullscreen", Draw::fullscreen}, {"points", Draw::points}, {"segments", Draw::segments}};
     return words;
 }
 
-const Choices<Blend>& blend_words() {
+const Choices<Blend>& blend_names() {
     static const Choices<Blend> words{{"replace", Blend::replace},
                                       {"add", Blend::add},
                                       {"alpha", Blend::alpha},
@@ -15,12 +15,12 @@ const Choices<Blend>& blend_words() {
     return words;
 }
 
-const Choices<Filter>& filter_words() {
+const Choices<Filter>& filter_names() {
     static const Choices<Filter> words{{"nearest", Filter::nearest}, {"linear", Filter::linear}};
     return words;
 }
 
-const Choices<Wrap>& wrap_words() {
+const Choices<Wrap>& wrap_names() {
     static const Choices<Wrap> words{{"edge", Wrap::edge},
                                      {"border", Wrap::border},
                                      {"repeat", Wrap::repeat},
@@ -28,7 +28,7 @@ const Choices<Wrap>& wrap_words() {
     return words;
 }
 
-const Choices<Format>& format_words() {
+const Choices<Format>& format_names() {
     static const Choices<Format> words = [] {
         Choices<Format> made;
         for (const FormatFacts& facts : all_formats())
@@ -38,13 +38,13 @@ const Choices<Format>& format_words() {
     return words;
 }
 
-const Choices<Driver>& driver_words() {
+const Choices<Driver>& driver_names() {
     static const Choices<Driver> words{
         {"signal", Driver::signal}, {"picture", Driver::picture}, {"nothing", Driver::nothing}};
     return words;
 }
 
-const Choices<Encoding>& encoding_words() {
+const Choices<Encoding>& encoding_names() {
     static const Choices<Encoding> words{{"display", Encoding::display},
                                          {"linear", Encoding::linear}};
     return words;

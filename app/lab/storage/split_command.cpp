@@ -1,4 +1,4 @@
-#include "lab/storage/command_words.h"
+#include "lab/storage/split_command.h"
 
 #include <utility>
 

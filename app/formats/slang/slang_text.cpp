@@ -1,4 +1,4 @@
-#include "formats/slang/words.h"
+#include "formats/slang/slang_text.h"
 
 #include "base/text.h"
 
