@@ -26,7 +26,7 @@ struct ImpulseArguments {
 };
 
 // Fractions of the picture's width and height.
-Pin parse_place(const std::string& text) {
+Pin parse_position(const std::string& text) {
     std::istringstream words(text);
     Pin place;
     char comma = 0;
@@ -80,7 +80,7 @@ void print_table(const ImpulseResponse& response) {
 
 int impulse(const ImpulseArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
-    const ImpulseQuestion question{parse_place(arguments.place), request.fps, arguments.seconds};
+    const ImpulseQuestion question{parse_position(arguments.place), request.fps, arguments.seconds};
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         Work progress;
         const auto response = fire_impulse(offline, request.size, question, progress);

@@ -31,16 +31,16 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     return saved;
 }
 
-using Places = std::map<std::string, std::string>;
+using LookPaths = std::map<std::string, std::string>;
 
 // The looks of a state; empty if the session lacks the location of one of them.
-Stack stack_in(const Preset& preset, const Places& places) {
+Stack stack_in(const Preset& preset, const LookPaths& paths) {
     Stack stack;
     if (!fault_of_stack_size(preset.look).empty())
         return stack;
     for (const std::string& id : look_ids(preset.look)) {
-        const auto place = places.find(id);
-        if (place == places.end())
+        const auto place = paths.find(id);
+        if (place == paths.end())
             return {};
         stack.push_back({id, place->second, free_tag(stack, id)});
     }
@@ -50,13 +50,13 @@ Stack stack_in(const Preset& preset, const Places& places) {
 // The open look and the locations of the session's looks.
 struct Ground {
     const Look& look;
-    const Places& places;
+    const LookPaths& paths;
 };
 
 DocumentState document_state(const SessionState& saved, const Ground& ground) {
     const Look& look = ground.look;
     DocumentState state = initial_state(look);
-    if (Stack stack = stack_in(saved.preset, ground.places); !stack.empty())
+    if (Stack stack = stack_in(saved.preset, ground.paths); !stack.empty())
         state.stack = std::move(stack);
     state.values = saved.preset.values;
     if (stack_id(state.stack) == look.id) {
@@ -103,19 +103,19 @@ void restore_document(Document& document, const Session& session) {
                                 document_state(session.saved, ground)};
 }
 
-void note_places(const DocumentState& state, Places& places) {
+void note_paths(const DocumentState& state, LookPaths& paths) {
     for (const StackPart& part : state.stack)
-        places[part.look] = part.place.string();
+        paths[part.look] = part.path.string();
 }
 
-Places places_of(const Document& document) {
-    Places places;
-    note_places(document.opened_preset().saved, places);
+LookPaths paths_of(const Document& document) {
+    LookPaths paths;
+    note_paths(document.opened_preset().saved, paths);
     for (const auto* steps : {&document.history().past(), &document.history().future()})
         for (const auto& step : *steps)
-            note_places(step.state, places);
-    note_places(document.state(), places);
-    return places;
+            note_paths(step.state, paths);
+    note_paths(document.state(), paths);
+    return paths;
 }
 }  // namespace
 
@@ -172,7 +172,7 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
         return session;
     const Look& look = document->look();
     session.look = look.manifest.string();
-    session.looks = places_of(*document);
+    session.looks = paths_of(*document);
     session.preset_file = preset_file(*document).string();
     session.saved = session_state(document->opened_preset().saved, look, {});
     const Preset& identity = document->opened_preset().identity;

@@ -30,8 +30,8 @@ DraggedParameter dragged_parameter(const ScaleSize& size) {
     return {size.passes / 2, size.parameters_a_pass / 2};
 }
 
-double place_of(int turn) {
-    return 0.3 + 0.05 * (turn % 7);
+double value_at(int step) {
+    return 0.3 + 0.05 * (step % 7);
 }
 
 /// Values in which no parameter has its default.
@@ -130,12 +130,12 @@ void compare_costs(const std::string& name, const Yardstick& by, Ours& ours) {
             return;
         const auto plain = [&] {
             if (is_dragged)
-                by.plain.set(dragged.pass, dragged.parameter, place_of(++turns[0]));
+                by.plain.set(dragged.pass, dragged.parameter, value_at(++turns[0]));
             by.plain.draw(time += 1.0 / 60.0);
         };
         const auto draw_ours = [&] {
             if (is_dragged)
-                ours.set(parameter_name, place_of(++turns[1]));
+                ours.set(parameter_name, value_at(++turns[1]));
             ours.draw(time);
         };
         bench::tell(topic, bench::more_figure(key,

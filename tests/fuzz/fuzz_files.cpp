@@ -64,7 +64,7 @@ void require_reasons(const Diagnostics& errors) {
         require(!error.message.empty() && !error.file.empty(), "a reason names its file");
 }
 
-void require_places(const Stage& stage) {
+void require_locations(const Stage& stage) {
     const auto ends = static_cast<std::size_t>(std::ranges::count(*stage.text, '\n'));
     const bool is_open = !stage.text->empty() && stage.text->back() != '\n';
     require(stage.lines.size() == ends + (is_open ? 1 : 0), "every line has a place");

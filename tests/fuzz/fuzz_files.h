@@ -42,4 +42,4 @@ void require(bool is_kept, const char* rule);
 void require_reasons(const Diagnostics& errors);
 
 /// Requires an origin for every line of a stage.
-void require_places(const Stage& stage);
+void require_locations(const Stage& stage);

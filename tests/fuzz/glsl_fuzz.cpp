@@ -20,7 +20,7 @@ void fuzz_one(std::string_view input) {
     const Stage stage = builtin_stage(modern_glsl_start(words) + modern);
     Diagnostics problems;
     const std::vector<FragmentVarying> varyings = find_varyings(stage.text);
-    require_places(vertex_stage_for(varyings, stage, problems));
+    require_locations(vertex_stage_for(varyings, stage, problems));
     for (const Declaration& declared : find_declarations(stage.text))
         parse_hints(declared.comments, stage, problems);
     check_version(stage);

@@ -12,5 +12,5 @@ void fuzz_one(std::string_view input) {
         load_stage(folder.file(0), {parent(folder.file(0)), parent(folder.file(3))}, files);
     if (!stage)
         return require_reasons(stage.error());
-    require_places(*stage);
+    require_locations(*stage);
 }

@@ -24,7 +24,7 @@ void fuzz_one(std::string_view input) {
     }
     const std::size_t shown = std::min<std::size_t>(header->passes.size(), 2);
     for (std::size_t pass = 0; pass < shown; ++pass) {
-        require_places(isf_fragment_stage(source, *header, pass));
-        require_places(isf_vertex_stage(source, *header, pass));
+        require_locations(isf_fragment_stage(source, *header, pass));
+        require_locations(isf_vertex_stage(source, *header, pass));
     }
 }

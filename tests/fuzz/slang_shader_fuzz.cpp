@@ -11,8 +11,8 @@ void fuzz_one(std::string_view input) {
     const auto shader = read_slang_shader(folder.file(0), files);
     if (!shader)
         return require_reasons(shader.error());
-    require_places(shader->vertex);
-    require_places(shader->fragment);
+    require_locations(shader->vertex);
+    require_locations(shader->fragment);
     const SlangControls controls = slang_controls(shader->parameters, {});
     for (const Parameter& parameter : controls.parameters) {
         require(parameter.range.low <= parameter.range.high, "a range has its low end first");

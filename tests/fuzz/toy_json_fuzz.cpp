@@ -13,5 +13,5 @@ void fuzz_one(std::string_view input) {
     if (!look)
         return require_reasons(look.error());
     for (const Pass& pass : look->passes)
-        require_places(pass.fragment);
+        require_locations(pass.fragment);
 }

@@ -27,5 +27,5 @@ void fuzz_one(std::string_view input) {
     const auto look = look_of_shadertoy(shadertoy, "folder", warnings);
     require(look.has_value(), "a shader with an Image is a look");
     for (const Pass& pass : look->passes)
-        require_places(pass.fragment);
+        require_locations(pass.fragment);
 }

@@ -274,7 +274,7 @@ TEST_CASE("a stack with its order, bypass and undo is restored at the next start
     small.lab().edit([&](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back(other);
-        stack.push_back({"gain", other.place, "gain#2", true});
+        stack.push_back({"gain", other.path, "gain#2", true});
         set_stack(document, std::move(stack), "Add");
     });
     REQUIRE(small.shows("small+gain+gain"));

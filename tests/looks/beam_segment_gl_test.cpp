@@ -10,12 +10,12 @@
 namespace {
 constexpr int side = 96;  // px of the picture
 
-struct Place {
+struct Position {
     double x = 0.0;  // px from the centre of the picture, y up
     double y = 0.0;
 };
 
-BeamPoint point_at(Place place, double charge, double age = 0.0) {
+BeamPoint point_at(Position place, double charge, double age = 0.0) {
     return {static_cast<float>(2.0 * place.x / side), static_cast<float>(2.0 * place.y / side),
             static_cast<float>(charge), static_cast<float>(age)};
 }
@@ -29,7 +29,7 @@ struct Way {
     int pieces = 1;
     bool is_kept_apart = false;  // prevents the pieces from being merged into one
 
-    Place at(double share) const {
+    Position at(double share) const {
         const double radians = degrees * std::numbers::pi / 180.0;
         const double along = (share - 0.5) * length;
         return {0.3 + along * std::cos(radians), 0.2 + along * std::sin(radians)};
@@ -86,12 +86,12 @@ double erfcx(double x) {
 
 /// The light of a uniform segment at a pixel: Simpson's rule over its time, and the mean of the
 /// same samples over the pixel's area.
-double light_of(const Way& way, double sigma, double rate, Place pixel) {
+double light_of(const Way& way, double sigma, double rate, Position pixel) {
     constexpr int steps = 1000;
     double sum = 0.0;
     for (int i = 0; i <= steps; ++i) {
         const double share = static_cast<double>(i) / steps;
-        const Place beam = way.at(share);
+        const Position beam = way.at(share);
         const double away = std::hypot(pixel.x - beam.x, pixel.y - beam.y) / sigma;
         const double weight = i == 0 || i == steps ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
         sum += weight * std::exp(-0.5 * away * away - rate * way.seconds * (1.0 - share));
@@ -198,7 +198,7 @@ TEST_CASE("decay within a segment matches quadrature") {
             double apart = 0.0;
             for (int y = 30; y < 66; y += 3)
                 for (int x = 27; x < 69; x += 3) {
-                    const Place pixel{x + 0.5 - side / 2.0, side / 2.0 - y - 0.5};
+                    const Position pixel{x + 0.5 - side / 2.0, side / 2.0 - y - 0.5};
                     const double expected = light_of(way, 1.2, rate, pixel);
                     peak = std::max(peak, expected);
                     apart = std::max(apart, std::abs(value_at(picture, x, y) - expected));

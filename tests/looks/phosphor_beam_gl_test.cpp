@@ -11,16 +11,16 @@ double energy(double width_px, double weight, double sharpness) {
     return 0.7 * weight * width_px * width_px * std::numbers::pi / sharpness;
 }
 
-struct Place {
+struct Position {
     double x = 0.0;
     double y = 0.0;
 };
 
 /// The centroid of a pass's light, in px from the left and the bottom.
-Place middle_of(const Tube& tube, const char* pass) {
+Position middle_of(const Tube& tube, const char* pass) {
     const Picture light = tube.target(pass);
     double sum = 0.0;
-    Place place;
+    Position place;
     for (int y = 0; y < light.extent.height; ++y)
         for (int x = 0; x < light.extent.width; ++x) {
             const auto value = static_cast<double>(light.pixels[light.index(x, y) + 1]);
@@ -66,10 +66,10 @@ TEST_CASE("fit and size place the signal, as points and as segments") {
     };
     for (const double kind : {0.0, 1.0}) {
         CAPTURE(kind);
-        const Place filled = drawn_at(kind, 0.0);
+        const Position filled = drawn_at(kind, 0.0);
         CHECK(std::abs(filled.x - (100.0 + 0.8 * 0.5 * 100.0)) < 0.01);
         CHECK(std::abs(filled.y - (50.0 + 0.8 * 0.25 * 50.0)) < 0.01);
-        const Place round = drawn_at(kind, 1.0);  // both axes have the scale of the height
+        const Position round = drawn_at(kind, 1.0);  // both axes have the scale of the height
         CHECK(std::abs(round.x - (100.0 + 0.8 * 0.5 * 50.0)) < 0.01);
         CHECK(std::abs(round.y - (50.0 + 0.8 * 0.25 * 50.0)) < 0.01);
     }

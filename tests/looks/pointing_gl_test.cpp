@@ -1,7 +1,7 @@
 // The beam appears where the user points: positions compared with pictures of the built-in looks.
 #include "base/text.h"
 #include "lab/document/users_content.h"
-#include "lab/drawing/beam_place.h"
+#include "lab/drawing/beam_position.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 
@@ -13,7 +13,7 @@ namespace {
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
 /// A look whose beam draws a short line around a position, without stages that would blur it.
-Offline pointed(const std::string& look, const BeamPlace& place, Extent size, Texts values) {
+Offline pointed(const std::string& look, const BeamPosition& place, Extent size, Texts values) {
     auto roots = find_roots(std::filesystem::path(AFTERGLOW_SOURCE_DIR));
     REQUIRE(roots.has_value());
     const std::string x = format_number(place[0]);
@@ -47,7 +47,7 @@ PicturePixel lit_pixel(const Picture& picture) {
 }
 
 void check_pointing(const std::string& look, Extent size, const Texts& values) {
-    const BeamPlace place{-0.55, 0.7};
+    const BeamPosition place{-0.55, 0.7};
     const Offline offline = pointed(look, place, size, values);
     const Document& document = offline.document();
     const BeamPlacing placing(document.look(), document.values(), size,
@@ -59,7 +59,7 @@ void check_pointing(const std::string& look, Extent size, const Texts& values) {
     CAPTURE(lit[1]);
     CHECK(std::abs(lit[0] - expected[0]) < 0.6);
     CHECK(std::abs(lit[1] - expected[1]) < 0.6);
-    const BeamPlace back = placing.place_of(expected);
+    const BeamPosition back = placing.position_of(expected);
     CHECK(std::hypot(back[0] - place[0], back[1] - place[1]) < 1e-9);
 }
 

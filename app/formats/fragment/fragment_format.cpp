@@ -89,7 +89,7 @@ private:
         Pass& pass = m_look.passes[index];
         const std::vector<FragmentVarying> varyings = find_varyings(pass.fragment.text);
         if (varyings.size() > most_varyings) {
-            const Location at = place_in(pass.fragment, varyings[most_varyings].line);
+            const Location at = location_in(pass.fragment, varyings[most_varyings].line);
             return {{at.file, at.line,
                      fmt::format("the shader has {} varyings; the limit is {}", varyings.size(),
                                  most_varyings)}};

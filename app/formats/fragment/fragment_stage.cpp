@@ -80,17 +80,17 @@ private:
         }
         if (at >= m_tokens.size() || !is_of_input_or_uniform(at + 1))
             return;
-        const std::size_t begin = place_of(layout);
+        const std::size_t begin = offset_of(layout);
         m_done.append(m_text.substr(m_at, begin - m_at));
         if (!remaining.empty())
             m_done += fmt::format("layout({})", fmt::join(remaining, ", "));
-        const std::size_t end = place_of(at) + 1;
+        const std::size_t end = offset_of(at) + 1;
         const std::string_view gone = m_text.substr(begin, end - begin);
         m_done.append(static_cast<std::size_t>(std::ranges::count(gone, '\n')), '\n');
         m_at = end;
     }
 
-    std::size_t place_of(std::size_t token) const {
+    std::size_t offset_of(std::size_t token) const {
         return static_cast<std::size_t>(m_tokens[token].text.data() - m_text.data());
     }
 

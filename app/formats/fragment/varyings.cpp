@@ -262,7 +262,7 @@ public:
                                 member.name, member.size);
         if (!varying.members.empty())
             code += fmt::format("}} {};\n", varying.name);
-        add(code, place_in(m_stage, varying.line));
+        add(code, location_in(m_stage, varying.line));
     }
 
     void give(const FragmentVarying& varying, const std::string& instance = {}) {
@@ -272,7 +272,7 @@ public:
             return;
         }
         const Given given = given_to(varying);
-        const Location at = place_in(m_stage, varying.line);
+        const Location at = location_in(m_stage, varying.line);
         const std::string name = instance + varying.name;
         if (varying.size.empty())
             add(fmt::format("    {} = {};\n", name, given.value), at);

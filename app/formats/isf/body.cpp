@@ -72,7 +72,7 @@ public:
         for (std::size_t i = 0; i < m_tokens.all.size(); ++i) {
             const Token& token = m_tokens.all[i];
             const std::string other = replacement(i);
-            const std::size_t begin = place_of(token);
+            const std::size_t begin = offset_of(token);
             if (other.empty() || blanked[begin] == ' ')
                 continue;
             result += blanked.substr(copied, begin - copied) + other;
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    std::size_t place_of(const Token& token) const {
+    std::size_t offset_of(const Token& token) const {
         return static_cast<std::size_t>(token.text.data() - m_text.data());
     }
 
@@ -103,7 +103,7 @@ private:
                 ++name;
             if (name + 1 < all.size() && all[name + 1].is(";") &&
                 std::ranges::find(m_declared, all[name].text) != m_declared.end())
-                blank_out(text, place_of(all[i]), place_of(all[name + 1]) + 1);
+                blank_out(text, offset_of(all[i]), offset_of(all[name + 1]) + 1);
         }
     }
 

@@ -36,15 +36,15 @@ std::string path_of(std::string_view written) {
 
 class DirectiveReader {
 public:
-    DirectiveReader(ShadertoyPass& pass, const std::function<int(const fs::path&)>& place_of,
+    DirectiveReader(ShadertoyPass& pass, const std::function<int(const fs::path&)>& buffer_of,
                     Diagnostics& warnings)
-        : m_pass(pass), m_place_of(place_of), m_warnings(warnings) {}
+        : m_pass(pass), m_buffer_of(buffer_of), m_warnings(warnings) {}
 
     void read() {
         std::string text;
         std::size_t number = 0;
         for (const std::string_view line : split(*m_pass.code.text, '\n')) {
-            m_at = place_in(m_pass.code, static_cast<int>(++number));
+            m_at = location_in(m_pass.code, static_cast<int>(++number));
             text += (number > 1 ? "\n" : "") + translated(line);
         }
         if (m_is_used)
@@ -115,7 +115,7 @@ private:
         const bool is_cube = input.kind == ShadertoyKind::cubemap;
         if (value == "self") {
             input.kind = ShadertoyKind::buffer;
-            input.buffer = m_place_of(m_pass.code.file);
+            input.buffer = m_buffer_of(m_pass.code.file);
         } else if (value == "keyboard") {
             input.kind = ShadertoyKind::keyboard;
         } else if (value.starts_with("http://") || value.starts_with("https://")) {
@@ -126,7 +126,7 @@ private:
                 value));
         } else if (const std::string path = path_of(value); is_shader_code(path)) {
             input.kind = ShadertoyKind::buffer;
-            input.buffer = m_place_of(m_pass.code.file.parent_path() / path);
+            input.buffer = m_buffer_of(m_pass.code.file.parent_path() / path);
         } else {
             input.kind = is_cube ? ShadertoyKind::cubemap : ShadertoyKind::texture;
             input.asset = path;
@@ -160,7 +160,7 @@ private:
     }
 
     ShadertoyPass& m_pass;
-    const std::function<int(const fs::path&)>& m_place_of;
+    const std::function<int(const fs::path&)>& m_buffer_of;
     Diagnostics& m_warnings;
     Location m_at;
     bool m_is_used = false;
@@ -168,7 +168,7 @@ private:
 }  // namespace
 
 void read_shadertoy_directives(ShadertoyPass& pass,
-                               const std::function<int(const fs::path&)>& place_of,
+                               const std::function<int(const fs::path&)>& buffer_of,
                                Diagnostics& warnings) {
-    DirectiveReader(pass, place_of, warnings).read();
+    DirectiveReader(pass, buffer_of, warnings).read();
 }

@@ -11,5 +11,5 @@
 /// its range. Line numbers are unchanged. `place_of` returns the place of the buffer (or of the
 /// pass itself) for a shader file. `warnings` receives unsupported directives.
 void read_shadertoy_directives(
-    ShadertoyPass& pass, const std::function<int(const std::filesystem::path& file)>& place_of,
+    ShadertoyPass& pass, const std::function<int(const std::filesystem::path& file)>& buffer_of,
     Diagnostics& warnings);

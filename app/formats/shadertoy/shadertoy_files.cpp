@@ -144,13 +144,13 @@ private:
         pass.is_wired = false;
         const fs::path own = file.lexically_normal();
         read_shadertoy_directives(
-            pass, [&](const fs::path& named_file) { return place_of(named_file, own, pass); },
+            pass, [&](const fs::path& named_file) { return buffer_of(named_file, own, pass); },
             m_warnings);
         m_shadertoy.passes.push_back(std::move(pass));
     }
 
     // A pass that reads itself is a buffer. Another file read by a pass is a buffer, too.
-    int place_of(const fs::path& file, const fs::path& own, const ShadertoyPass& pass) {
+    int buffer_of(const fs::path& file, const fs::path& own, const ShadertoyPass& pass) {
         const fs::path named = file.lexically_normal();
         if (named == own && pass.kind != Kind::image)
             return pass.place;

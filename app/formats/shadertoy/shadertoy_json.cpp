@@ -106,7 +106,7 @@ public:
             shadertoy.author = text_of(find_member(*info, "username"));
             shadertoy.about = text_of(find_member(*info, "description"));
         }
-        find_places(passes->children);
+        assign_buffers(passes->children);
         for (const JsonValue& pass : passes->children)
             add_pass(pass, shadertoy);
         if (!m_errors.empty())
@@ -156,7 +156,7 @@ private:
 
     // Buffers are identified by the id of their output. Those with an unknown id get the remaining
     // places.
-    void find_places(const std::vector<JsonValue>& passes) {
+    void assign_buffers(const std::vector<JsonValue>& passes) {
         std::array<bool, 4> is_taken{};
         std::vector<std::string> unknown;
         for (const JsonValue& pass : passes) {
@@ -173,14 +173,14 @@ private:
             const auto* const free = std::ranges::find(is_taken, false);
             if (free == is_taken.end())
                 break;
-            m_own_places.emplace(id, static_cast<int>(free - is_taken.begin()));
+            m_own_buffers.emplace(id, static_cast<int>(free - is_taken.begin()));
             is_taken[static_cast<std::size_t>(free - is_taken.begin())] = true;
         }
     }
 
-    std::optional<int> place_of(const std::string& id) const {
-        const auto own = m_own_places.find(id);
-        return own != m_own_places.end() ? own->second : find_named(buffer_ids, id);
+    std::optional<int> buffer_of(const std::string& id) const {
+        const auto own = m_own_buffers.find(id);
+        return own != m_own_buffers.end() ? own->second : find_named(buffer_ids, id);
     }
 
     void warn(const JsonValue& at, std::string message) {
@@ -194,7 +194,7 @@ private:
             return warn(value, fmt::format("unknown pass type '{}'; the pass is ignored", type));
         ShadertoyPass pass;
         pass.kind = *kind;
-        pass.place = *kind == Kind::buffer ? place_of(output_of(value)).value_or(-1)
+        pass.place = *kind == Kind::buffer ? buffer_of(output_of(value)).value_or(-1)
                      : *kind == Kind::cube ? shadertoy_cube_place
                                            : 0;
         pass.name = shadertoy_pass_name(*kind, pass.place);
@@ -251,9 +251,9 @@ private:
         input.asset = text_of(member(value, {"filepath", "src"}));
         input.declared = {m_file, value.line};
         read_sampler(find_member(value, "sampler"), input);
-        const auto place = place_of(text_of(find_member(value, "id")));
+        const auto place = buffer_of(text_of(find_member(value, "id")));
         if (input.kind == ShadertoyKind::buffer)
-            input.buffer = place.value_or(place_in(input.asset));
+            input.buffer = place.value_or(buffer_in(input.asset));
         // The output of Cube A is listed as a cubemap.
         if (input.kind == ShadertoyKind::cubemap && place == shadertoy_cube_place)
             input.buffer = shadertoy_cube_place;
@@ -261,7 +261,7 @@ private:
     }
 
     // "/media/previz/buffer01.png" is Buffer B.
-    static int place_in(std::string_view asset) {
+    static int buffer_in(std::string_view asset) {
         const auto at = asset.rfind("buffer0");
         const char digit =
             at == std::string_view::npos || at + 7 >= asset.size() ? ' ' : asset[at + 7];
@@ -284,7 +284,7 @@ private:
     const fs::path& m_file;
     Diagnostics& m_warnings;
     Diagnostics m_errors;
-    std::map<std::string, int> m_own_places;  // by the output's id
+    std::map<std::string, int> m_own_buffers;  // by the output's id
 };
 }  // namespace
 

@@ -78,18 +78,18 @@ SlangNames::SlangNames(std::vector<std::string> aliases, std::vector<std::string
     : m_aliases(std::move(aliases)), m_images(std::move(images)) {}
 
 std::optional<SlangPicture> SlangNames::find_own(std::string_view name) const {
-    const auto place_in = [](const std::vector<std::string>& names, std::string_view wanted) {
+    const auto index_in = [](const std::vector<std::string>& names, std::string_view wanted) {
         const auto found = std::ranges::find(names, wanted);
         return wanted.empty() || found == names.end()
                    ? std::nullopt
                    : std::optional(static_cast<int>(found - names.begin()));
     };
-    if (const auto pass = place_in(m_aliases, name))
+    if (const auto pass = index_in(m_aliases, name))
         return SlangPicture{Of::output, *pass};
     if (const auto alias = without_end(name, "Feedback"))
-        if (const auto pass = place_in(m_aliases, *alias))
+        if (const auto pass = index_in(m_aliases, *alias))
             return SlangPicture{Of::feedback, *pass};
-    if (const auto image = place_in(m_images, name))
+    if (const auto image = index_in(m_images, name))
         return SlangPicture{Of::image, *image};
     return std::nullopt;
 }

@@ -100,7 +100,7 @@ private:
         add({piece.text, piece.first_line, 1, "\n"});
     }
 
-    static Location place_of(const SlangPiece& piece) {
+    static Location location_of(const SlangPiece& piece) {
         return {piece.text->file, piece.first_line};
     }
 
@@ -123,7 +123,7 @@ private:
         const std::string word = readable_text(first_word(piece.directive->argument));
         if (value.empty()) {
             value = word;
-            declared = place_of(piece);
+            declared = location_of(piece);
         } else if (value != word) {
             add_new(
                 m_shader.warnings,
@@ -141,7 +141,7 @@ private:
             m_declared.push_back(parameter);
         else
             add_new(m_errors,
-                    parse_slang_parameter(piece.directive->argument, place_of(piece)).error());
+                    parse_slang_parameter(piece.directive->argument, location_of(piece)).error());
     }
 
     SlangShader m_shader;

@@ -38,14 +38,14 @@ public:
         : m_stack(std::move(stack)), m_includes(includes), m_help(help) {
         for (StackPart& part : m_stack)  // so that values_of_part() finds their values
             if (part.look.empty())
-                part.look = look_id_at(part.place);
+                part.look = look_id_at(part.path);
     }
 
     void read(std::size_t part, LoadedLook& whole) {
         const Values values =
             m_help.values ? values_of_part(*m_help.values, m_stack, part) : Values{};
         const auto is_same = [&](const Read& read) {
-            return read.place == m_stack[part].place && read.values == values;
+            return read.path == m_stack[part].path && read.values == values;
         };
         const auto known = std::ranges::find_if(m_read, is_same);
         if (known != m_read.end()) {
@@ -53,14 +53,14 @@ public:
                 looks.push_back(*known->look);
             return;
         }
-        LoadedLook loaded = load_look(m_stack[part].place, m_includes,
+        LoadedLook loaded = load_look(m_stack[part].path, m_includes,
                                       {m_help.cache, m_help.progress, &values, m_help.disk});
         add_new(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)
             if (std::ranges::find(whole.files, file) == whole.files.end())
                 whole.files.push_back(file);
-        m_read.push_back({m_stack[part].place, values, {}});
+        m_read.push_back({m_stack[part].path, values, {}});
         if (!loaded.look)
             return add_new(errors, loaded.look.error());
         looks.push_back(*loaded.look);
@@ -72,7 +72,7 @@ public:
 
 private:
     struct Read {
-        fs::path place;
+        fs::path path;
         Values values;
         std::optional<Look> look;
     };

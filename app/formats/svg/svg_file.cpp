@@ -204,7 +204,7 @@ private:
     Diagnostics m_problems;
 };
 
-bool are_same(const BeamPlace& a, const BeamPlace& b) {
+bool are_same(const BeamPosition& a, const BeamPosition& b) {
     return distance(a, b) <= 1e-9 * (1.0 + std::abs(a[0]) + std::abs(a[1]));
 }
 

@@ -10,16 +10,16 @@
 #include <numbers>
 
 namespace {
-struct Place {
+struct Position {
     double x = 0.0;
     double y = 0.0;
 };
 
-Place operator+(Place a, Place b) {
+Position operator+(Position a, Position b) {
     return {a.x + b.x, a.y + b.y};
 }
 
-Place mirrored(Place point, Place around) {
+Position mirrored(Position point, Position around) {
     return {2.0 * around.x - point.x, 2.0 * around.y - point.y};
 }
 
@@ -130,8 +130,8 @@ private:
     }
 
     void draw(char kind) {
-        const Place before = m_here;
-        Place handle = m_here;  // reflected by a following S or T
+        const Position before = m_here;
+        Position handle = m_here;  // reflected by a following S or T
         switch (kind) {
             case 'M':
                 finish();
@@ -176,8 +176,8 @@ private:
     }
 
     bool is_relative() const { return m_command >= 'a'; }
-    Place place(std::size_t index) const {
-        const Place given{m_numbers[index], m_numbers[index + 1]};
+    Position position(std::size_t index) const {
+        const Position given{m_numbers[index], m_numbers[index + 1]};
         return is_relative() ? m_here + given : given;
     }
 
@@ -185,7 +185,7 @@ private:
         if (m_path.points.empty())
             m_path.points.push_back({m_here.x, m_here.y});
     }
-    void line_to(Place to) {
+    void line_to(Position to) {
         begin_if_needed();
         m_path.points.push_back({to.x, to.y});
         m_here = to;
@@ -196,8 +196,8 @@ private:
         m_path = {};
     }
 
-    void cubic_to(Place a, Place b, Place to) {
-        const Place from = m_here;
+    void cubic_to(Position a, Position b, Position to) {
+        const Position from = m_here;
         for (int i = 1; i <= m_steps_a_curve; ++i) {
             const double t = static_cast<double>(i) / m_steps_a_curve;
             const double s = 1.0 - t;
@@ -206,17 +206,17 @@ private:
                      w[0] * from.y + w[1] * a.y + w[2] * b.y + w[3] * to.y});
         }
     }
-    void quadratic_to(Place handle, Place to) {
-        const Place from = m_here;
-        const auto third = [](Place near, Place far) {
-            return Place{(near.x + 2.0 * far.x) / 3.0, (near.y + 2.0 * far.y) / 3.0};
+    void quadratic_to(Position handle, Position to) {
+        const Position from = m_here;
+        const auto third = [](Position near, Position far) {
+            return Position{(near.x + 2.0 * far.x) / 3.0, (near.y + 2.0 * far.y) / 3.0};
         };
         cubic_to(third(from, handle), third(to, handle), to);
     }
 
     // Endpoint to centre conversion: SVG 1.1, appendix F.6.5.
-    void arc_to(Place to) {
-        const Place from = m_here;
+    void arc_to(Position to) {
+        const Position from = m_here;
         double rx = std::abs(m_numbers[0]);
         double ry = std::abs(m_numbers[1]);
         if (rx == 0.0 || ry == 0.0 || (from.x == to.x && from.y == to.y) || m_steps_a_curve == 1)
@@ -224,8 +224,8 @@ private:
         const double tilt = m_numbers[2] * std::numbers::pi / 180.0;
         const double c = std::cos(tilt);
         const double s = std::sin(tilt);
-        const Place half{0.5 * (from.x - to.x), 0.5 * (from.y - to.y)};
-        const Place p{c * half.x + s * half.y, c * half.y - s * half.x};
+        const Position half{0.5 * (from.x - to.x), 0.5 * (from.y - to.y)};
+        const Position p{c * half.x + s * half.y, c * half.y - s * half.x};
         const double reach = std::hypot(p.x / rx, p.y / ry);
         if (reach > 1.0) {
             rx *= reach;
@@ -234,19 +234,19 @@ private:
         const double square = p.x * p.x / (rx * rx) + p.y * p.y / (ry * ry);
         const double sign = m_numbers[3] == m_numbers[4] ? -1.0 : 1.0;
         const double root = sign * std::sqrt(std::max(1.0 / square - 1.0, 0.0));
-        const Place middle{root * rx * p.y / ry, -root * ry * p.x / rx};
+        const Position middle{root * rx * p.y / ry, -root * ry * p.x / rx};
         const double first = std::atan2((p.y - middle.y) / ry, (p.x - middle.x) / rx);
         double sweep = std::atan2((-p.y - middle.y) / ry, (-p.x - middle.x) / rx) - first;
         if (m_numbers[4] == 0.0 && sweep > 0.0)
             sweep -= 2.0 * std::numbers::pi;
         if (m_numbers[4] != 0.0 && sweep < 0.0)
             sweep += 2.0 * std::numbers::pi;
-        const Place centre{c * middle.x - s * middle.y + 0.5 * (from.x + to.x),
-                           s * middle.x + c * middle.y + 0.5 * (from.y + to.y)};
+        const Position centre{c * middle.x - s * middle.y + 0.5 * (from.x + to.x),
+                              s * middle.x + c * middle.y + 0.5 * (from.y + to.y)};
         const int steps = 2 * std::max(1, static_cast<int>(std::ceil(std::abs(sweep) * 8.0)));
         for (int i = 1; i < steps; ++i) {
             const double angle = first + sweep * i / steps;
-            const Place on{rx * std::cos(angle), ry * std::sin(angle)};
+            const Position on{rx * std::cos(angle), ry * std::sin(angle)};
             line_to({centre.x + c * on.x - s * on.y, centre.y + s * on.x + c * on.y});
         }
         line_to(to);
@@ -256,9 +256,9 @@ private:
     int m_steps_a_curve;
     char m_command = '\0';
     double m_numbers[7] = {};
-    Place m_start;
-    Place m_here;
-    Place m_handle;
+    Position m_start;
+    Position m_here;
+    Position m_handle;
     char m_last = '\0';
     ScenePath m_path;
     std::vector<ScenePath> m_paths;

@@ -7,14 +7,14 @@
 
 namespace {
 // y points down in SVG.
-std::string pair_text(const BeamPlace& place) {
+std::string pair_text(const BeamPosition& place) {
     return format_number(kept_coordinate(place[0])) + ' ' +
            format_number(kept_coordinate(-place[1]));
 }
 
 std::string lines_text(const Stroke& stroke) {
     std::string text;
-    for (const BeamPlace& point : stroke.points)
+    for (const BeamPosition& point : stroke.points)
         text += (text.empty() ? "M" : "L") + pair_text(point);
     return text + (stroke.is_closed ? "Z" : "");
 }

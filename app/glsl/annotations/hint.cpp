@@ -62,7 +62,7 @@ private:
             ++m_at;
     }
 
-    Location here() const { return place_in(m_stage, m_lines[m_at]); }
+    Location here() const { return location_in(m_stage, m_lines[m_at]); }
 
     std::string read_word() {
         const std::size_t begin = m_at;

@@ -23,7 +23,7 @@ void make_room(Known& known) {
 }
 
 // The result contains source locations, so they are part of the key.
-std::string places_of(const LineMap& lines) {
+std::string locations_of(const LineMap& lines) {
     std::string places;
     for (const LineMap::Stretch& stretch : lines.stretches())
         places += fmt::format("{}\n{} {}\n", stretch.first.file.string(), stretch.first.line,
@@ -32,7 +32,7 @@ std::string places_of(const LineMap& lines) {
 }
 
 std::string digest_of_stage(const Stage& stage) {
-    const std::uint64_t places = digest_of(stage.file.string() + '\0' + places_of(stage.lines));
+    const std::uint64_t places = digest_of(stage.file.string() + '\0' + locations_of(stage.lines));
     return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text->size());
 }
 

@@ -24,8 +24,8 @@ constexpr int glsl_version = 410;
 constexpr EShMessages parse_messages = EShMsgDefault;
 
 // Errors in built-in lines are reported for the author's file as a whole.
-Location author_place(const Stage& stage, int line) {
-    const Location at = place_in(stage, line);
+Location author_location(const Stage& stage, int line) {
+    const Location at = location_in(stage, line);
     return at.file.empty() ? Location{stage.file, 0} : at;
 }
 
@@ -33,7 +33,7 @@ Diagnostic diagnostic_from(const CompilerMessage& message, const Stage& stage,
                            const std::string& text) {
     // Link messages have no line; use the first line with the name in the message.
     const int line = message.line > 0 ? message.line : first_line_of(message.subject, text);
-    const Location at = author_place(stage, line);
+    const Location at = author_location(stage, line);
     return {at.file, at.line, message.text,
             message.is_warning ? Severity::warning : Severity::error};
 }
@@ -52,14 +52,14 @@ public:
         // Before the parse: find_uniform_lines() may run glslang's preprocessor, which takes over
         // the thread's memory pool.
         for (const auto& [name, line] : find_uniform_lines(m_text, m_shader.getStage()))
-            m_places.emplace(name, place_in(m_stage, line));
+            m_places.emplace(name, location_in(m_stage, line));
         const bool is_good = m_shader.parse(GetDefaultResources(), glsl_version, ECoreProfile,
                                             false, false, parse_messages);
         Diagnostics found;
         for (const CompilerMessage& message : parse_compiler_log(m_shader.getInfoLog()))
             found.push_back(diagnostic_from(message, m_stage, m_text));
         if (!is_good && !has_errors(found)) {
-            const Location at = place_in(m_stage, 1);
+            const Location at = location_in(m_stage, 1);
             found.push_back({at.file, at.line, refused_without_reason});
         }
         problems.insert(problems.end(), found.begin(), found.end());
@@ -126,7 +126,7 @@ void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& p
         fault = find_large_declaration(stage.text, limits);
     if (!fault)
         return;
-    const Location at = author_place(stage, fault->line);
+    const Location at = author_location(stage, fault->line);
     problems.push_back({at.file, at.line, fault->message});
 }
 
@@ -135,7 +135,7 @@ void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits
     const auto exceeded = find_exceeded(estimate_cost(shader), limits);
     if (!exceeded)
         return;
-    const Location at = author_place(stage, exceeded->figure.line);
+    const Location at = author_location(stage, exceeded->figure.line);
     problems.push_back({at.file, at.line, refusal(*exceeded, limits)});
 }
 
@@ -144,7 +144,7 @@ std::string with_article(const std::string& type_name) {
     return (is_vowel ? "an " : "a ") + type_name;
 }
 
-Location place_in(const Stage& stage, int line) {
+Location location_in(const Stage& stage, int line) {
     return stage.lines.empty() ? Location{stage.file, line} : origin_of(stage.lines, line);
 }
 

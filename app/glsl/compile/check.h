@@ -57,4 +57,4 @@ void warm_up();
 std::string with_article(const std::string& type_name);
 
 /// The author's location of a line of a stage.
-Location place_in(const Stage& stage, int line);
+Location location_in(const Stage& stage, int line);

@@ -66,7 +66,7 @@ void check_varyings(const StageInterface& vertex, const StageInterface& fragment
         if (message.empty())
             continue;
         const Location at =
-            place_in(fragment_stage, first_line_of(input.name, fragment_stage.text));
+            location_in(fragment_stage, first_line_of(input.name, fragment_stage.text));
         problems.push_back({at.file, at.line, std::move(message)});
     }
 }

@@ -37,7 +37,7 @@ public:
     void add_messages(const char* log, Diagnostics& problems) const {
         for (const CompilerMessage& message : parse_compiler_log(log)) {
             const Location at =
-                message.line > 0 ? place_in(m_stage, message.line) : Location{m_stage.file, 0};
+                message.line > 0 ? location_in(m_stage, message.line) : Location{m_stage.file, 0};
             problems.push_back({at.file, at.line, message.text,
                                 message.is_warning ? Severity::warning : Severity::error});
         }

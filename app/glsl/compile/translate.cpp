@@ -143,7 +143,8 @@ Stage Translator::with_lines(const std::string& text) const {
             continue;
         if (words.starts_with(mark)) {
             const std::string_view number = words.substr(mark.size());
-            at = place_in(m_author, parse_integer(number.substr(0, number.find(' '))).value_or(0));
+            at = location_in(m_author,
+                             parse_integer(number.substr(0, number.find(' '))).value_or(0));
             continue;
         }
         stage.text.own() += line;

@@ -11,7 +11,7 @@ namespace {
 constexpr int oldest = 330;
 
 Diagnostics problem(const Stage& stage, int line, std::string message) {
-    const Location at = place_in(stage, line);
+    const Location at = location_in(stage, line);
     return {{at.file, at.line, std::move(message)}};
 }
 }  // namespace

@@ -36,7 +36,7 @@ Value TurnedConstants::value_for(const Parameter& guessed, const Hints& hints) c
 // Null on error.
 TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
                                                  const Stage& stage) {
-    const Location at = place_in(stage, written.line);
+    const Location at = location_in(stage, written.line);
     if (!written.number) {
         error(at, fmt::format("@range and @items are only for constants with one plain number; "
                               "'{}' has another value",

@@ -141,7 +141,7 @@ private:
             remember(path);
         if (!found.file)
             return error(at, why_not_found(name, found));
-        const fs::path& real = m_disk.place_of(*found.file);
+        const fs::path& real = m_disk.canonical_path(*found.file);
         if (!is_include_text(real))
             return error(at, fmt::format("'{}' is a link to '{}', which isn't a shader file", name,
                                          real.string()));
@@ -160,7 +160,7 @@ private:
     }
 
     void enter(const fs::path& file, const Location& at) {
-        const fs::path& real = m_disk.place_of(file);
+        const fs::path& real = m_disk.canonical_path(file);
         if (std::ranges::find(m_once, real) != m_once.end())
             return;
         const auto open = std::ranges::find(m_open, real, &Open::real);

@@ -89,7 +89,7 @@ std::optional<FileStamp> ShaderFiles::stamp_of(const fs::path& file) const {
     return stamp;
 }
 
-const fs::path& ShaderFiles::place_of(const fs::path& path) {
+const fs::path& ShaderFiles::canonical_path(const fs::path& path) {
     const auto [place, is_new] = m_places.try_emplace(path.native());
     std::error_code missing;
     if (is_new)
@@ -105,7 +105,7 @@ ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
         return known;
     known.reading = m_reading;
     known.stamp = stamp_of(file);
-    known.place = place_of(file);
+    known.place = canonical_path(file);
     ++m_reads;
     Result<std::string> bytes = read_text(file);
     if (is_new || bytes != known.bytes) {
@@ -122,7 +122,7 @@ const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
     else if (!text.found)
         text.found = fail(text.bytes.error());
     if (*text.found)
-        (*text.found)->place = place_of(file);
+        (*text.found)->place = canonical_path(file);
     return *text.found;
 }
 
@@ -131,5 +131,5 @@ const Result<std::string>& ShaderFiles::read_plain(const fs::path& file) {
 }
 
 bool ShaderFiles::exists(const fs::path& file) {
-    return !place_of(file).empty();
+    return !canonical_path(file).empty();
 }

@@ -27,7 +27,7 @@ struct ShaderText {
     bool is_once = false;
     int unclosed_comment = 0;     // line where an unterminated comment starts; 0: none
     std::size_t file_size = 0;    // bytes; a file larger than most_bytes has no text
-    std::filesystem::path place;  // see place_of()
+    std::filesystem::path place;  // see canonical_path()
 };
 
 /// Shader files on disk. Each file is read at most once per reading of a look, and not at all if
@@ -52,7 +52,7 @@ public:
     const Result<std::string>& read_plain(const std::filesystem::path& file);
     bool exists(const std::filesystem::path& file);
     /// The canonical path; "" if the file is missing.
-    const std::filesystem::path& place_of(const std::filesystem::path& path);
+    const std::filesystem::path& canonical_path(const std::filesystem::path& path);
     /// Number of files read so far.
     int reads() const { return m_reads; }
 

@@ -23,10 +23,10 @@ Result<Gatherer> Gatherer::make() {
     return Gatherer(std::move(*programs));
 }
 
-void Gatherer::start(const std::vector<TexelPlace>& places) {
+void Gatherer::start(const std::vector<TexelPosition>& places) {
     stop();
     const Extent row{static_cast<int>(places.size()), 1};
-    const bool can_read = std::ranges::all_of(places, [this](const TexelPlace& one) {
+    const bool can_read = std::ranges::all_of(places, [this](const TexelPosition& one) {
         return m_programs.find(one.target.format()) != nullptr;
     });
     if (places.empty() || !can_read || !fit_floats(m_canvas, row))
@@ -34,7 +34,7 @@ void Gatherer::start(const std::vector<TexelPlace>& places) {
     const gpu::DrawScope scope;
     m_vertices.bind();
     for (int i = 0; i < row.width; ++i) {
-        const TexelPlace& one = places[static_cast<std::size_t>(i)];
+        const TexelPosition& one = places[static_cast<std::size_t>(i)];
         const Extent extent = one.target.extent();
         const gpu::Program& program = *m_programs.find(one.target.format());
         program.write("place",

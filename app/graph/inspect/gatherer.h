@@ -10,7 +10,7 @@
 #include <vector>
 
 /// A texel of a target, `y` down from the top.
-struct TexelPlace {
+struct TexelPosition {
     const gpu::Texture& target;
     int x = 0;
     int y = 0;
@@ -25,7 +25,7 @@ public:
     /// Whether a request is pending.
     bool is_busy() const { return m_to_come.has_value(); }
     /// Starts a request and drops a pending one.
-    void start(const std::vector<TexelPlace>& places);
+    void start(const std::vector<TexelPosition>& places);
     /// RGBA of each texel, once, when available. Channels that a format lacks are 0, alpha 1.
     std::optional<std::vector<std::array<float, 4>>> take();
     void stop() { m_to_come.reset(); }

@@ -13,7 +13,7 @@ BuiltInUniforms::BuiltInUniforms(const Look& look, int pass, const gpu::Program&
         if (built_in.says == BuiltIn::samples)
             m_samples = uniform;
         else
-            m_places.push_back(
+            m_uniforms.push_back(
                 {uniform, built_in.says,
                  built_in.of ? bound_input(look, pass, *built_in.of) : BoundInput{}});
     }
@@ -65,8 +65,8 @@ Sixteen quad_to_clip(RowOrder rows) {
 }
 }  // namespace
 
-BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const Frame& frame,
-                                                     const PassFacts& facts) {
+BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BuiltInUniform& place,
+                                                     const Frame& frame, const PassFacts& facts) {
     switch (place.says) {
         case BuiltIn::time:
             return {{frame.time}, 1};
@@ -128,7 +128,7 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const Place& place, const F
 
 void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
                             const PassFacts& facts) const {
-    for (const Place& place : m_places) {
+    for (const BuiltInUniform& place : m_uniforms) {
         const Numbers value = numbers_of(place, frame, facts);
         program.write(*place.uniform, std::span(value.numbers).first(value.count));
     }
@@ -142,7 +142,7 @@ void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) co
 std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassFacts& facts,
                                                    int samples) const {
     std::vector<BuiltInReport> all;
-    for (const Place& place : m_places) {
+    for (const BuiltInUniform& place : m_uniforms) {
         const Numbers value = numbers_of(place, frame, facts);
         const auto end = value.numbers.begin() + static_cast<std::ptrdiff_t>(value.count);
         all.push_back({place.uniform->name, {value.numbers.begin(), end}});
@@ -153,11 +153,11 @@ std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const Pas
 }
 
 bool BuiltInUniforms::tell_time() const {
-    return std::ranges::any_of(m_places, tells_time, &Place::says);
+    return std::ranges::any_of(m_uniforms, tells_time, &BuiltInUniform::says);
 }
 
 bool BuiltInUniforms::tell_mouse() const {
-    return std::ranges::any_of(m_places, [](const Place& place) {
+    return std::ranges::any_of(m_uniforms, [](const BuiltInUniform& place) {
         return place.says == BuiltIn::mouse || place.says == BuiltIn::press;
     });
 }

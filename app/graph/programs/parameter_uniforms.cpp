@@ -56,7 +56,7 @@ void ParameterUniforms::find_turned(const Look& look, int pass, const gpu::Progr
 }
 
 void ParameterUniforms::write_to(const Driven& driven, const Value& usable) {
-    for (const Place& place : driven.places)
+    for (const UniformTarget& place : driven.places)
         place.program->write(*place.uniform, usable.numbers);
 }
 

@@ -28,20 +28,20 @@ public:
     void forget_written();
 
 private:
-    struct Place {
+    struct UniformTarget {
         const gpu::Program* program;
         const gpu::Uniform* uniform;
     };
     struct Driven {
         std::size_t parameter;  // in Look::parameters
-        std::vector<Place> places;
+        std::vector<UniformTarget> places;
         Value written;  // empty: not written yet
         bool is_event = false;
         bool is_over = false;  // an event that is still held after its frame
     };
     struct Turned {  // u_view or u_camera
         int pass;
-        Place place;
+        UniformTarget place;
         Matrix (*matrix)(const Orbit&);
         std::optional<Orbit> written;
     };

@@ -10,7 +10,7 @@ void SourceHistory::set_slots(int slots) {
     m_textures.resize(std::max(m_textures.size(), count > 1 ? count + 1 : 1));
 }
 
-int SourceHistory::free_place() const {
+int SourceHistory::free_slot() const {
     int place = 0;
     if (m_frames.size() > 1)
         while (std::ranges::find(m_frames, place) != m_frames.end())
@@ -21,7 +21,7 @@ int SourceHistory::free_place() const {
 Result<void> SourceHistory::set(const Picture& picture, const SourceForm& form) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the source picture is empty"});
-    const int place = free_place();
+    const int place = free_slot();
     auto& texture = m_textures[static_cast<std::size_t>(place)];
     if (!texture || texture->extent() != picture.extent || texture->format() != form.format ||
         texture->is_mipmapped() != form.is_mipmapped) {

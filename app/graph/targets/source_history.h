@@ -33,7 +33,7 @@ public:
 private:
     static constexpr int none = -1;
 
-    int free_place() const;
+    int free_slot() const;
 
     // One more than is read: a new picture must not overwrite one that a redraw may still read.
     std::vector<std::optional<gpu::Texture>> m_textures{1};

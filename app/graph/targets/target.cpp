@@ -17,7 +17,7 @@ Result<Target> Target::make(const PlannedTarget& planned) {
     return target;
 }
 
-std::size_t Target::place_of(int frames_ago) const {
+std::size_t Target::slot_of(int frames_ago) const {
     const std::size_t count = m_slots.size();
     const std::size_t back = std::min(static_cast<std::size_t>(std::max(frames_ago, 0)), count - 1);
     return (m_current + count - back) % count;
@@ -27,12 +27,12 @@ const gpu::Canvas& Target::canvas(int frames_ago) const {
     if (m_slots.empty() || (m_is_newest_lent && frames_ago <= 0))
         return *m_lent;
     if (m_is_newest_lent)
-        return m_slots[place_of(frames_ago - 1)];
+        return m_slots[slot_of(frames_ago - 1)];
     if (m_unfinished == Unfinished::no)
-        return m_slots[place_of(frames_ago)];
+        return m_slots[slot_of(frames_ago)];
     if (frames_ago <= 0)
         return m_spare ? *m_spare : m_slots[m_current];
-    return m_slots[place_of(m_unfinished == Unfinished::next ? frames_ago - 1 : frames_ago)];
+    return m_slots[slot_of(m_unfinished == Unfinished::next ? frames_ago - 1 : frames_ago)];
 }
 
 gpu::Canvas& Target::canvas(int frames_ago) {

@@ -22,7 +22,7 @@ public:
 
     /// As canvas() before begin(): never an unfinished picture.
     const gpu::Canvas& finished(int frames_ago = 0) const {
-        return m_slots.empty() ? *m_lent : m_slots[place_of(frames_ago)];
+        return m_slots.empty() ? *m_lent : m_slots[slot_of(frames_ago)];
     }
 
     /// Whether canvas(1) is not the picture that is drawn into.
@@ -69,7 +69,7 @@ public:
     void forget_room();
 
 private:
-    std::size_t place_of(int frames_ago) const;
+    std::size_t slot_of(int frames_ago) const;
     void take_spare();
 
     PlannedTarget m_planned;

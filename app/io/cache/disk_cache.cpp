@@ -78,7 +78,7 @@ bool DiskCache::write(const fs::path& file, std::string_view bytes) const {
     std::error_code error;
     fs::create_directories(m_folder, error);
     TemporaryFile written(m_folder);
-    return written.is_open() && written.write(bytes) && written.take_place_of(file);
+    return written.is_open() && written.write(bytes) && written.replace_target(file);
 }
 
 void DiskCache::make_room() {

@@ -30,7 +30,7 @@ sockaddr_un address_of(const std::string& name) {
 }
 
 // Removes the unused socket of a program that was killed.
-Result<void> clear_place(const fs::path& path, const sockaddr_un& address) {
+Result<void> remove_stale_socket(const fs::path& path, const sockaddr_un& address) {
     struct stat status = {};
     if (::lstat(path.c_str(), &status) != 0)
         return {};
@@ -88,9 +88,9 @@ Result<void> ByteReader::make_socket(const fs::path& path) {
     const std::string made = path.string() + '~';
     if (made.size() >= sizeof sockaddr_un::sun_path)
         return fail({path, 0, "the path is too long for a socket; the limit is 106 bytes"});
-    if (auto cleared = clear_place(path, address_of(path.string())); !cleared)
+    if (auto cleared = remove_stale_socket(path, address_of(path.string())); !cleared)
         return cleared;
-    if (auto cleared = clear_place(made, address_of(made)); !cleared)
+    if (auto cleared = remove_stale_socket(made, address_of(made)); !cleared)
         return cleared;
     const ScopedFile passing(made);
     Descriptor listener(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));

@@ -125,7 +125,7 @@ Result<void> AtomicFile::write(std::string_view bytes) {
 }
 
 Result<void> AtomicFile::finish() {
-    if (!m_temporary->flush() || !m_temporary->take_place_of(m_target))
+    if (!m_temporary->flush() || !m_temporary->replace_target(m_target))
         return refused();
     flush_folder(m_folder);
     return {};

@@ -34,7 +34,7 @@ bool is_complete_when_created(const fs::path& file) {
     return ::lstat(file.c_str(), &status) == 0 && (S_ISLNK(status.st_mode) || status.st_nlink > 1);
 }
 
-fs::path absolute_place(const fs::path& file) {
+fs::path absolute_path(const fs::path& file) {
     std::error_code error;
     return fs::absolute(file, error).lexically_normal();
 }
@@ -71,7 +71,7 @@ Result<void> FileWatcher::watch(const std::vector<fs::path>& files) {
     m_files = std::move(watched);
     if (is_as_before && m_is_placed)
         return {};
-    Diagnostics problems = place_watches();
+    Diagnostics problems = add_watches();
     m_is_placed = problems.empty();
     if (!problems.empty())
         return fail(std::move(problems));
@@ -82,7 +82,7 @@ std::vector<fs::path> FileWatcher::take_changed() {
     read_events();
     if (m_is_moved) {
         m_is_moved = false;
-        place_watches();
+        add_watches();
         note_differences();
     }
     specialize_missing();
@@ -105,16 +105,16 @@ std::optional<FileWatcher::Stamp> FileWatcher::stamp_of(const fs::path& file) {
     return Stamp{status.st_mtim.tv_sec, status.st_mtim.tv_nsec, status.st_size, status.st_ino};
 }
 
-Diagnostics FileWatcher::place_watches() {
+Diagnostics FileWatcher::add_watches() {
     Diagnostics problems;
     Folders folders;
     for (const auto& [file, stamp] : m_files) {
-        const fs::path place = absolute_place(file);
+        const fs::path place = absolute_path(file);
         std::error_code error;
         const fs::path target = fs::weakly_canonical(place, error);
         const bool is_watched =
-            place_watch(place, file, folders) &&
-            (target.empty() || target == place || place_watch(target, file, folders));
+            add_watch(place, file, folders) &&
+            (target.empty() || target == place || add_watch(target, file, folders));
         if (!is_watched)
             problems.push_back(
                 {file, 0,
@@ -127,7 +127,7 @@ Diagnostics FileWatcher::place_watches() {
     return problems;
 }
 
-bool FileWatcher::place_watch(const fs::path& place, const fs::path& file, Folders& folders) const {
+bool FileWatcher::add_watch(const fs::path& place, const fs::path& file, Folders& folders) const {
     // A watch on the nearest existing folder reports when the next folder of the path appears.
     for (fs::path next = place; next.has_relative_path(); next = next.parent_path()) {
         const int number =
@@ -139,7 +139,7 @@ bool FileWatcher::place_watch(const fs::path& place, const fs::path& file, Folde
         folders[number].emplace(next.filename().string(), file);
         std::error_code error;
         const bool appeared_meanwhile = next != place && fs::is_directory(next, error);
-        return !appeared_meanwhile || place_watch(place, file, folders);
+        return !appeared_meanwhile || add_watch(place, file, folders);
     }
     return true;
 }

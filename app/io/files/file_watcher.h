@@ -49,9 +49,9 @@ private:
     FileWatcher(Descriptor events, Descriptor timer, Descriptor poll);
 
     static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
-    Diagnostics place_watches();
-    bool place_watch(const std::filesystem::path& place, const std::filesystem::path& file,
-                     Folders& folders) const;
+    Diagnostics add_watches();
+    bool add_watch(const std::filesystem::path& place, const std::filesystem::path& file,
+                   Folders& folders) const;
     void read_events();
     void handle_event(int folder, std::uint32_t mask, const char* name);
     void handle_file_event(const std::filesystem::path& file, std::uint32_t mask);

@@ -78,7 +78,7 @@ bool TemporaryFile::flush() {
     return ::fsync(m_descriptor.get()) == 0;
 }
 
-bool TemporaryFile::take_place_of(const fs::path& target) {
+bool TemporaryFile::replace_target(const fs::path& target) {
     return ::rename(m_path.c_str(), target.c_str()) == 0;
 }
 

@@ -20,7 +20,7 @@ public:
     bool write(std::string_view bytes);
     /// Flushes written data to the disk.
     bool flush();
-    bool take_place_of(const std::filesystem::path& target);
+    bool replace_target(const std::filesystem::path& target);
 
 private:
     bool is_taken_away();

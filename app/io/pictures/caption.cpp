@@ -57,8 +57,8 @@ public:
 
     /// The width of the text in pixels. Calls `place(glyph, x)` for each glyph; the first has x =
     /// 0.
-    template <class Place>
-    float walk(const std::u32string& text, const Place& place) const {
+    template <class Visit>
+    float walk(const std::u32string& text, const Visit& place) const {
         float x = 0.0f;
         int previous = 0;
         for (const char32_t point : text) {
@@ -131,7 +131,7 @@ std::u32string fitted(std::u32string text, float width, const Font& font) {
 }
 }  // namespace
 
-Result<void> draw_caption(Picture& picture, const CaptionPlace& place, const std::string& text) {
+Result<void> draw_caption(Picture& picture, const CaptionPosition& place, const std::string& text) {
     const std::string file =
         find_font_file({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
     if (file.empty())

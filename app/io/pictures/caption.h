@@ -6,7 +6,7 @@
 #include <string>
 
 /// The position of a line of text in a picture, in pixels from the top left.
-struct CaptionPlace {
+struct CaptionPosition {
     int left = 0;
     int baseline = 0;
     int width = 0;   // longer text is cut and ends in "…"
@@ -15,4 +15,4 @@ struct CaptionPlace {
 
 /// Draws a line of light grey text into a picture. Fails if the system has none of the fonts that
 /// we use.
-Result<void> draw_caption(Picture& picture, const CaptionPlace& place, const std::string& text);
+Result<void> draw_caption(Picture& picture, const CaptionPosition& place, const std::string& text);

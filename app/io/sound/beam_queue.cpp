@@ -25,7 +25,7 @@ void BeamQueue::set_level(double level) {
     m_level.set(level >= 0.0 ? std::min(level, 1.0) : 0.0);
 }
 
-BeamQueue::Place BeamQueue::next() noexcept {
+BeamQueue::Position BeamQueue::next() noexcept {
     const std::int64_t start = m_start;
     std::int64_t frame = m_read.load(std::memory_order_relaxed);
     if (frame < start) {
@@ -39,7 +39,7 @@ BeamQueue::Place BeamQueue::next() noexcept {
         return m_last;
     }
     const auto place = 2 * static_cast<std::size_t>(frame % m_rate);
-    const Place wanted{m_samples[place], m_samples[place + 1]};
+    const Position wanted{m_samples[place], m_samples[place + 1]};
     m_read.store(frame + 1, std::memory_order_release);
     const int all = m_rate / 200;
     if (m_has_rested) {
@@ -55,7 +55,7 @@ BeamQueue::Place BeamQueue::next() noexcept {
 
 void BeamQueue::mix(std::span<float> stereo) noexcept {
     for (std::size_t i = 0; i + 1 < stereo.size(); i += 2) {
-        const Place at = next();
+        const Position at = next();
         stereo[i] = at.x;
         stereo[i + 1] = at.y;
     }

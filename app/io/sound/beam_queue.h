@@ -30,11 +30,11 @@ public:
     void mix(std::span<float> stereo) noexcept;
 
 private:
-    struct Place {
+    struct Position {
         float x = 0.0f;
         float y = 0.0f;
     };
-    Place next() noexcept;
+    Position next() noexcept;
 
     int m_rate;
     std::vector<float> m_samples;  // a ring buffer
@@ -44,8 +44,8 @@ private:
     LevelRamp m_level{0.5, 0.0};
 
     // Used only by the device's thread.
-    Place m_last;              // the beam's position
-    Place m_away;              // offset from the target when the beam last started to move
+    Position m_last;           // the beam's position
+    Position m_away;           // offset from the target when the beam last started to move
     int m_joining = 0;         // frames until the target is reached
     bool m_has_rested = true;  // the queue was empty
 };

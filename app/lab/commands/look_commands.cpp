@@ -81,7 +81,7 @@ void LookCommands::write_overrides() {
         return;
     const Stack& stack = m_work.document->look().stack;
     for (const StackPart& part : stack)
-        if (m_work.library.is_shipped(manifest_of(part.place)))
+        if (m_work.library.is_shipped(manifest_of(part.path)))
             return offer_duplicate(
                 fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
     for (std::size_t i = 0; i < stack.size(); ++i) {
@@ -90,11 +90,11 @@ void LookCommands::write_overrides() {
         for (const auto& [pass, override] : m_work.document->state().overrides)
             if (pass.starts_with(scope))
                 own.emplace(pass.substr(scope.size()), override);
-        if (!own.empty() && is_foreign_look(stack[i].place))
+        if (!own.empty() && is_foreign_look(stack[i].path))
             return m_work.messages.say("Pass settings can't be saved to looks of other programs",
                                        true);
         if (!own.empty() &&
-            !m_work.messages.succeeded(::write_overrides(manifest_of(stack[i].place), own)))
+            !m_work.messages.succeeded(::write_overrides(manifest_of(stack[i].path), own)))
             return;
     }
     clear_overrides(*m_work.document);

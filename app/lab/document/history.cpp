@@ -21,7 +21,7 @@ std::size_t history_size(const Document& document) {
     return document.history().past().size() + document.history().future().size() + 1;
 }
 
-std::size_t history_place(const Document& document) {
+std::size_t history_index(const Document& document) {
     return document.history().past().size();
 }
 

@@ -13,7 +13,7 @@ struct HistoryStep {
 /// The number of states: the first one, and one after each step.
 std::size_t history_size(const Document& document);
 /// The index of the current state.
-std::size_t history_place(const Document& document);
+std::size_t history_index(const Document& document);
 const DocumentState& history_state(const Document& document, std::size_t place);
 /// The step that led to a state; for the first state only its name and distance.
 HistoryStep history_step(const Document& document, std::size_t place);

@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 
 void remember_files(const Document& document, const RecentMedia& recent) {
     for (const StackPart& part : document.look().stack)
-        if (is_foreign_look(part.place))
-            recent.remember(part.place, {});
+        if (is_foreign_look(part.path))
+            recent.remember(part.path, {});
     for (const auto& [name, value] : document.values())
         if (names_file(document.look(), name, value))
             recent.remember(value.path, {});

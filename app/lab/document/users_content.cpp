@@ -90,7 +90,7 @@ Spec with_round_circles(Spec signal) {
 
 std::string with_users_defaults(const std::string& source, const Look& look) {
     const bool is_foreign =
-        is_foreign_look(look.stack.empty() ? look.manifest : look.stack.front().place);
+        is_foreign_look(look.stack.empty() ? look.manifest : look.stack.front().path);
     SourceSpec usual;
     usual.fit = is_foreign ? Fit::stretch : Fit::whole;
     usual.prescaled = 0;

@@ -20,7 +20,7 @@ std::string move_step(const StrokeGrip& grip) {
 }
 }  // namespace
 
-std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPlace& place, double pixel) const {
+std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPosition& place, double pixel) const {
     if (m_drag)
         return m_drag->grip;
     if (!m_drawing.get())
@@ -28,7 +28,7 @@ std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPlace& place, double p
     return grip_near(m_drawing.strokes(), place, reach_px * pixel);
 }
 
-std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPlace& place, double pixel) const {
+std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPosition& place, double pixel) const {
     if (!m_drawing.get())
         return std::nullopt;
     return stroke_near(m_drawing.strokes(), place, reach_px * pixel);
@@ -77,7 +77,7 @@ void DrawingBoard::replace(const Drawing& drawing, const std::string& step, Docu
     m_drawing.replace(drawing, step, document);
 }
 
-void DrawingBoard::press(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::press(const BeamPosition& place, double pixel, Document& document) {
     follow(document);
     if (!has_pen())
         return;
@@ -100,7 +100,7 @@ void DrawingBoard::press(const BeamPlace& place, double pixel, Document& documen
     }
 }
 
-void DrawingBoard::move(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::move(const BeamPosition& place, double pixel, Document& document) {
     follow(document);
     if (m_drag)
         drag(place, pixel, document);
@@ -110,7 +110,7 @@ void DrawingBoard::move(const BeamPlace& place, double pixel, Document& document
 }
 
 // Ignores small movements during a click.
-void DrawingBoard::drag(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::drag(const BeamPosition& place, double pixel, Document& document) {
     if (!m_drag->has_moved && distance(place, m_drag->from) < tremble_px * pixel)
         return;
     m_drag->has_moved = true;
@@ -132,7 +132,7 @@ void DrawingBoard::release(double pixel, Document& document) {
     end_line(document);
 }
 
-void DrawingBoard::press_other(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::press_other(const BeamPosition& place, double pixel, Document& document) {
     follow(document);
     const bool was_under_way = m_line || m_drag;
     end_line(document);
@@ -146,12 +146,12 @@ void DrawingBoard::press_other(const BeamPlace& place, double pixel, Document& d
     set_strokes(std::move(strokes), is_whole ? "Delete stroke" : "Delete point", document);
 }
 
-void DrawingBoard::click(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::click(const BeamPosition& place, double pixel, Document& document) {
     if (!m_line) {
         m_line = Stroke{{place}, m_pen.is_smooth, false};
         return;
     }
-    const std::vector<BeamPlace>& points = m_line->points;
+    const std::vector<BeamPosition>& points = m_line->points;
     if (distance(place, points.back()) <= tremble_px * pixel) {
         end_line(document);
     } else if (points.size() > 2 && distance(place, points.front()) <= reach_px * pixel) {
@@ -163,7 +163,7 @@ void DrawingBoard::click(const BeamPlace& place, double pixel, Document& documen
     }
 }
 
-void DrawingBoard::erase(const BeamPlace& place, double pixel, Document& document) {
+void DrawingBoard::erase(const BeamPosition& place, double pixel, Document& document) {
     const auto stroke = stroke_at(place, pixel);
     if (!stroke)
         return;
@@ -173,7 +173,7 @@ void DrawingBoard::erase(const BeamPlace& place, double pixel, Document& documen
 }
 
 // Ignores points beyond the limit of a drawing.
-void DrawingBoard::add_point(const BeamPlace& place, Document& document) {
+void DrawingBoard::add_point(const BeamPosition& place, Document& document) {
     if (point_count(*m_drawing.get()) + 2 > most_drawing_points)
         return;
     m_line->points.push_back(place);

@@ -34,9 +34,9 @@ public:
     const Stroke* open_line() const { return m_line ? &*m_line : nullptr; }
     /// The point or stroke at this position that would be moved, or is being moved. `pixel`: the
     /// size of a pixel in beam coordinates.
-    std::optional<StrokeGrip> grip_at(const BeamPlace& place, double pixel) const;
+    std::optional<StrokeGrip> grip_at(const BeamPosition& place, double pixel) const;
     /// The stroke of the keyframe at this position.
-    std::optional<std::size_t> stroke_at(const BeamPlace& place, double pixel) const;
+    std::optional<std::size_t> stroke_at(const BeamPosition& place, double pixel) const;
     /// The signal for display. While the pen is active, it shows its keyframe without animation.
     Spec shown(const Spec& signal) const;
 
@@ -47,11 +47,11 @@ public:
     void edit_keyframes(const KeyframeChange& change, Document& document);
 
     /// Input on the picture; `pixel`: the size of a pixel in beam coordinates.
-    void press(const BeamPlace& place, double pixel, Document& document);
-    void move(const BeamPlace& place, double pixel, Document& document);
+    void press(const BeamPosition& place, double pixel, Document& document);
+    void move(const BeamPosition& place, double pixel, Document& document);
     void release(double pixel, Document& document);
     /// The right button ends the open line, or deletes the point under it.
-    void press_other(const BeamPlace& place, double pixel, Document& document);
+    void press_other(const BeamPosition& place, double pixel, Document& document);
     /// Ends the open line or drag.
     void end_line(Document& document);
 
@@ -61,16 +61,16 @@ public:
 private:
     void set_strokes(Keyframe strokes, const std::string& step, Document& document,
                      bool goes_on = false);
-    void click(const BeamPlace& place, double pixel, Document& document);
-    void erase(const BeamPlace& place, double pixel, Document& document);
-    void add_point(const BeamPlace& place, Document& document);
+    void click(const BeamPosition& place, double pixel, Document& document);
+    void erase(const BeamPosition& place, double pixel, Document& document);
+    void add_point(const BeamPosition& place, Document& document);
     void show_line(Document& document);
-    void drag(const BeamPlace& place, double pixel, Document& document);
+    void drag(const BeamPosition& place, double pixel, Document& document);
 
     /// A point or stroke being dragged, with the keyframe before the drag.
     struct Drag {
         StrokeGrip grip;
-        BeamPlace from;
+        BeamPosition from;
         Keyframe before;
         bool has_moved = false;
     };

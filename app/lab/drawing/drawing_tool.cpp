@@ -69,7 +69,7 @@ void DrawingTool::pen_down(const PicturePixel& pixel) {
     if (!m_document)
         return;
     const BeamPlacing pixels = placing();
-    m_board.press(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
+    m_board.press(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
     if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
         m_messages.say(
             fmt::format("The drawing is full. The limit is {} points.", most_drawing_points), true);
@@ -79,7 +79,7 @@ void DrawingTool::pen_move(const PicturePixel& pixel) {
     if (!m_document)
         return;
     const BeamPlacing pixels = placing();
-    m_board.move(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
+    m_board.move(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
 }
 
 void DrawingTool::pen_up() {
@@ -91,7 +91,7 @@ void DrawingTool::other_button(const PicturePixel& pixel) {
     if (!m_document)
         return;
     const BeamPlacing pixels = placing();
-    m_board.press_other(pixels.place_of(pixel), pixels.pixel_size(), *m_document);
+    m_board.press_other(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
 }
 
 void DrawingTool::load(const fs::path& file) {

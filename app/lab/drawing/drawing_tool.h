@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/drawing/beam_place.h"
+#include "lab/drawing/beam_position.h"
 #include "lab/drawing/drawing_board.h"
 #include "lab/library/opened_files.h"
 #include "lab/media/render_size.h"

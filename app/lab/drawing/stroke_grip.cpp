@@ -2,7 +2,7 @@
 
 #include "signals/drawing/stroke_line.h"
 
-std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace& place,
+std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& place,
                                        double reach) {
     std::optional<std::size_t> found;
     double nearest = reach;
@@ -14,7 +14,8 @@ std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace&
     return found;
 }
 
-std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& place, double reach) {
+std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& place,
+                                    double reach) {
     std::optional<StrokeGrip> found;
     double nearest = reach;
     for (std::size_t i = 0; i < strokes.size(); ++i)
@@ -29,8 +30,8 @@ std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& pl
     return found;
 }
 
-Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPlace& by) {
-    std::vector<BeamPlace>& points = strokes[grip.stroke].points;
+Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPosition& by) {
+    std::vector<BeamPosition>& points = strokes[grip.stroke].points;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (!grip.point || *grip.point == i)
             points[i] = {points[i][0] + by[0], points[i][1] + by[1]};

@@ -13,14 +13,15 @@ struct StrokeGrip {
 };
 
 /// The stroke with the nearest line within `reach` of a position.
-std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPlace& place,
+std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& place,
                                        double reach);
 
 /// The nearest point within `reach`, otherwise the nearest stroke within `reach`.
-std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPlace& place, double reach);
+std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& place,
+                                    double reach);
 
 /// AutomationPoints the point or stroke by an offset.
-Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPlace& by);
+Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPosition& by);
 
 /// Deletes a point. A stroke with fewer than two remaining points is deleted. A closed stroke with
 /// only two remaining points is opened.

@@ -22,7 +22,7 @@ void Pins::update(const Executor& executor, const std::vector<Pin>& pins, double
         m_values = std::move(*values);
     if (pins.empty() || m_gatherer.is_busy() || seconds < m_due)
         return;
-    std::vector<TexelPlace> places;
+    std::vector<TexelPosition> places;
     for (const Pin& pin : pins)
         for (std::size_t pass = 0; pass < passes; ++pass) {
             const gpu::Texture& target = executor.target(static_cast<int>(pass));

@@ -28,7 +28,7 @@ CellNumbers::Sight sight_of(const CellNumbers::Subject& subject) {
             .options = subject.options};
 }
 
-bool is_same_place(const CellNumbers::Block& a, const CellNumbers::Block& b) {
+bool is_same_position(const CellNumbers::Block& a, const CellNumbers::Block& b) {
     return a.left == b.left && a.top == b.top && a.count == b.count;
 }
 }  // namespace
@@ -72,7 +72,7 @@ void CellNumbers::update(TexelReader& reader, const Subject& subject, double sec
         m_block = m_asked;
         m_block.numbers = std::move(*numbers);
     }
-    const bool is_moved = !is_same_place(visible, m_asked);
+    const bool is_moved = !is_same_position(visible, m_asked);
     m_is_late = is_moved || m_picture != subject.picture;
     if (m_answer.is_busy() || !m_is_late || (!is_moved && seconds < m_due))
         return;

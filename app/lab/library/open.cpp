@@ -68,7 +68,7 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
         stack.push_back(std::move(*part));
     }
     stack = with_bypass(std::move(stack), preset.bypass);
-    const fs::path first = stack.front().place;
+    const fs::path first = stack.front().path;
     return OpenRequest{first, std::move(preset), std::move(file), std::move(stack)};
 }
 
@@ -135,7 +135,7 @@ Result<OpenRequest> resolve_stack(const std::string& argument, const Library& li
     }
     if (!problems.empty())
         return fail(std::move(problems));
-    const fs::path first = stack.front().place;
+    const fs::path first = stack.front().path;
     return OpenRequest{first, {}, {}, std::move(stack)};
 }
 }  // namespace
@@ -154,7 +154,7 @@ Values values_of(const OpenRequest& request) {
 std::string name_of(const OpenRequest& request) {
     std::string name;
     for (const StackPart& part : stack_of(request)) {
-        const fs::path& place = part.place;
+        const fs::path& place = part.path;
         const bool is_in_folder = place.filename() == "look.json" || !place.has_filename();
         const fs::path named = is_in_folder ? place.parent_path() : place;
         name += (name.empty() ? "" : "+") + named.filename().string();

@@ -8,7 +8,7 @@ int wrapped(int place, int count) {
 }
 
 // The index from 1; 0: not in the list.
-int place_among(const std::vector<PresetEntry>& presets, const std::filesystem::path& open) {
+int index_among(const std::vector<PresetEntry>& presets, const std::filesystem::path& open) {
     const auto found = std::find_if(presets.begin(), presets.end(), [&](const PresetEntry& preset) {
         std::error_code ignored;
         return !open.empty() &&
@@ -21,14 +21,14 @@ int place_among(const std::vector<PresetEntry>& presets, const std::filesystem::
 PresetIndex preset_after(const std::vector<PresetEntry>& presets, const std::filesystem::path& open,
                          int by) {
     const int count = static_cast<int>(presets.size()) + 1;
-    const auto next = static_cast<std::size_t>(wrapped(place_among(presets, open) + by, count));
+    const auto next = static_cast<std::size_t>(wrapped(index_among(presets, open) + by, count));
     return {next == 0 ? std::filesystem::path() : presets[next - 1].file, next, presets.size()};
 }
 
 std::optional<PresetIndex> starred_after(const std::vector<PresetEntry>& presets,
                                          const PresetStars& stars,
                                          const std::filesystem::path& open, int by) {
-    const int present = place_among(presets, open);
+    const int present = index_among(presets, open);
     std::vector<std::filesystem::path> starred;
     int before = 0;  // number of starred ones up to the open one
     bool is_present_starred = false;

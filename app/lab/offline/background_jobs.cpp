@@ -31,7 +31,7 @@ void BackgroundJobs::update() {
     const bool was_comparing = m_rates.is_running();
     m_rates.update();
     if (const auto& compared = m_rates.outcome(); was_comparing && compared && *compared)
-        show_rate_pair((*compared)->worst_place());
+        show_rate_pair((*compared)->worst_index());
     m_impulse.update();
     m_export.update();
 }

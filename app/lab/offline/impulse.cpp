@@ -2,7 +2,7 @@
 
 #include "gpu/objects/readback.h"
 #include "lab/document/users_content.h"
-#include "lab/drawing/beam_place.h"
+#include "lab/drawing/beam_position.h"
 #include "lab/offline/offline.h"
 #include "lab/offline/rate_comparison.h"
 #include "model/look/color.h"
@@ -22,7 +22,7 @@ constexpr int dark_frames = 4;  // before the impulse, to measure the background
 Beam flash_at(const BeamPlacing& placing, const PicturePixel& pixel, double frame_seconds) {
     constexpr int points = 16;
     constexpr double charge = 16.0;  // a frame of 1/60 s has 4096
-    const BeamPlace middle = placing.place_of(pixel);
+    const BeamPosition middle = placing.position_of(pixel);
     const double radius = placing.pixel_size() / 4.0;
     Beam beam;
     for (int i = 0; i < points; ++i) {

@@ -114,7 +114,7 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
     found->stack = stack_of(*found);
     for (StackPart& part : found->stack)
         if (part.look.empty())
-            part.look = look_id_at(part.place);
+            part.look = look_id_at(part.path);
     auto named = resolve_preset(request.preset, stack_id(found->stack), library);
     if (!named)
         return named;

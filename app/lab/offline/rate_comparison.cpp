@@ -23,7 +23,7 @@ Extent size_to_compare(Extent picture) {
     return {std::max(1, static_cast<int>(std::lround(picture.width * scale))), most_lines};
 }
 
-std::size_t RateComparison::worst_place() const {
+std::size_t RateComparison::worst_index() const {
     const auto worst = std::ranges::max_element(
         pairs, {}, [](const RatePair& pair) { return pair.difference.largest; });
     return static_cast<std::size_t>(worst - pairs.begin());

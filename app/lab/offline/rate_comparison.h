@@ -25,8 +25,8 @@ struct RateComparison {
     std::vector<Picture> pictures;  // for each of compared_rates, display-encoded
 
     /// The index in `pairs` of the pair with the largest difference.
-    std::size_t worst_place() const;
-    const RatePair& worst() const { return pairs[worst_place()]; }
+    std::size_t worst_index() const;
+    const RatePair& worst() const { return pairs[worst_index()]; }
     /// For one of compared_rates.
     const Picture& picture(double fps) const;
 };

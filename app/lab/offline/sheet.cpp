@@ -85,7 +85,7 @@ Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns) {
     for (int i = 0; i < count; ++i) {
         const SheetCell& cell = cells[static_cast<std::size_t>(i)];
         copy(cell.picture, sheet, layout.left(i), layout.top(i));
-        const CaptionPlace place{
+        const CaptionPosition place{
             .left = layout.left(i),
             .baseline = layout.top(i) + layout.cell.height + layout.letters * 3 / 2,
             .width = layout.cell.width,

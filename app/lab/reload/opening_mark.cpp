@@ -34,7 +34,7 @@ std::string text_of(const OpenRequest& request, std::string_view what, const fs:
     for (const std::string& field : {std::string(what), name_of(request), edited.string()})
         text += separator + field;
     for (const StackPart& part : stack_of(request))
-        text += separator + fs::absolute(manifest_of(part.place)).lexically_normal().string();
+        text += separator + fs::absolute(manifest_of(part.path)).lexically_normal().string();
     return text;
 }
 

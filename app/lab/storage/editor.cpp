@@ -37,7 +37,7 @@ Result<std::vector<std::string>> editor_command(const char* variable_name,
 }
 
 // An absolute path cannot be mistaken for an option or a command such as "+!ls".
-std::vector<std::string> with_place(std::vector<std::string> command, const Location& place) {
+std::vector<std::string> with_location(std::vector<std::string> command, const Location& place) {
     const std::string name = std::filesystem::path(command.front()).filename();
     const std::string file = std::filesystem::absolute(place.file).string();
     const int line = std::max(1, place.line);
@@ -59,7 +59,7 @@ std::vector<std::string> with_place(std::vector<std::string> command, const Loca
 
 // A pass inside a JSON file has a path below that file. Opens the file at line 1, because the line
 // in the pass differs.
-Location place_on_disk(const Location& place) {
+Location location_on_disk(const Location& place) {
     std::error_code error;
     const std::filesystem::path whole = place.file.parent_path();
     return std::filesystem::is_regular_file(whole, error) ? Location{whole, 1} : place;
@@ -69,15 +69,15 @@ Location place_on_disk(const Location& place) {
 Result<std::vector<std::string>> editor_command(const Location& asked) {
     if (asked.file.empty())
         return fail({{}, 0, "there is no shader file to open"});
-    const Location place = place_on_disk(asked);
+    const Location place = location_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
         if (const std::string editor = variable(name); !editor.empty()) {
             auto words = editor_command(name, editor);
             if (!words)
                 return fail(words.error());
-            return with_place(std::move(*words), place);
+            return with_location(std::move(*words), place);
         }
-    return with_place({"xdg-open"}, place);
+    return with_location({"xdg-open"}, place);
 }
 
 Result<void> open_in_editor(const Location& place) {

@@ -5,7 +5,7 @@ CellNumbers::Subject DisplayedTexture::cells(Extent room, Extent least,
     return {.texture = *texture,
             .name = name,
             .whole = whole,
-            .place = place_of(view, whole, room),
+            .place = position_of(view, whole, room),
             .size = room,
             .least = least,
             .picture = picture,
@@ -31,7 +31,7 @@ void draw_view(ContextViews& context, const gpu::Texture& from, std::optional<gp
     const gpu::ContextScope home(context.home.get());
     if (!fit(to, size))
         return;
-    const PicturePlace place = place_of(displayed.view, displayed.whole, size);
+    const PicturePosition place = position_of(displayed.view, displayed.whole, size);
     const double across = static_cast<double>(from.extent().width) / displayed.whole.width;
     const double up = static_cast<double>(from.extent().height) / displayed.whole.height;
     ViewOptions options = displayed.options;

@@ -10,7 +10,7 @@ bool is_copy_due(int frame) {
     return frame >= 1 && frame <= last && (frame & (frame - 1)) == 0;
 }
 
-std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present) {
+std::size_t farthest_index(const std::vector<std::size_t>& places, std::size_t present) {
     const auto distance = [present](std::size_t place) {
         return place > present ? place - present : present - place;
     };
@@ -33,7 +33,7 @@ void HistoryPictures::update(const Lab& lab, Views& views) {
     constexpr int enough = 1 << 20;
     m_frames = std::min(m_frames + 1, enough);
     if (is_copy_due(m_frames))
-        copy(lab, views, history_place(*document));
+        copy(lab, views, history_index(*document));
 }
 
 // Without memory a step has no picture.
@@ -59,7 +59,7 @@ void HistoryPictures::forget_far(std::size_t place) {
     std::vector<std::size_t> places;
     for (const auto& [at, copy] : m_copies)
         places.push_back(at);
-    m_copies.erase(farthest_place(places, place));
+    m_copies.erase(farthest_index(places, place));
 }
 
 ViewImage HistoryPictures::picture(const Document& document, std::size_t place) const {

@@ -15,7 +15,7 @@ class Lab;
 bool is_copy_due(int frame);
 
 /// The index farthest from the current one, of those with a copy; `places` is not empty.
-std::size_t farthest_place(const std::vector<std::size_t>& places, std::size_t present);
+std::size_t farthest_index(const std::vector<std::size_t>& places, std::size_t present);
 
 /// Thumbnails of the recently displayed states of the history.
 class HistoryPictures {

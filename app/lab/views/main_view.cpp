@@ -132,8 +132,8 @@ void MainView::compare(const Subject& subject, const DisplayedTexture& shown) {
 void MainView::draw_wiped(const Subject& subject, DisplayedTexture shown) {
     const WindowState& window = subject.window;
     const Extent size = window.views.picture;
-    const int line =
-        wipe_column(place_of(shown.view, shown.whole, size), shown.whole, size, window.wipe_share);
+    const int line = wipe_column(position_of(shown.view, shown.whole, size), shown.whole, size,
+                                 window.wipe_share);
     shown.options.columns = subject.frames.comparison().sides()->is_other_left
                                 ? std::array{0, line}
                                 : std::array{line, size.width};

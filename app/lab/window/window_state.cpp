@@ -54,7 +54,7 @@ void PassView::reset_levels() {
     exposure = 0.0;
 }
 
-PicturePlace place_of(const PictureView& view, Extent picture, Extent size) {
+PicturePosition position_of(const PictureView& view, Extent picture, Extent size) {
     const double zoom = view.zoom_for(picture, size);
     // A picture smaller than the view is centred. Only a cropped picture can be panned.
     const auto start = [zoom](double middle, int pixels, int room) {
@@ -71,18 +71,18 @@ struct Columns {
     double right;
 };
 
-Columns seen_columns(const PicturePlace& place, Extent picture, Extent size) {
+Columns seen_columns(const PicturePosition& place, Extent picture, Extent size) {
     return {std::max(place.left, 0.0),
             std::min(place.left + place.zoom * picture.width, static_cast<double>(size.width))};
 }
 }  // namespace
 
-int wipe_column(const PicturePlace& place, Extent picture, Extent size, double share) {
+int wipe_column(const PicturePosition& place, Extent picture, Extent size, double share) {
     const Columns columns = seen_columns(place, picture, size);
     return static_cast<int>(std::lround(columns.left + share * (columns.right - columns.left)));
 }
 
-double wipe_share(const PicturePlace& place, Extent picture, Extent size, double column) {
+double wipe_share(const PicturePosition& place, Extent picture, Extent size, double column) {
     const Columns columns = seen_columns(place, picture, size);
     return std::clamp((column - columns.left) / std::max(columns.right - columns.left, 1.0), 0.0,
                       1.0);

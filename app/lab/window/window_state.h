@@ -37,7 +37,7 @@ struct PictureView {
 double next_zoom(double zoom, bool is_in);
 
 /// The position of a picture in a view, in device pixels from the top left.
-struct PicturePlace {
+struct PicturePosition {
     double left = 0.0;  // of the picture in the view; negative: cropped
     double top = 0.0;
     double zoom = 1.0;
@@ -48,13 +48,13 @@ struct PicturePlace {
     }
 };
 /// The corner of the picture is at a whole pixel of the view, so that 1:1 is exact.
-PicturePlace place_of(const PictureView& view, Extent picture, Extent size);
+PicturePosition position_of(const PictureView& view, Extent picture, Extent size);
 
 /// The position of a wipe line, in device pixels from the left of the view. `share` is relative to
 /// the visible part of the picture.
-int wipe_column(const PicturePlace& place, Extent picture, Extent size, double share);
+int wipe_column(const PicturePosition& place, Extent picture, Extent size, double share);
 /// The share at a position of the line.
-double wipe_share(const PicturePlace& place, Extent picture, Extent size, double column);
+double wipe_share(const PicturePosition& place, Extent picture, Extent size, double column);
 
 /// The displayed channels of a pass.
 enum class Channels { color, red, green, blue, alpha, luminance };

@@ -9,10 +9,10 @@
 
 /// A look of a stack.
 struct StackPart {
-    std::string look;             // id
-    std::filesystem::path place;  // its folder or manifest
-    std::string tag;              // identifies the part, in any order
-    bool is_bypassed = false;     // not drawn; the picture passes through
+    std::string look;            // id
+    std::filesystem::path path;  // its folder or manifest
+    std::string tag;             // identifies the part, in any order
+    bool is_bypassed = false;    // not drawn; the picture passes through
 
     bool operator==(const StackPart&) const = default;
 };

@@ -102,7 +102,7 @@ double clips_from(double ceiling) {
     return ceiling * (1.0 - std::exp2(-11.0));
 }
 
-double meter_place(double number, double ceiling) {
+double meter_ratio(double number, double ceiling) {
     if (!(number > 0.0))
         return 0.0;
     return std::clamp(1.0 + std::log2(number / ceiling) / meter_stops, 0.0, 1.0);

@@ -34,4 +34,4 @@ double clips_from(double ceiling);
 
 /// The position of a number on a meter that covers this many stops below the ceiling: 0..1.
 inline constexpr double meter_stops = 16.0;
-double meter_place(double number, double ceiling);
+double meter_ratio(double number, double ceiling);

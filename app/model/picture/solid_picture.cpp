@@ -12,15 +12,15 @@ namespace {
 constexpr int cube_faces = 6;
 
 /// The position of a face in a cross, in squares from the top left.
-struct Place {
+struct FacePosition {
     int column;
     int row;
     bool is_turned = false;  // rotated by 180 degrees
 };
 
-constexpr std::array<Place, cube_faces> wide_cross{
+constexpr std::array<FacePosition, cube_faces> wide_cross{
     {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}}};
-constexpr std::array<Place, cube_faces> high_cross{
+constexpr std::array<FacePosition, cube_faces> high_cross{
     {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3, true}}};
 
 Picture empty_solid(const Picture& flat, int side, int layers, PictureShape shape) {
@@ -34,9 +34,10 @@ void append_texel(const Picture& flat, int x, int y, Picture& solid) {
     solid.pixels.insert(solid.pixels.end(), texel, texel + flat.channels);
 }
 
-Picture from_cross(const Picture& flat, int side, const std::array<Place, cube_faces>& places) {
+Picture from_cross(const Picture& flat, int side,
+                   const std::array<FacePosition, cube_faces>& places) {
     Picture solid = empty_solid(flat, side, cube_faces, PictureShape::cube);
-    for (const Place& place : places)
+    for (const FacePosition& place : places)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
                 append_texel(flat, place.column * side + (place.is_turned ? side - 1 - x : x),

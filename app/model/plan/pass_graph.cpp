@@ -45,7 +45,7 @@ bool is_forward(const Edge& edge, const PassGraph& graph) {
 
 // Passes are as far left as their inputs allow; other inputs are directly before their first
 // reader.
-void place_columns(std::size_t passes, PassGraph& graph) {
+void assign_columns(std::size_t passes, PassGraph& graph) {
     for (std::size_t i = 0; i < passes; ++i)
         for (const Edge& edge : graph.edges)
             if (edge.to == i && is_forward(edge, graph)) {
@@ -153,7 +153,7 @@ PassGraph graph_of(const Look& look) {
         graph.nodes.push_back({Input::From::pass, pass.name});
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         add_edges(look, i, graph);
-    place_columns(look.passes.size(), graph);
+    assign_columns(look.passes.size(), graph);
     std::vector<std::size_t> place_of_node;
     const Columns columns = stops_of(graph, place_of_node);
     const Rows rows = rows_of(columns);

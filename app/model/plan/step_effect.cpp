@@ -53,7 +53,7 @@ double change_share(const PassChange& change) {
     return change.mean / change.level;
 }
 
-double change_place(const PassChange& change) {
+double change_ratio(const PassChange& change) {
     const double share = change_share(change);
     if (share <= 0.0)
         return 0.0;

@@ -21,7 +21,7 @@ struct PassChange {
 double change_share(const PassChange& change);
 
 /// The position of this share on a bar, 0..1, logarithmic from 0.01 % to 100 %.
-double change_place(const PassChange& change);
+double change_ratio(const PassChange& change);
 
 /// The effect of a change of one parameter on the passes.
 struct StepEffect {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-double place_in(const Range& range, Scale scale, double value) {
+double ratio_in(const Range& range, Scale scale, double value) {
     const double span = range.high - range.low;
     if (!(span > 0.0))
         return 0.0;

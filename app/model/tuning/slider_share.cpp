@@ -56,5 +56,5 @@ double share_at(const TurnedNumber& turned, const Value& value) {
     if (is_switch(parameter))
         return number >= 0.5 ? 1.0 : 0.0;
     const Range range = range_of(with_ends(parameter, turned.setting), turned.component);
-    return std::clamp(place_in(range, parameter.scale, number), 0.0, 1.0);
+    return std::clamp(ratio_in(range, parameter.scale, number), 0.0, 1.0);
 }

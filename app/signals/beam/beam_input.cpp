@@ -31,8 +31,8 @@ void BeamInput::append(std::span<const BeamInputPoint> points) {
 }
 
 void BeamInput::append_one(const BeamInputPoint& point) {
-    const Place to{point.x, point.y};
-    const Place from = m_has_last ? m_last : to;
+    const Position to{point.x, point.y};
+    const Position from = m_has_last ? m_last : to;
     if (m_pace == Pace::live && m_end < m_now + end_slack) {
         const double start = m_now + cushion;
         m_legs.push_back({m_end, start - m_end, from, from, 0.0f});

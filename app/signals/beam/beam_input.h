@@ -41,7 +41,7 @@ public:
     void close();
 
 private:
-    struct Place {
+    struct Position {
         float x = 0.0f;
         float y = 0.0f;
     };
@@ -49,8 +49,8 @@ private:
     struct Leg {
         double begin = 0.0;
         double seconds = 0.0;
-        Place from;
-        Place to;
+        Position from;
+        Position to;
         float current = 0.0f;
         BeamTint tint = {};
 
@@ -68,7 +68,7 @@ private:
     std::deque<Leg> m_legs;
     double m_now;  // s, drawn up to here
     double m_end;  // s, end of the last leg
-    Place m_last;
+    Position m_last;
     bool m_has_last = false;
     bool m_has_tints = false;  // some point has a colour
     bool m_has_ended = false;

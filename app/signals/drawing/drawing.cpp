@@ -70,7 +70,7 @@ template <class Visit>
 void for_each_point(Drawing& drawing, const Visit& visit) {
     for (Keyframe& keyframe : drawing.keyframes)
         for (Stroke& stroke : keyframe)
-            for (BeamPlace& point : stroke.points)
+            for (BeamPosition& point : stroke.points)
                 visit(point);
 }
 }  // namespace
@@ -92,15 +92,15 @@ Drawing to_scale(const Drawing& drawing, double side) {
     Drawing scaled = drawing;
     if (drawing.is_to_scale || !has_strokes(drawing))
         return scaled;
-    BeamPlace low{far, far};
-    BeamPlace high{-far, -far};
-    for_each_point(scaled, [&](const BeamPlace& point) {
+    BeamPosition low{far, far};
+    BeamPosition high{-far, -far};
+    for_each_point(scaled, [&](const BeamPosition& point) {
         low = {std::min(low[0], point[0]), std::min(low[1], point[1])};
         high = {std::max(high[0], point[0]), std::max(high[1], point[1])};
     });
     const double longer = std::max(high[0] - low[0], high[1] - low[1]);
     const double factor = longer > 0.0 ? side / longer : 1.0;
-    for_each_point(scaled, [&](BeamPlace& point) {
+    for_each_point(scaled, [&](BeamPosition& point) {
         point = {factor * (point[0] - 0.5 * (low[0] + high[0])),
                  factor * (point[1] - 0.5 * (low[1] + high[1]))};
     });

@@ -9,11 +9,11 @@
 #include <vector>
 
 /// Position of the beam: x and y from -1 (left, bottom) to 1.
-using BeamPlace = std::array<double, 2>;
+using BeamPosition = std::array<double, 2>;
 
 /// One continuous line through its points.
 struct Stroke {
-    std::vector<BeamPlace> points;
+    std::vector<BeamPosition> points;
     bool is_smooth = false;  // a curve through the points instead of straight lines
     bool is_closed = false;  // ends at its first point
 

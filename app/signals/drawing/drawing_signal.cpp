@@ -12,9 +12,9 @@
 #include <utility>
 
 namespace {
-ScenePath path_of(const std::vector<BeamPlace>& line) {
+ScenePath path_of(const std::vector<BeamPosition>& line) {
     ScenePath path;
-    for (const BeamPlace& place : line)
+    for (const BeamPosition& place : line)
         path.points.push_back({place[0], place[1]});
     return path;
 }

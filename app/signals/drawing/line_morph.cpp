@@ -6,7 +6,7 @@
 #include <optional>
 
 namespace {
-using Line = std::vector<BeamPlace>;
+using Line = std::vector<BeamPosition>;
 
 // The arc length at each point as a fraction of the line's length, 0..1.
 std::vector<double> shares_of(const Line& line) {
@@ -20,11 +20,11 @@ std::vector<double> shares_of(const Line& line) {
     return shares;
 }
 
-BeamPlace lerp(const BeamPlace& a, const BeamPlace& b, double share) {
+BeamPosition lerp(const BeamPosition& a, const BeamPosition& b, double share) {
     return {std::lerp(a[0], b[0], share), std::lerp(a[1], b[1], share)};
 }
 
-BeamPlace place_at(const Line& line, const std::vector<double>& shares, double share) {
+BeamPosition position_at(const Line& line, const std::vector<double>& shares, double share) {
     const auto after = std::upper_bound(shares.begin(), shares.end(), share);
     if (after == shares.begin() || after == shares.end())
         return after == shares.end() ? line.back() : line.front();
@@ -32,11 +32,11 @@ BeamPlace place_at(const Line& line, const std::vector<double>& shares, double s
     return lerp(line[i - 1], line[i], (share - shares[i - 1]) / (shares[i] - shares[i - 1]));
 }
 
-Line places_at(const Line& line, const std::vector<double>& shares) {
+Line positions_at(const Line& line, const std::vector<double>& shares) {
     const std::vector<double> own = shares_of(line);
     Line places;
     for (const double share : shares)
-        places.push_back(place_at(line, own, share));
+        places.push_back(position_at(line, own, share));
     return places;
 }
 
@@ -67,7 +67,7 @@ Line aligned(const Line& from, const Line& to) {
     constexpr std::size_t samples = 48;
     constexpr std::size_t most_tries = 64;
     constexpr double clearly = 1.0 - 1e-9;  // as drawn, unless another is better
-    const Line places = places_at(from, even_shares(samples));
+    const Line places = positions_at(from, even_shares(samples));
     const std::size_t stride = std::max<std::size_t>(1, (to.size() - 1) / most_tries);
     Line best = to;
     double least = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ Line aligned(const Line& from, const Line& to) {
         const Line line = is_backwards ? Line(to.rbegin(), to.rend()) : to;
         for (std::size_t corner = 0; corner + 1 < line.size(); corner += stride) {
             Line turned = begun_at(line, corner);
-            const double way = way_between(places, places_at(turned, even_shares(samples)));
+            const double way = way_between(places, positions_at(turned, even_shares(samples)));
             if (way < least * clearly) {
                 least = way;
                 best = std::move(turned);
@@ -86,11 +86,11 @@ Line aligned(const Line& from, const Line& to) {
 }
 
 // The centre of a line, weighted by length.
-BeamPlace middle_of(const Line& line) {
+BeamPosition middle_of(const Line& line) {
     const double length = length_of(line);
     if (length <= 0.0)
         return line.front();
-    BeamPlace middle{};
+    BeamPosition middle{};
     for (std::size_t i = 1; i < line.size(); ++i) {
         const double weight = distance(line[i - 1], line[i]) / length;
         for (std::size_t axis = 0; axis < 2; ++axis)
@@ -113,7 +113,7 @@ std::vector<Line> sampled(const Keyframe& strokes) {
     shares.push_back(1.0);
     std::vector<Line> lines;
     for (const Stroke& stroke : strokes)
-        lines.push_back(places_at(line_of(stroke), shares));
+        lines.push_back(positions_at(line_of(stroke), shares));
     return lines;
 }
 
@@ -149,7 +149,7 @@ Partners partners_of(const Keyframe& fewer, const Keyframe& more) {
 }
 }  // namespace
 
-std::vector<BeamPlace> LineMorph::at(double share) const {
+std::vector<BeamPosition> LineMorph::at(double share) const {
     Line line;
     line.reserve(from.size());
     for (std::size_t i = 0; i < from.size(); ++i)
@@ -178,7 +178,7 @@ LineMorph morph_of(const Stroke& from, const Stroke& to) {
     std::sort(shares.begin(), shares.end());
     const auto is_same = [](double x, double y) { return y - x < same; };
     shares.erase(std::unique(shares.begin(), shares.end(), is_same), shares.end());
-    return {places_at(a, shares), places_at(b, shares)};
+    return {positions_at(a, shares), positions_at(b, shares)};
 }
 
 std::vector<LineMorph> morphs_of(const Keyframe& from, const Keyframe& to) {

@@ -4,11 +4,11 @@
 
 /// Two lines with the same number of points, for interpolation.
 struct LineMorph {
-    std::vector<BeamPlace> from;
-    std::vector<BeamPlace> to;
+    std::vector<BeamPosition> from;
+    std::vector<BeamPosition> to;
 
     /// The line at `share`, 0..1; each point is interpolated linearly.
-    std::vector<BeamPlace> at(double share) const;
+    std::vector<BeamPosition> at(double share) const;
 };
 
 /// Matches points at the same fraction of their line's length. Both lines keep all their corners.

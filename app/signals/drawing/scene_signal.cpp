@@ -158,8 +158,8 @@ private:
     void trace_leg(const Leg& leg, const Tracing& tracing, Beam& beam) const {
         const double start = m_start + leg.begin;
         const TimeSpan& span = tracing.span;
-        const auto from = place_of(leg.from);
-        const auto to = place_of(leg.to);
+        const auto from = position_of(leg.from);
+        const auto to = position_of(leg.to);
         const bool is_lit = leg.current > 0.0;
         const double steps = is_lit ? std::max(1.0, std::ceil(leg.seconds * tracing.rate)) : 1.0;
         const double step = leg.seconds / steps;
@@ -179,7 +179,7 @@ private:
         }
     }
 
-    std::array<double, 2> place_of(std::size_t corner) const {
+    std::array<double, 2> position_of(std::size_t corner) const {
         const Corner& at = m_table.corners()[corner];
         return m_poses[at.item].seen(at.point);
     }

@@ -140,14 +140,14 @@ bool is_small(char32_t character) {
 }
 
 /// Position and scale of a glyph's strokes.
-struct Place {
+struct GlyphPosition {
     double x;
     double y;
     double unit;
     double height;  // relative to a capital
 };
 
-void add_strokes(std::string_view strokes, const Place& at, std::vector<ScenePath>& paths) {
+void add_strokes(std::string_view strokes, const GlyphPosition& at, std::vector<ScenePath>& paths) {
     for (const std::string_view stroke : split(strokes, ' ')) {
         ScenePath path;
         for (std::size_t i = 0; i + 1 < stroke.size(); i += 2)
@@ -170,7 +170,7 @@ void add_letter(char32_t character, double x, double y, double unit,
                                ? static_cast<char32_t>(static_cast<unsigned char>(marked->base))
                                : character;
     const bool is_low = is_small(plain) || (marked && marked->is_small);
-    const Place place{x, y, unit, is_low ? small_capital : 1.0};
+    const GlyphPosition place{x, y, unit, is_low ? small_capital : 1.0};
     const Glyph* const glyph = find_glyph(is_small(plain) ? plain - 'a' + 'A' : plain);
     if (marked && !marked->strokes.empty())
         return add_strokes(marked->strokes, place, paths);

@@ -5,14 +5,14 @@
 #include <limits>
 
 namespace {
-BeamPlace sum(const BeamPlace& a, double factor, const BeamPlace& b) {
+BeamPosition sum(const BeamPosition& a, double factor, const BeamPosition& b) {
     return {a[0] + factor * b[0], a[1] + factor * b[1]};
 }
 
 // Two equal points have no direction.
-std::vector<BeamPlace> without_repeats(const Stroke& stroke) {
-    std::vector<BeamPlace> points;
-    for (const BeamPlace& point : stroke.points)
+std::vector<BeamPosition> without_repeats(const Stroke& stroke) {
+    std::vector<BeamPosition> points;
+    for (const BeamPosition& point : stroke.points)
         if (points.empty() || point != points.back())
             points.push_back(point);
     while (stroke.is_closed && points.size() > 1 && points.front() == points.back())
@@ -22,7 +22,8 @@ std::vector<BeamPlace> without_repeats(const Stroke& stroke) {
 
 // The curve from b to c through a, b, c, d. The derivatives at b and c depend on the knot spacing,
 // the square root of the distance.
-CurveSpan span_of(const BeamPlace& a, const BeamPlace& b, const BeamPlace& c, const BeamPlace& d) {
+CurveSpan span_of(const BeamPosition& a, const BeamPosition& b, const BeamPosition& c,
+                  const BeamPosition& d) {
     const double before = std::sqrt(distance(a, b));
     const double here = std::sqrt(distance(b, c));
     const double after = std::sqrt(distance(c, d));
@@ -37,36 +38,37 @@ CurveSpan span_of(const BeamPlace& a, const BeamPlace& b, const BeamPlace& c, co
     return span;
 }
 
-BeamPlace place_on(const CurveSpan& span, double t) {
+BeamPosition position_on(const CurveSpan& span, double t) {
     const double s = 1.0 - t;
     const double weights[4] = {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
-    BeamPlace place{};
+    BeamPosition place{};
     for (std::size_t i = 0; i < 4; ++i)
         place = sum(place, weights[i], span[i]);
     return place;
 }
 
-double distance_to_piece(const BeamPlace& place, const BeamPlace& from, const BeamPlace& to) {
-    const BeamPlace way = sum(to, -1.0, from);
-    const BeamPlace out = sum(place, -1.0, from);
+double distance_to_piece(const BeamPosition& place, const BeamPosition& from,
+                         const BeamPosition& to) {
+    const BeamPosition way = sum(to, -1.0, from);
+    const BeamPosition out = sum(place, -1.0, from);
     const double square = way[0] * way[0] + way[1] * way[1];
     const double share = square > 0.0 ? (out[0] * way[0] + out[1] * way[1]) / square : 0.0;
     return distance(place, sum(from, std::clamp(share, 0.0, 1.0), way));
 }
 }  // namespace
 
-double distance(const BeamPlace& a, const BeamPlace& b) {
+double distance(const BeamPosition& a, const BeamPosition& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1]);
 }
 
-double length_of(const std::vector<BeamPlace>& line) {
+double length_of(const std::vector<BeamPosition>& line) {
     double length = 0.0;
     for (std::size_t i = 1; i < line.size(); ++i)
         length += distance(line[i - 1], line[i]);
     return length;
 }
 
-double distance_to_line(const BeamPlace& place, const std::vector<BeamPlace>& line) {
+double distance_to_line(const BeamPosition& place, const std::vector<BeamPosition>& line) {
     double nearest =
         line.empty() ? std::numeric_limits<double>::infinity() : distance(place, line.front());
     for (std::size_t i = 1; i < line.size(); ++i)
@@ -75,7 +77,7 @@ double distance_to_line(const BeamPlace& place, const std::vector<BeamPlace>& li
 }
 
 std::vector<CurveSpan> curve_of(const Stroke& stroke) {
-    const std::vector<BeamPlace> points = without_repeats(stroke);
+    const std::vector<BeamPosition> points = without_repeats(stroke);
     const std::size_t count = points.size();
     std::vector<CurveSpan> spans;
     if (count < 2)
@@ -83,22 +85,22 @@ std::vector<CurveSpan> curve_of(const Stroke& stroke) {
     const bool is_round = stroke.is_closed && count > 2;
     const std::size_t steps = is_round ? count : count - 1;
     for (std::size_t i = 0; i < steps; ++i) {
-        const BeamPlace& from = points[i];
-        const BeamPlace& to = points[(i + 1) % count];
+        const BeamPosition& from = points[i];
+        const BeamPosition& to = points[(i + 1) % count];
         // Extrapolates a point past each end.
-        const BeamPlace before = is_round || i > 0 ? points[(i + count - 1) % count]
-                                                   : sum(sum(from, 1.0, from), -1.0, to);
-        const BeamPlace after =
+        const BeamPosition before = is_round || i > 0 ? points[(i + count - 1) % count]
+                                                      : sum(sum(from, 1.0, from), -1.0, to);
+        const BeamPosition after =
             is_round || i + 2 < count ? points[(i + 2) % count] : sum(sum(to, 1.0, to), -1.0, from);
         spans.push_back(span_of(before, from, to, after));
     }
     return spans;
 }
 
-std::vector<BeamPlace> line_of(const Stroke& stroke) {
+std::vector<BeamPosition> line_of(const Stroke& stroke) {
     constexpr double step = 0.015;  // half screens: corners of the curve are not visible
     constexpr double most_steps = 32.0;
-    std::vector<BeamPlace> line = without_repeats(stroke);
+    std::vector<BeamPosition> line = without_repeats(stroke);
     if (!stroke.is_smooth) {
         if (stroke.is_closed && line.size() > 1)
             line.push_back(line.front());
@@ -109,13 +111,13 @@ std::vector<BeamPlace> line_of(const Stroke& stroke) {
         const double steps =
             std::clamp(std::ceil(distance(span[0], span[3]) / step), 2.0, most_steps);
         for (double i = 1.0; i < steps; i += 1.0)
-            line.push_back(place_on(span, i / steps));
+            line.push_back(position_on(span, i / steps));
         line.push_back(span[3]);
     }
     return line;
 }
 
-std::vector<BeamPlace> simplified(const std::vector<BeamPlace>& points, double tolerance) {
+std::vector<BeamPosition> simplified(const std::vector<BeamPosition>& points, double tolerance) {
     if (points.size() < 3)
         return points;
     std::vector<bool> is_kept(points.size(), false);
@@ -139,7 +141,7 @@ std::vector<BeamPlace> simplified(const std::vector<BeamPlace>& points, double t
         open.push_back({first, farthest});
         open.push_back({farthest, last});
     }
-    std::vector<BeamPlace> remaining;
+    std::vector<BeamPosition> remaining;
     for (std::size_t i = 0; i < points.size(); ++i)
         if (is_kept[i])
             remaining.push_back(points[i]);

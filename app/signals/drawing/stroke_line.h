@@ -3,7 +3,7 @@
 #include "signals/drawing/drawing.h"
 
 /// A cubic Bézier curve: start, two control points, end.
-using CurveSpan = std::array<BeamPlace, 4>;
+using CurveSpan = std::array<BeamPosition, 4>;
 
 /// A smooth stroke as curves between consecutive points: centripetal Catmull-Rom. It passes through
 /// every point without loops between them. Source: Yuksel, Schaefer and Keyser, "Parameterization
@@ -12,13 +12,13 @@ std::vector<CurveSpan> curve_of(const Stroke& stroke);
 
 /// The polyline that the beam follows: the stroke's points, or its curve finely subdivided. A
 /// closed stroke returns to its start.
-std::vector<BeamPlace> line_of(const Stroke& stroke);
+std::vector<BeamPosition> line_of(const Stroke& stroke);
 
 /// Simplifies an open line so that each removed point is within `tolerance` of it (Ramer 1972,
 /// Douglas and Peucker 1973).
-std::vector<BeamPlace> simplified(const std::vector<BeamPlace>& points, double tolerance);
+std::vector<BeamPosition> simplified(const std::vector<BeamPosition>& points, double tolerance);
 
-double distance(const BeamPlace& a, const BeamPlace& b);
-double length_of(const std::vector<BeamPlace>& line);
+double distance(const BeamPosition& a, const BeamPosition& b);
+double length_of(const std::vector<BeamPosition>& line);
 /// The distance of a place from the nearest point of a line.
-double distance_to_line(const BeamPlace& place, const std::vector<BeamPlace>& line);
+double distance_to_line(const BeamPosition& place, const std::vector<BeamPosition>& line);

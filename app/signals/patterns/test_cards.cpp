@@ -9,7 +9,7 @@ namespace {
 using Color = std::array<float, 3>;
 
 /// Position of a pixel's centre: 0..1 from the left and from the top, and in pixels.
-struct Place {
+struct PixelPosition {
     double u = 0.0;
     double v = 0.0;
     int x = 0;
@@ -35,7 +35,7 @@ Color bar(int index) {
 
 // SMPTE EG 1-1990: colour bars over reversed blue bars over -I, white, +Q and the black-level
 // steps.
-Color smpte(const Place& place) {
+Color smpte(const PixelPosition& place) {
     const int column = static_cast<int>(place.u * 7.0);
     if (place.v < 2.0 / 3.0)
         return bar(column);
@@ -55,12 +55,12 @@ Color smpte(const Place& place) {
     return black;
 }
 
-Color ramp(const Place& place) {
+Color ramp(const PixelPosition& place) {
     return grey(place.u);
 }
 
 // Grey, red, green, blue, and grey in 16 steps.
-Color ramps(const Place& place) {
+Color ramps(const PixelPosition& place) {
     const int band = static_cast<int>(place.v * 5.0);
     const auto level = static_cast<float>(place.u);
     if (band == 0)
@@ -76,7 +76,7 @@ bool is_on_line(int at, int length, int pitch) {
     return (at - length / 2) % pitch == 0;
 }
 
-Color crosshatch(const Place& place) {
+Color crosshatch(const PixelPosition& place) {
     constexpr int pitch = 40;
     return is_on_line(place.x, place.extent.width, pitch) ||
                    is_on_line(place.y, place.extent.height, pitch)
@@ -85,7 +85,7 @@ Color crosshatch(const Place& place) {
 }
 
 // Coverage of a pixel by a ring 2 px wide.
-double ring(const Place& place, double radius) {
+double ring(const PixelPosition& place, double radius) {
     const double x = place.x + 0.5 - 0.5 * place.extent.width;
     const double y = place.y + 0.5 - 0.5 * place.extent.height;
     return std::clamp(1.5 - std::abs(std::hypot(x, y) - radius), 0.0, 1.0);
@@ -93,7 +93,7 @@ double ring(const Place& place, double radius) {
 
 // A square grid, twelve cells high. The circle touches top and bottom, smaller circles touch the
 // corners of the cells around the centre.
-Color grid(const Place& place) {
+Color grid(const PixelPosition& place) {
     const double mesh = place.extent.height / 12.0;
     const auto is_on = [mesh](int at, int length) {
         const double from_middle = at + 0.5 - 0.5 * length;
@@ -106,33 +106,33 @@ Color grid(const Place& place) {
     return grey(std::max(level, circles));
 }
 
-Color dots(const Place& place) {
+Color dots(const PixelPosition& place) {
     constexpr int pitch = 20;
     return place.x % pitch == pitch / 2 && place.y % pitch == pitch / 2 ? white : black;
 }
 
-Color dot(const Place& place) {
+Color dot(const PixelPosition& place) {
     return place.x == place.extent.width / 2 && place.y == place.extent.height / 2 ? white : black;
 }
 
-Color checker(const Place& place) {
+Color checker(const PixelPosition& place) {
     return (place.x + place.y) % 2 == 0 ? white : black;
 }
 
 // Concentric rings with r / width periods per pixel, up to the finest that pixels can show at the
 // sides. Rings with other centres are aliasing of the look under test.
-Color zone_plate(const Place& place) {
+Color zone_plate(const PixelPosition& place) {
     const double x = place.x - place.extent.width / 2;
     const double y = place.y - place.extent.height / 2;
     const double width = std::max(place.extent.width, place.extent.height);
     return grey(0.5 + 0.5 * std::cos(std::numbers::pi * (x * x + y * y) / width));
 }
 
-Color field(const Place&) {
+Color field(const PixelPosition&) {
     return white;
 }
 
-template <Color (*color)(const Place&)>
+template <Color (*color)(const PixelPosition&)>
 Picture drawn_card(Extent extent, double /*seconds*/) {
     Picture picture{extent, 3, Encoding::display, {}};
     picture.pixels.reserve(picture.index(0, extent.height));

@@ -28,7 +28,7 @@ const theme::Color& hue_of(std::size_t pass) {
     return hues[pass % hues.size()];
 }
 
-Pin place_of_flash(const Scene& scene) {
+Pin flash_pin(const Scene& scene) {
     if (!scene.window.pins.empty())
         return scene.window.pins.front();
     return scene.window.probe ? pin_at(*scene.window.probe) : Pin{};
@@ -227,7 +227,7 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
 }  // namespace
 
 void fire_impulse(const Scene& scene, Edits& edits) {
-    edits.add([place = place_of_flash(scene)](Lab& lab) { lab.jobs().fire_impulse(place); });
+    edits.add([place = flash_pin(scene)](Lab& lab) { lab.jobs().fire_impulse(place); });
     edits.show({.kind = Dialog::Kind::impulse});
 }
 

@@ -45,7 +45,7 @@ void Edits::mark(const std::string& name) {
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
     if (ImGui::IsItemVisible())
-        m_places[name] = {low.x, low.y, high.x, high.y};
+        m_widget_rects[name] = {low.x, low.y, high.x, high.y};
 }
 
 void Edits::apply(Lab& lab, WindowState& window) const {

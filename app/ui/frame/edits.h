@@ -13,7 +13,7 @@ class Document;
 class Lab;
 
 /// Where a widget was drawn, in window coordinates from the top left corner.
-struct WidgetPlace {
+struct WidgetRect {
     float left = 0.0f;
     float top = 0.0f;
     float right = 0.0f;
@@ -53,12 +53,12 @@ public:
     bool is_quitting() const { return m_is_quitting; }
     /// Whether any edit of the lab was added.
     bool has_verbs() const { return !m_lab.empty(); }
-    const std::map<std::string, WidgetPlace>& places() const { return m_places; }
+    const std::map<std::string, WidgetRect>& widget_rects() const { return m_widget_rects; }
 
 private:
     std::vector<std::function<void(Lab&)>> m_lab;
     std::vector<std::function<void(WindowState&)>> m_window;
     std::optional<std::string> m_copied;
     bool m_is_quitting = false;
-    std::map<std::string, WidgetPlace> m_places;
+    std::map<std::string, WidgetRect> m_widget_rects;
 };

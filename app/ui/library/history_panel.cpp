@@ -74,7 +74,7 @@ void draw_head(Edits& edits) {
 
 // Scrolls to the current step after an edit, undo or redo. Otherwise keeps the scroll position.
 void follow(const Document& document, const WindowState& window, float height, Edits& edits) {
-    const HistorySeen seen{history_place(document), history_size(document)};
+    const HistorySeen seen{history_index(document), history_size(document)};
     if (seen == window.history_seen)
         return;
     const float top = height * static_cast<float>(seen.place);

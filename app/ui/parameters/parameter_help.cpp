@@ -99,7 +99,7 @@ std::string told_value(const Parameter& parameter, const Value& value) {
     return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
 }
 
-std::string place_text(const Location& place) {
+std::string location_text(const Location& place) {
     if (place.file.empty())
         return {};
     return fmt::format("{}:{}", place.file.filename().string(), place.line);
@@ -136,7 +136,7 @@ void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
         fact("MIDI", to_string(binding));
     if (entry.modulation)
         fact("Modulation", summary_of(*entry.modulation));
-    fact("Declared", place_text(parameter.declared));
+    fact("Declared", location_text(parameter.declared));
 }
 // An editable number on its own background, so that it looks editable.
 bool draw_end(const char* id, double& end, const NumberFacts& facts) {
@@ -221,7 +221,7 @@ void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits&
     }
     const Location place = parameter.declared;
     if (!place.file.empty()) {
-        if (ImGui::Selectable(fmt::format("Open {}", place_text(place)).c_str()))
+        if (ImGui::Selectable(fmt::format("Open {}", location_text(place)).c_str()))
             edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
         edits.mark("open_declared");
     }

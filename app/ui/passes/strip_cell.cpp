@@ -36,7 +36,7 @@ void draw_image(const ViewImage& image, const Rect& place, float density, float 
 void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto at = [&](double number) {
-        return low.x + (high.x - low.x) * static_cast<float>(meter_place(number, gain.ceiling));
+        return low.x + (high.x - low.x) * static_cast<float>(meter_ratio(number, gain.ceiling));
     };
     list.AddRectFilled(low, high, theme::packed(theme::field));
     list.AddRectFilled(low, {at(gain.mean), high.y}, theme::packed(theme::filled));
@@ -49,7 +49,7 @@ void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
 // Logarithmic, from 0.01 %.
 void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const float width = (high.x - low.x) * static_cast<float>(change_place(change));
+    const float width = (high.x - low.x) * static_cast<float>(change_ratio(change));
     list.AddRectFilled(low, high, theme::packed(theme::field));
     list.AddRectFilled(low, {low.x + width, high.y}, theme::packed(theme::accent));
 }

@@ -10,17 +10,17 @@ public:
     Overlay(const Scene& scene, const std::function<ImVec2(const PicturePixel&)>& screen)
         : m_placing(scene.lab.drawing().placing()), m_screen(screen), m_scale(scene.scale) {}
 
-    ImVec2 at(const BeamPlace& place) const { return m_screen(m_placing.pixel_of(place)); }
+    ImVec2 at(const BeamPosition& place) const { return m_screen(m_placing.pixel_of(place)); }
 
-    void draw(const std::vector<BeamPlace>& line, const theme::Color& color, float width) const {
+    void draw(const std::vector<BeamPosition>& line, const theme::Color& color, float width) const {
         std::vector<ImVec2> points;
-        for (const BeamPlace& place : line)
+        for (const BeamPosition& place : line)
             points.push_back(at(place));
         ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
                                                 theme::packed(color), 0, width * m_scale);
     }
 
-    void draw_dot(const BeamPlace& place, const theme::Color& color, float radius = 2.5f) const {
+    void draw_dot(const BeamPosition& place, const theme::Color& color, float radius = 2.5f) const {
         ImGui::GetWindowDrawList()->AddCircleFilled(at(place), radius * m_scale,
                                                     theme::packed(color));
     }
@@ -34,23 +34,23 @@ private:
 };
 
 void draw_open_line(const Stroke& line, const CanvasInput& input, const Overlay& overlay) {
-    for (const BeamPlace& point : line.points)
+    for (const BeamPosition& point : line.points)
         overlay.draw_dot(point, theme::accent);
     if (input.hovered)
-        overlay.draw({line.points.back(), overlay.placing().place_of(*input.hovered)},
+        overlay.draw({line.points.back(), overlay.placing().position_of(*input.hovered)},
                      theme::accent, 1.0f);
 }
 
 // All grips, and the one that is hovered or dragged.
 void draw_grips(const DrawingBoard& board, const CanvasInput& input, const Overlay& overlay) {
     const Keyframe& strokes = board.drawing()->keyframes[board.keyframe()];
-    const auto grip = input.hovered ? board.grip_at(overlay.placing().place_of(*input.hovered),
+    const auto grip = input.hovered ? board.grip_at(overlay.placing().position_of(*input.hovered),
                                                     overlay.placing().pixel_size())
                                     : std::nullopt;
     if (grip && !grip->point)
         overlay.draw(line_of(strokes[grip->stroke]), theme::accent, 2.0f);
     for (const Stroke& stroke : strokes)
-        for (const BeamPlace& point : stroke.points)
+        for (const BeamPosition& point : stroke.points)
             overlay.draw_dot(point, theme::label);
     if (grip && grip->point)
         overlay.draw_dot(strokes[grip->stroke].points[*grip->point], theme::accent, 5.0f);
@@ -74,7 +74,7 @@ void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
         draw_grips(board, input, overlay);
     if (board.pen().tool != PenTool::erase || !input.hovered)
         return;
-    if (const auto stroke = board.stroke_at(overlay.placing().place_of(*input.hovered),
+    if (const auto stroke = board.stroke_at(overlay.placing().position_of(*input.hovered),
                                             overlay.placing().pixel_size()))
         overlay.draw(line_of(keyframes[board.keyframe()][*stroke]), theme::problem, 2.0f);
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace {
-PictureView zoomed(const PictureCanvas& canvas, const PicturePlace& place,
+PictureView zoomed(const PictureCanvas& canvas, const PicturePosition& place,
                    const std::array<double, 2>& pixel, int notches) {
     PictureView view = canvas.view;
     double zoom = place.zoom;
@@ -27,7 +27,7 @@ int turned_notches() {
     return static_cast<int>(whole);
 }
 
-PictureView panned(const PictureCanvas& canvas, const PicturePlace& place, float density) {
+PictureView panned(const PictureCanvas& canvas, const PicturePosition& place, float density) {
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
     PictureView view = canvas.view;
     const auto moved = [&](double middle, float by, int length) {
@@ -101,7 +101,7 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return input;
     const Extent room = device_pixels(scene, high.x - low.x, high.y - low.y);
-    const PicturePlace place = place_of(canvas.view, canvas.picture, room);
+    const PicturePosition place = position_of(canvas.view, canvas.picture, room);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto pixel_at = [&](float x, float y) {
         return place.pixel_at((x - low.x) * scene.density, (y - low.y) * scene.density);

@@ -22,12 +22,12 @@
 #include <cmath>
 
 namespace {
-struct Place {
+struct PointedPixel {
     std::array<double, 2> pixel;
     bool is_of_variant;
 };
 
-void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
+void probe_inspected(const PointedPixel& place, const Scene& scene, Edits& edits) {
     const Probe probe{scene.window.inspected.label(), static_cast<int>(std::floor(place.pixel[0])),
                       static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant,
                       large_extent(scene)};
@@ -35,7 +35,7 @@ void probe_inspected(const Place& place, const Scene& scene, Edits& edits) {
 }
 
 // Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
-void tell_pointer(const Place& place, const Scene& scene, Edits& edits) {
+void tell_pointer(const PointedPixel& place, const Scene& scene, Edits& edits) {
     const Extent extent = scene.lab.work().size.extent();
     const double x = place.pixel[0];
     const double y = place.pixel[1];
@@ -184,7 +184,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     if (!has_pen)
         return;
     follow_pen(input, edits);
-    const PicturePlace at = place_of(scene.window.large_view(), large_extent(scene), room);
+    const PicturePosition at = position_of(scene.window.large_view(), large_extent(scene), room);
     draw_drawing_overlay(scene, input, [&](const PicturePixel& pixel) {
         return ImVec2(low.x + static_cast<float>(at.left + pixel[0] * at.zoom) / scene.density,
                       low.y + static_cast<float>(at.top + pixel[1] * at.zoom) / scene.density);

@@ -91,7 +91,7 @@ void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const
     const bool is_shown = scene.window.shows_bottom && scene.window.bottom_part == BottomPart::pins;
     if (!is_shown || picture.is_empty())
         return;
-    const PicturePlace place = place_of(view, picture, room);
+    const PicturePosition place = position_of(view, picture, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = 4.0f * scene.scale;
     for (std::size_t i = 0; i < scene.window.pins.size(); ++i) {

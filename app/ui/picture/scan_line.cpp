@@ -17,7 +17,7 @@ bool has_scan_line(const Scene& scene) {
 /// Converts between relative positions in the picture and window coordinates.
 struct Ground {
     ImVec2 low;
-    PicturePlace place;
+    PicturePosition place;
     Extent picture;
     float density = 1.0f;
 
@@ -38,7 +38,7 @@ struct Ground {
 Ground ground_at(const ImVec2& low, const ImVec2& size, const Scene& scene) {
     const Extent picture = large_extent(scene);
     const Extent room = device_pixels(scene, size.x, size.y);
-    return {low, place_of(scene.window.large_view(), picture, room), picture, scene.density};
+    return {low, position_of(scene.window.large_view(), picture, room), picture, scene.density};
 }
 
 void set_line(const ScanLine& line, Edits& edits) {

@@ -30,7 +30,7 @@ std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits&
         return std::nullopt;
     const ImVec2 start = ImGui::GetCursorPos();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const PicturePlace place = place_of(scene.window.large_view(), picture, room);
+    const PicturePosition place = position_of(scene.window.large_view(), picture, room);
     const int column = wipe_column(place, picture, room, scene.window.wipe_share);
     const float at = static_cast<float>(column) / scene.density;
     const float grip = ImGui::GetFontSize();

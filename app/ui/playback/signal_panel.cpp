@@ -98,8 +98,8 @@ void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumn
 }
 
 // The device or stream is opened when the text is confirmed, not for each character.
-void draw_place_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
-                        Edits& edits) {
+void draw_device_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+                         Edits& edits) {
     std::string text = std::get<std::string>(spec.settings[setting.key]);
     ImGui::SetNextItemWidth(columns.control_and_number());
     if (!ImGui::InputText("##value", &text, ImGuiInputTextFlags_EnterReturnsTrue))
@@ -146,7 +146,7 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
     else if (setting.type == SettingType::word)
         draw_word_setting(setting, spec, columns, edits);
     else if (kind.is_sent)
-        draw_place_setting(setting, spec, columns, edits);
+        draw_device_setting(setting, spec, columns, edits);
     else
         draw_text_setting(setting, setting.key == kind.file_setting, spec, columns, edits);
     ImGui::EndGroup();

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace {
-double place_of(double value, const Range& range) {
+double ratio_of(double value, const Range& range) {
     const double span = range.high - range.low;
     return span > 0.0 ? std::clamp((value - range.low) / span, 0.0, 1.0) : 0.0;
 }
@@ -19,10 +19,10 @@ double value_at(double place, const Range& range) {
 }
 
 /// The screen position of a point in the pad.
-ImVec2 place_in(const Parameter& parameter, double x, double y, const ImVec2& low,
+ImVec2 point_in(const Parameter& parameter, double x, double y, const ImVec2& low,
                 const ImVec2& high) {
-    return {low.x + (high.x - low.x) * static_cast<float>(place_of(x, range_of(parameter, 0))),
-            high.y - (high.y - low.y) * static_cast<float>(place_of(y, range_of(parameter, 1)))};
+    return {low.x + (high.x - low.x) * static_cast<float>(ratio_of(x, range_of(parameter, 0))),
+            high.y - (high.y - low.y) * static_cast<float>(ratio_of(y, range_of(parameter, 1)))};
 }
 
 void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is_changed) {
@@ -56,7 +56,7 @@ Turned draw_pad(const Parameter& parameter, double& x, double& y, bool is_change
         turned.is_changed = true;
     }
     turned.is_finished = ImGui::IsItemDeactivated();
-    draw_cross(low, high, place_in(parameter, x, y, low, high), is_changed);
+    draw_cross(low, high, point_in(parameter, x, y, low, high), is_changed);
     return turned;
 }
 }  // namespace
@@ -69,7 +69,7 @@ Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
     Turned turned =
         draw_pad(parameter, value.numbers[0], value.numbers[1], facts.is_changed, width);
     if (now && now->numbers.size() >= 2)
-        draw_ring(place_in(parameter, now->numbers[0], now->numbers[1], ImGui::GetItemRectMin(),
+        draw_ring(point_in(parameter, now->numbers[0], now->numbers[1], ImGui::GetItemRectMin(),
                            ImGui::GetItemRectMax()));
     const ScopedFont font(fonts.numbers);
     const float half = (width - 4.0f) * 0.5f;

@@ -8,15 +8,15 @@
 #include <fmt/format.h>
 
 namespace {
-std::string place_text(const Diagnostic& diagnostic) {
+std::string location_text(const Diagnostic& diagnostic) {
     if (diagnostic.file.empty())
         return {};
     const std::string name = display_name(diagnostic.file);
     return diagnostic.line > 0 ? fmt::format("{}:{}", name, diagnostic.line) : name;
 }
 
-void draw_place(const Diagnostic& diagnostic, const ImVec4& color, Edits& edits) {
-    const std::string text = place_text(diagnostic);
+void draw_location(const Diagnostic& diagnostic, const ImVec4& color, Edits& edits) {
+    const std::string text = location_text(diagnostic);
     if (text.empty())
         return;
     const ScopedColor scoped(ImGuiCol_Text, color);
@@ -49,7 +49,7 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
     const Diagnostic& diagnostic = problem.diagnostic;
     const ScopedId id(to_string(diagnostic));
     const bool is_error = diagnostic.severity == Severity::error;
-    draw_place(diagnostic, is_error ? theme::problem : theme::warning, edits);
+    draw_location(diagnostic, is_error ? theme::problem : theme::warning, edits);
     ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(diagnostic.message.c_str());
     ImGui::PopTextWrapPos();

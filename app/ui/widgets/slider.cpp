@@ -31,8 +31,8 @@ double factor_of(DragPace pace) {
 }
 }  // namespace
 
-double slider_place(double value, const SliderFacts& facts) {
-    return place_in(range_of(facts), scale_of(facts), value);
+double slider_ratio(double value, const SliderFacts& facts) {
+    return ratio_in(range_of(facts), scale_of(facts), value);
 }
 
 double slider_value(double place, const SliderFacts& facts) {
@@ -50,7 +50,7 @@ double dragged_value(double place, const SliderFacts& facts, DragPace pace) {
     return readable(range_of(facts), scale_of(facts), value, factor_of(pace));
 }
 
-std::vector<double> notch_places(const SliderFacts& facts, double width) {
+std::vector<double> notch_ratios(const SliderFacts& facts, double width) {
     constexpr double room = 5.0;  // minimum spacing in pixels
     const auto steps = steps_of(facts);
     if (!steps || steps->count * room > width + room)
@@ -58,7 +58,7 @@ std::vector<double> notch_places(const SliderFacts& facts, double width) {
     std::vector<double> places;
     double last = 0.0;
     for (double i = 0.0; i < steps->count; i += 1.0) {
-        const double place = slider_place(steps->value(i), facts);
+        const double place = slider_ratio(steps->value(i), facts);
         if (i > 0.0 && (place - last) * width < room)
             return {};
         last = place;
@@ -69,11 +69,11 @@ std::vector<double> notch_places(const SliderFacts& facts, double width) {
     return places;
 }
 
-std::vector<double> safe_places(const SliderFacts& facts, double width) {
+std::vector<double> safe_ratios(const SliderFacts& facts, double width) {
     constexpr double room = 5.0;  // minimum spacing in pixels
     std::vector<double> places;
     for (const double value : facts.safe) {
-        const double place = slider_place(value, facts);
+        const double place = slider_ratio(value, facts);
         if (places.empty() || (place - places.back()) * width >= room)
             places.push_back(place);
     }
@@ -156,11 +156,11 @@ void draw_marks(const ImRect& box, const SliderFacts& facts) {
         return std::round(box.Min.x + static_cast<float>(width * place)) + 0.5f;
     };
     const float length = box.GetHeight() * 0.16f;
-    for (const double place : notch_places(facts, width))
+    for (const double place : notch_ratios(facts, width))
         list.AddLine({column(place), box.Max.y - length}, {column(place), box.Max.y},
                      theme::packed(theme::faint));
     const theme::Color& safe = facts.warning.empty() ? theme::faint : theme::warning;
-    for (const double place : safe_places(facts, width))
+    for (const double place : safe_ratios(facts, width))
         list.AddLine({column(place), box.Min.y}, {column(place), box.Min.y + length},
                      theme::packed(safe));
 }
@@ -183,7 +183,7 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     const float rounding = ImGui::GetStyle().FrameRounding;
     const float width = box.GetWidth();
     const auto at = [&](double number) {
-        return box.Min.x + width * static_cast<float>(slider_place(number, facts));
+        return box.Min.x + width * static_cast<float>(slider_ratio(number, facts));
     };
     list.AddRectFilled(box.Min, box.Max,
                        theme::packed(is_hot ? theme::field_hovered : theme::field), rounding);
@@ -210,7 +210,7 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
 void draw_now(const ImRect& box, const SliderFacts& facts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float x =
-        box.Min.x + box.GetWidth() * static_cast<float>(slider_place(*facts.now, facts));
+        box.Min.x + box.GetWidth() * static_cast<float>(slider_ratio(*facts.now, facts));
     const float head = box.GetHeight() * 0.2f;
     const ImU32 color = theme::packed(theme::text);
     list.AddLine({x, box.Min.y}, {x, box.Max.y}, color);
@@ -236,7 +236,7 @@ double dragged(double value, const ImRect& box, ImGuiID id, const SliderFacts& f
     SliderHand& hand = typing().hand;
     const bool is_new = io.MouseClicked[0] || hand.id != id;
     if (is_new)
-        hand = {id, slider_place(value, facts)};
+        hand = {id, slider_ratio(value, facts)};
     if (pace == DragPace::direct)
         hand.place = (io.MousePos.x - box.Min.x) / width;
     else if (is_new || io.MouseDelta.x == 0.0f)

@@ -58,10 +58,10 @@ double dragged_value(double place, const SliderFacts& facts, DragPace pace);
 
 /// Positions of the notches on a slider of this width in pixels, 0 to 1, without its ends. One per
 /// step; empty if the steps are too close together.
-std::vector<double> notch_places(const SliderFacts& facts, double width);
+std::vector<double> notch_ratios(const SliderFacts& facts, double width);
 
 /// Positions of the safe values that fit, 0 to 1.
-std::vector<double> safe_places(const SliderFacts& facts, double width);
+std::vector<double> safe_ratios(const SliderFacts& facts, double width);
 
 /// A bar that is dragged with the mouse; Shift scales the movement by 0.1, Alt or Ctrl+Shift by 10.
 /// Ctrl+click or double-click to type a value.
@@ -79,5 +79,5 @@ std::string short_number(double value);
 
 /// Converts a value to its slider position, 0 (low) to 1 (high), and back. A logarithmic slider
 /// with a low end at or below zero is cubic instead, with the most space for small values.
-double slider_place(double value, const SliderFacts& facts);
+double slider_ratio(double value, const SliderFacts& facts);
 double slider_value(double place, const SliderFacts& facts);

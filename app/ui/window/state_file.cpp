@@ -70,9 +70,9 @@ std::string problems_json(const Lab& lab) {
     return fmt::format("[{}]", fmt::join(problems, ","));
 }
 
-std::string places_text(const Edits& edits) {
+std::string widget_rects_text(const Edits& edits) {
     std::vector<std::string> places;
-    for (const auto& [name, place] : edits.places())
+    for (const auto& [name, place] : edits.widget_rects())
         places.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
                                      place.left, place.top, place.right, place.bottom));
     return fmt::format("{{{}}}", fmt::join(places, ","));
@@ -286,7 +286,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab) +
             flashes_text(scene) + switches_text(lab) + tryouts_text(scene) + presets_text(scene),
-        problems_json(lab), places_text(edits));
+        problems_json(lab), widget_rects_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

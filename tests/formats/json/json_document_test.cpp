@@ -21,7 +21,7 @@ std::string json_error(std::string_view text) {
 }
 
 // Parsing the bytes of each value gives the same value; its line is that of its first byte.
-void check_places(const JsonValue& value, std::string_view text) {
+void check_locations(const JsonValue& value, std::string_view text) {
     const std::string_view own = text.substr(value.begin, value.end - value.begin);
     const JsonValue again = parsed(own);
     CHECK(again.kind == value.kind);
@@ -34,7 +34,7 @@ void check_places(const JsonValue& value, std::string_view text) {
     if (!value.key.empty())
         CHECK(text.substr(value.key_begin + 1, value.key.size()) == value.key);
     for (const JsonValue& child : value.children)
-        check_places(child, text);
+        check_locations(child, text);
 }
 }  // namespace
 
@@ -59,9 +59,9 @@ TEST_CASE("every value has its line and byte range") {
     const std::string text =
         "\n{ \"format\" : 1e3\t,\n  \"list\": [ 12,3\n,4.5 ,\n\n-6],\"none\":[],\r\n"
         " \"o\":{\"t\":\"a\\\"b,:\"\n}  , \"nested\": [[1],\n[2,{\"k\":null}]],\"last\":7}\n\n";
-    check_places(parsed(text), text);
-    check_places(parsed("12"), "12");
-    check_places(parsed("  -0.5 "), "  -0.5 ");
+    check_locations(parsed(text), text);
+    check_locations(parsed("12"), "12");
+    check_locations(parsed("  -0.5 "), "  -0.5 ");
     const JsonValue root = parsed(text);
     CHECK(find_member(root, "format")->line == 2);
     CHECK(find_member(root, "list")->line == 3);
@@ -128,7 +128,7 @@ TEST_CASE("a truncated or randomly changed document is parsed or rejected with f
             damaged[random() % damaged.size()] = static_cast<char>(random());
         const auto value = parse_json(damaged, "a.json");
         if (value)
-            check_places(*value, damaged);
+            check_locations(*value, damaged);
         else
             CHECK((value.error().front().line >= 1 && value.error().front().line <= 9));
     }

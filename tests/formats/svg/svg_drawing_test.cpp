@@ -28,7 +28,7 @@ std::string drawing_refusal(const std::string& text) {
     return to_string(drawing.error());
 }
 
-bool is_at(const BeamPlace& place, double x, double y) {
+bool is_at(const BeamPosition& place, double x, double y) {
     return std::hypot(place[0] - x, place[1] - y) < 1e-9;
 }
 }  // namespace

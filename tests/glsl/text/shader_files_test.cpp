@@ -47,7 +47,7 @@ TEST_CASE("a file stays the same during one reading, and is read again in the ne
     fs::remove(file);
     files.begin_reading();
     CHECK(text_of(files, file) == "file not found");
-    CHECK(files.place_of(file).empty());
+    CHECK(files.canonical_path(file).empty());
 }
 
 TEST_CASE("a link is resolved again at each reading") {
@@ -78,14 +78,14 @@ TEST_CASE("an unchanged file is read once") {
     CHECK(files.reads() == 1);
 
     files.begin_reading();
-    CHECK(files.place_of(link) == fs::canonical(shaders / "color.glsl"));
+    CHECK(files.canonical_path(link) == fs::canonical(shaders / "color.glsl"));
     CHECK(text_of(files, link) == color);
     CHECK(files.reads() == 1);
 
     fs::remove(link);
     fs::create_symlink(shaders / "mask.glsl", link);
     files.begin_reading();
-    CHECK(files.place_of(link) == fs::canonical(shaders / "mask.glsl"));
+    CHECK(files.canonical_path(link) == fs::canonical(shaders / "mask.glsl"));
     CHECK(text_of(files, link) != color);
     CHECK(files.reads() == 2);
 

@@ -81,11 +81,11 @@ constexpr BeamSpot spot{sigma, sigma};
 
 // A beam with `count` points in a frame of 1/60 s, with a total charge of 4096.
 template <class PlaceAt>
-Beam evenly(int count, PlaceAt place_at) {
+Beam evenly(int count, PlaceAt position_at) {
     Beam beam;
     for (int k = 1; k <= count; ++k) {
         const double share = static_cast<double>(k) / count;
-        const std::array<double, 2> place = place_at(share);
+        const std::array<double, 2> place = position_at(share);
         beam.push_back({static_cast<float>(place[0]), static_cast<float>(place[1]),
                         static_cast<float>(4096.0 / count),
                         static_cast<float>((1.0 - share) / 60.0)});

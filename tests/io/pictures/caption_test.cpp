@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-constexpr CaptionPlace place{.left = 4, .baseline = 40, .width = 120, .height = 32};
+constexpr CaptionPosition place{.left = 4, .baseline = 40, .width = 120, .height = 32};
 
 Picture written(const std::string& text) {
     Picture picture{{128, 56}, 3, Encoding::display, std::vector<float>(128 * 56 * 3, 0.0f)};

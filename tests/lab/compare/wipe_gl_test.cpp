@@ -292,11 +292,11 @@ TEST_CASE("left of the line is the exact article picture, right of it the look's
 }
 
 TEST_CASE("the line of a wipe covers the visible part of the picture") {
-    const PicturePlace small{10.0, 5.0, 2.0};  // 100 px wide, from 10 to 210
+    const PicturePosition small{10.0, 5.0, 2.0};  // 100 px wide, from 10 to 210
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 0.0) == 10);
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 0.5) == 110);
     CHECK(wipe_column(small, {100, 50}, {400, 200}, 1.0) == 210);
-    const PicturePlace cut{-300.0, 0.0, 8.0};  // exceeds the view on both sides
+    const PicturePosition cut{-300.0, 0.0, 8.0};  // exceeds the view on both sides
     CHECK(wipe_column(cut, {100, 50}, {400, 200}, 0.5) == 200);
     CHECK(wipe_share(cut, {100, 50}, {400, 200}, 100.0) == doctest::Approx(0.25));
     CHECK(wipe_share(small, {100, 50}, {400, 200}, 900.0) == 1.0);

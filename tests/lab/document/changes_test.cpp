@@ -102,7 +102,7 @@ TEST_CASE("the history lists past and undone steps and jumps any number of steps
         document.set_value("decay", Value(decay));
     document.undo();
     REQUIRE(history_size(document) == 4);
-    CHECK(history_place(document) == 2);
+    CHECK(history_index(document) == 2);
     CHECK(history_step(document, 0).name == "Start");
     CHECK(history_step(document, 1).change == "0.92 → 0.8 per 1/60 s");
     CHECK(history_step(document, 2).distance == 0);
@@ -119,5 +119,5 @@ TEST_CASE("the history lists past and undone steps and jumps any number of steps
     CHECK(decay() == 0.6);
     document.travel(-99);
     CHECK(decay() == 0.92);
-    CHECK(history_place(document) == 0);
+    CHECK(history_index(document) == 0);
 }

@@ -32,7 +32,7 @@ struct Desk {
         board.release(board_pixel, document);
     }
     /// A straight drag of the pen.
-    void pull(BeamPlace from, BeamPlace to) {
+    void pull(BeamPosition from, BeamPosition to) {
         board.press(from, board_pixel, document);
         for (int i = 1; i <= 20; ++i)
             board.move({std::lerp(from[0], to[0], i / 20.0), std::lerp(from[1], to[1], i / 20.0)},
@@ -135,7 +135,7 @@ TEST_CASE("a stroke is deleted by a click on it") {
 
 TEST_CASE("a drag of a point is one undo step and keeps the other points") {
     Desk desk(PenTool::points);
-    for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}})
+    for (const BeamPosition place : {BeamPosition{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}})
         desk.click(place[0], place[1]);
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
     CHECK(desk.board.grip_at({0.05, 0.45}, board_pixel) == StrokeGrip{0, 1});
@@ -198,10 +198,10 @@ TEST_CASE("undo during a drag releases the point") {
 
 TEST_CASE("the secondary button deletes a point, and a two-point stroke with it") {
     Desk desk(PenTool::points);
-    for (const BeamPlace place : {BeamPlace{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {-0.5, 0.0}})
+    for (const BeamPosition place : {BeamPosition{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {-0.5, 0.0}})
         desk.click(place[0], place[1]);
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
-    const auto other_button = [&](const BeamPlace& place) {
+    const auto other_button = [&](const BeamPosition& place) {
         desk.board.press_other(place, board_pixel, desk.document);
     };
     other_button({0.0, 0.5});  // deletes nothing with another tool

@@ -19,7 +19,7 @@ std::string strokes_of(const Lab& lab) {
     return found == settings.end() ? std::string() : std::get<std::string>(found->second);
 }
 
-void pull(Lab& lab, const BeamPlace& from, const BeamPlace& to) {
+void pull(Lab& lab, const BeamPosition& from, const BeamPosition& to) {
     const BeamPlacing placing = lab.drawing().placing();
     lab.drawing().pen_down(placing.pixel_of(from));
     lab.drawing().pen_move(placing.pixel_of(to));

@@ -19,7 +19,7 @@ struct TexelInspection : Headless {
         return {texture,
                 name,
                 texture.extent(),
-                place_of(view, texture.extent(), size),
+                position_of(view, texture.extent(), size),
                 size,
                 {40, 30},
                 executor.textures().number()};

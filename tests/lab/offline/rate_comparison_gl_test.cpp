@@ -84,7 +84,7 @@ TEST_CASE("a rate comparison runs in the background and can be cancelled and res
     REQUIRE(lab.lab().jobs().rates().outcome()->has_value());
     const RateComparison& found = **lab.lab().jobs().rates().outcome();
     REQUIRE(lab.lab().jobs().rate_pictures().shown());
-    CHECK(lab.lab().jobs().rate_pictures().shown()->pair == found.worst_place());
+    CHECK(lab.lab().jobs().rate_pictures().shown()->pair == found.worst_index());
     lab.lab().jobs().show_rate_pair(0);
     CHECK(lab.lab().jobs().rate_pictures().shown()->pair == 0);
     CHECK(lab.lab().jobs().rate_pictures().shown()->gain ==

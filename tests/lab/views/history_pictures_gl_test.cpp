@@ -10,9 +10,9 @@ TEST_CASE("a state's picture is copied at frames 1, 2, 4 ... 128 and then no mor
 }
 
 TEST_CASE("the picture farthest from the current state is dropped first") {
-    CHECK(farthest_place({3, 4, 9}, 4) == 9);
-    CHECK(farthest_place({3, 4, 9}, 9) == 3);
-    CHECK(farthest_place({7}, 7) == 7);
+    CHECK(farthest_index({3, 4, 9}, 4) == 9);
+    CHECK(farthest_index({3, 4, 9}, 9) == 3);
+    CHECK(farthest_index({7}, 7) == 7);
 }
 
 TEST_CASE("each state of the history has its own picture until another state replaces it") {

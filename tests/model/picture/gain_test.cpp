@@ -69,10 +69,10 @@ TEST_CASE("a ceiling rounded down to a half float still counts as clipped") {
 }
 
 TEST_CASE("a level meter has a range of 16 stops") {
-    CHECK(meter_place(2.0, 2.0) == 1.0);
-    CHECK(meter_place(1.0, 256.0) == 0.5);
-    CHECK(meter_place(5.0, 2.0) == 1.0);
-    CHECK(meter_place(1e-9, 1.0) == 0.0);
-    CHECK(meter_place(0.0, 1.0) == 0.0);
-    CHECK(meter_place(-1.0, 1.0) == 0.0);
+    CHECK(meter_ratio(2.0, 2.0) == 1.0);
+    CHECK(meter_ratio(1.0, 256.0) == 0.5);
+    CHECK(meter_ratio(5.0, 2.0) == 1.0);
+    CHECK(meter_ratio(1e-9, 1.0) == 0.0);
+    CHECK(meter_ratio(0.0, 1.0) == 0.0);
+    CHECK(meter_ratio(-1.0, 1.0) == 0.0);
 }

@@ -84,11 +84,11 @@ TEST_CASE("if no pass changes, the passes that use the parameter are named") {
 
 TEST_CASE("the bar of a pass is its share of change on a logarithmic scale") {
     CHECK(change_share(same) == 0.0);
-    CHECK(change_place(same) == 0.0);
+    CHECK(change_ratio(same) == 0.0);
     CHECK(std::abs(change_share({0.05, 1.0, 0.5}) - 0.1) < 1e-12);
-    CHECK(std::abs(change_place({0.05, 1.0, 0.5}) - 0.75) < 1e-12);  // of 10^-4 .. 1
-    CHECK(std::abs(change_place({0.005, 1.0, 0.5}) - 0.5) < 1e-12);
-    CHECK(change_place({1e-9, 1e-6, 0.5}) == 0.02);  // above 0
+    CHECK(std::abs(change_ratio({0.05, 1.0, 0.5}) - 0.75) < 1e-12);  // of 10^-4 .. 1
+    CHECK(std::abs(change_ratio({0.005, 1.0, 0.5}) - 0.5) < 1e-12);
+    CHECK(change_ratio({1e-9, 1e-6, 0.5}) == 0.02);  // above 0
     CHECK(change_share({0.3, 1.0, 0.0}) == 1.0);     // the reference is 0
     const double infinite = std::numeric_limits<double>::infinity();
     CHECK(change_share({infinite, infinite, 0.5}) == 1.0);

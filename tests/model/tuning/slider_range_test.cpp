@@ -7,14 +7,14 @@
 TEST_CASE("slider positions and values convert both ways") {
     const Range linear{-2.0, 6.0};
     CHECK(value_at(linear, Scale::linear, 0.25) == 0.0);
-    CHECK(place_in(linear, Scale::linear, 4.0) == 0.75);
+    CHECK(ratio_in(linear, Scale::linear, 4.0) == 0.75);
     const Range ratios{0.1, 1000.0};
     CHECK(std::abs(value_at(ratios, Scale::logarithmic, 0.5) - 10.0) < 1e-9);
-    CHECK(std::abs(place_in(ratios, Scale::logarithmic, 1.0) - 0.25) < 1e-12);
+    CHECK(std::abs(ratio_in(ratios, Scale::logarithmic, 1.0) - 0.25) < 1e-12);
     const Range from_zero{0.0, 8.0};  // a range that starts at 0 has no ratios: cubic
     CHECK(value_at(from_zero, Scale::logarithmic, 0.5) == 1.0);
-    CHECK(std::abs(place_in(from_zero, Scale::logarithmic, 1.0) - 0.5) < 1e-12);
-    CHECK(place_in(linear, Scale::linear, 99.0) == 1.0);
+    CHECK(std::abs(ratio_in(from_zero, Scale::logarithmic, 1.0) - 0.5) < 1e-12);
+    CHECK(ratio_in(linear, Scale::linear, 99.0) == 1.0);
     CHECK(value_at(linear, Scale::linear, -1.0) == -2.0);
 }
 

@@ -8,7 +8,7 @@
 #include <array>
 
 namespace {
-Stroke square(double side, BeamPlace middle = {0.0, 0.0}) {
+Stroke square(double side, BeamPosition middle = {0.0, 0.0}) {
     const double half = 0.5 * side;
     return {.points = {{middle[0] - half, middle[1] - half},
                        {middle[0] + half, middle[1] - half},
@@ -17,13 +17,13 @@ Stroke square(double side, BeamPlace middle = {0.0, 0.0}) {
             .is_closed = true};
 }
 
-bool is_at(const BeamPlace& place, double x, double y, double tolerance = 1e-9) {
+bool is_at(const BeamPosition& place, double x, double y, double tolerance = 1e-9) {
     return std::hypot(place[0] - x, place[1] - y) <= tolerance;
 }
 
-bool goes_through(const std::vector<BeamPlace>& line, const BeamPlace& place) {
+bool goes_through(const std::vector<BeamPosition>& line, const BeamPosition& place) {
     return std::any_of(line.begin(), line.end(),
-                       [&](const BeamPlace& point) { return is_at(point, place[0], place[1]); });
+                       [&](const BeamPosition& point) { return is_at(point, place[0], place[1]); });
 }
 
 std::string drawing_refusal(const std::string& text) {
@@ -95,7 +95,7 @@ TEST_CASE("a smooth stroke passes through all its points") {
     for (const bool is_closed : {false, true}) {
         stroke.is_closed = is_closed;
         const auto line = line_of(stroke);
-        for (const BeamPlace& point : stroke.points)
+        for (const BeamPosition& point : stroke.points)
             CHECK(goes_through(line, point));
         CHECK(is_at(line.front(), -0.7, 0.1));
         CHECK(is_at(line.back(), is_closed ? -0.7 : 0.9, is_closed ? 0.1 : 0.0));
@@ -123,7 +123,7 @@ TEST_CASE("the curve has no loops between unevenly spaced points") {
 
 TEST_CASE("duplicate points and single points are valid strokes") {
     CHECK(line_of({{{0.1, 0.1}, {0.1, 0.1}, {0.3, 0.1}}, true}).size() > 2);
-    CHECK(line_of({{{0.1, 0.1}}, true}) == std::vector<BeamPlace>{{0.1, 0.1}});
+    CHECK(line_of({{{0.1, 0.1}}, true}) == std::vector<BeamPosition>{{0.1, 0.1}});
     CHECK(line_of({{{0.1, 0.1}, {0.1, 0.1}}, false, true}).size() == 1);
     CHECK(line_of({}).empty());
     CHECK(morph_of({}, {}).from.empty());
@@ -131,12 +131,12 @@ TEST_CASE("duplicate points and single points are valid strokes") {
 }
 
 TEST_CASE("simplification removes points within the tolerance") {
-    std::vector<BeamPlace> corner;
+    std::vector<BeamPosition> corner;
     for (int i = 0; i <= 100; ++i)
         corner.push_back({std::min(i, 60) / 100.0, 0.001 * (i % 2) + std::max(i - 60, 0) / 100.0});
     const auto simple = simplified(corner, 0.003);
     CHECK(simple.size() == 3);
-    for (const BeamPlace& point : corner)
+    for (const BeamPosition& point : corner)
         CHECK(distance_to_line(point, simple) <= 0.003);
     CHECK(simplified(corner, 1e-6).size() > 60);
 }
@@ -144,7 +144,7 @@ TEST_CASE("simplification removes points within the tolerance") {
 TEST_CASE("halfway between two squares is their mean, with four corners") {
     const auto half = morph_of(square(0.4, {-0.2, 0.0}), square(1.2, {0.2, 0.4})).at(0.5);
     REQUIRE(half.size() == 5);
-    const std::vector<BeamPlace> expected = line_of(square(0.8, {0.0, 0.2}));
+    const std::vector<BeamPosition> expected = line_of(square(0.8, {0.0, 0.2}));
     for (std::size_t i = 0; i < 5; ++i)
         CHECK(is_at(half[i], expected[i][0], expected[i][1]));
 }
@@ -175,7 +175,7 @@ TEST_CASE("a stroke without a counterpart grows from its centre") {
     const Keyframe two{square(0.4), {{{0.2, 0.5}, {0.8, 0.7}}}};
     const auto morphs = morphs_of(one, two);
     REQUIRE(morphs.size() == 2);
-    for (const BeamPlace& place : morphs[1].at(0.0))
+    for (const BeamPosition& place : morphs[1].at(0.0))
         CHECK(is_at(place, 0.5, 0.6));
     CHECK(is_at(morphs[1].at(0.5)[0], 0.35, 0.55));
     CHECK(is_at(morphs[1].at(1.0)[1], 0.8, 0.7));

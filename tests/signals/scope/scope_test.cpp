@@ -8,7 +8,7 @@ namespace {
 constexpr double pixel_width = 2.0 / 1280.0;  // of a picture as wide as the signal's -1..1
 
 /// The positions where a trace rises through 0, linearly interpolated.
-std::vector<double> rising_places(const Beam& beam) {
+std::vector<double> rising_positions(const Beam& beam) {
     std::vector<double> places;
     for (std::size_t i = 1; i < beam.size(); ++i) {
         const BeamPoint& from = beam[i - 1];
@@ -51,7 +51,7 @@ TEST_CASE("a 1 kHz sine at 1 ms/div has one period per division") {
     const auto sound =
         signal_of("audio:a.wav,mode=waveform,channel=left,sdiv=0.001", tone(1000.0, 0.5));
     for (const Signal* signal : {generator.get(), sound.get()}) {
-        const auto places = rising_places(beam_of(*signal, {0.1, 0.5}));
+        const auto places = rising_positions(beam_of(*signal, {0.1, 0.5}));
         REQUIRE(places.size() > 9 * 30);
         for (const double place : places) {
             const double division = (place + 1.0) / 0.2;

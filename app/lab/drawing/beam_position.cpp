@@ -1,4 +1,4 @@
-#include "lab/drawing/beam_place.h"
+#include "lab/drawing/beam_position.h"
 
 #include "model/picture/beam_fit.h"
 
@@ -36,8 +36,8 @@ double pushed_out(double across, double amount) {
     return 1.0 + across * across * amount * 40.0 / 36.0;
 }
 
-BeamPlace shown_crossed(const BeamPlace& place, double amount) {
-    BeamPlace shown = place;
+BeamPosition shown_crossed(const BeamPosition& place, double amount) {
+    BeamPosition shown = place;
     constexpr int rounds = 40;  // fixed-point iteration; converges even for the strongest curve
     for (int i = 0; i < rounds; ++i)
         shown = {place[0] / pushed_out(shown[1], amount), place[1] / pushed_out(shown[0], amount)};
@@ -45,7 +45,7 @@ BeamPlace shown_crossed(const BeamPlace& place, double amount) {
 }
 
 // Newton's method from beyond the root, as in barrel_radial_inverse().
-BeamPlace shown_radial(const BeamPlace& place, double amount) {
+BeamPosition shown_radial(const BeamPosition& place, double amount) {
     const double radius = std::hypot(place[0], place[1]);
     if (radius < 1e-12)
         return place;
@@ -58,7 +58,7 @@ BeamPlace shown_radial(const BeamPlace& place, double amount) {
 }
 }  // namespace
 
-BeamPlace GlassCurve::behind(const BeamPlace& place) const {
+BeamPosition GlassCurve::behind(const BeamPosition& place) const {
     const auto [x, y] = place;
     if (kind == Kind::crossed)
         return {x * pushed_out(y, amount), y * pushed_out(x, amount)};
@@ -66,7 +66,7 @@ BeamPlace GlassCurve::behind(const BeamPlace& place) const {
     return {x * factor, y * factor};
 }
 
-BeamPlace GlassCurve::shown(const BeamPlace& place) const {
+BeamPosition GlassCurve::shown(const BeamPosition& place) const {
     return kind == Kind::crossed ? shown_crossed(place, amount) : shown_radial(place, amount);
 }
 
@@ -86,16 +86,16 @@ BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture,
               scale[1] * size * (is_round ? shorter / picture.height : 1.0)};
 }
 
-BeamPlace BeamPlacing::place_of(const PicturePixel& pixel) const {
-    BeamPlace place{2.0 * pixel[0] / m_picture.width - 1.0,
-                    1.0 - 2.0 * pixel[1] / m_picture.height};
+BeamPosition BeamPlacing::position_of(const PicturePixel& pixel) const {
+    BeamPosition place{2.0 * pixel[0] / m_picture.width - 1.0,
+                       1.0 - 2.0 * pixel[1] / m_picture.height};
     std::for_each(m_glasses.rbegin(), m_glasses.rend(),
                   [&place](const GlassCurve& glass) { place = glass.behind(place); });
     return {place[0] / m_size[0], place[1] / m_size[1]};
 }
 
-PicturePixel BeamPlacing::pixel_of(const BeamPlace& place) const {
-    BeamPlace shown{place[0] * m_size[0], place[1] * m_size[1]};
+PicturePixel BeamPlacing::pixel_of(const BeamPosition& place) const {
+    BeamPosition shown{place[0] * m_size[0], place[1] * m_size[1]};
     for (const GlassCurve& glass : m_glasses)
         shown = glass.shown(shown);
     return {0.5 * (shown[0] + 1.0) * m_picture.width, 0.5 * (1.0 - shown[1]) * m_picture.height};

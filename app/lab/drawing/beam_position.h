@@ -22,8 +22,8 @@ struct GlassCurve {
     double amount = 0.0;
 
     /// The position behind the glass that appears at `place`, and the inverse.
-    BeamPlace behind(const BeamPlace& place) const;
-    BeamPlace shown(const BeamPlace& place) const;
+    BeamPosition behind(const BeamPosition& place) const;
+    BeamPosition shown(const BeamPosition& place) const;
 };
 
 /// Maps between pixels of a look's picture and beam positions, for pointing. It depends on three
@@ -38,8 +38,8 @@ public:
                 std::optional<Fit> fit = {});
 
     /// The beam position that appears in this pixel.
-    BeamPlace place_of(const PicturePixel& pixel) const;
-    PicturePixel pixel_of(const BeamPlace& place) const;
+    BeamPosition position_of(const PicturePixel& pixel) const;
+    PicturePixel pixel_of(const BeamPosition& place) const;
     /// The size of a pixel at the centre, in half screens.
     double pixel_size() const;
 
