@@ -9,16 +9,16 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 template <class T>
-Choices<T> choices(const std::vector<ModulationWord<T>>& words) {
+Choices<T> choices(const std::vector<ModulationName<T>>& words) {
     Choices<T> choices;
-    for (const ModulationWord<T>& word : words)
+    for (const ModulationName<T>& word : words)
         choices.emplace_back(word.key, word.value);
     return choices;
 }
 
 template <class T>
-const std::string& key_of(const std::vector<ModulationWord<T>>& words, T value) {
-    return std::ranges::find(words, value, &ModulationWord<T>::value)->key;
+const std::string& key_of(const std::vector<ModulationName<T>>& words, T value) {
+    return std::ranges::find(words, value, &ModulationName<T>::value)->key;
 }
 
 void read_figure(ObjectReader& reader, const ModulationFigure& figure, Modulation& modulation) {

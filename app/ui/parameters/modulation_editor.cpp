@@ -38,7 +38,7 @@ void draw_kinds(const ParameterEntry& entry, const FormColumns& columns, Edits& 
     const auto& kinds = modulation_kinds();
     const auto kind_of = [&] {
         return std::ranges::find(kinds, entry.modulation->kind,
-                                 &ModulationWord<ModulationKind>::value)
+                                 &ModulationName<ModulationKind>::value)
             ->label;
     };
     const std::string present = entry.modulation ? kind_of() : "None";
