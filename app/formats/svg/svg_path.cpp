@@ -33,7 +33,7 @@ public:
                (std::isspace(static_cast<unsigned char>(m_text[m_at])) != 0 || m_text[m_at] == ','))
             ++m_at;
     }
-    std::size_t place() const { return m_at; }
+    std::size_t offset() const { return m_at; }
     bool is_at_end() const { return m_at >= m_text.size(); }
     char peek() const { return is_at_end() ? '\0' : m_text[m_at]; }
     char take() { return m_text[m_at++]; }
@@ -112,11 +112,11 @@ private:
     // Runs the command if it has all its numbers.
     bool run() {
         const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(m_command)));
-        const std::size_t place = std::string_view("MLHVCSQTAZ").find(kind);
-        if (place == std::string_view::npos)
+        const std::size_t index = std::string_view("MLHVCSQTAZ").find(kind);
+        if (index == std::string_view::npos)
             return false;
         constexpr std::size_t counts[] = {2, 2, 1, 1, 6, 4, 4, 2, 7, 0};
-        for (std::size_t i = 0; i < counts[place]; ++i) {
+        for (std::size_t i = 0; i < counts[index]; ++i) {
             const bool is_flag = kind == 'A' && (i == 3 || i == 4);
             const auto value = is_flag ? m_reader.flag() : m_reader.number();
             if (!value)
@@ -135,11 +135,11 @@ private:
         switch (kind) {
             case 'M':
                 finish();
-                m_start = m_here = place(0);
+                m_start = m_here = position(0);
                 m_command = m_command == 'm' ? 'l' : 'L';  // further pairs are lines
                 break;
             case 'L':
-                line_to(place(0));
+                line_to(position(0));
                 break;
             case 'H':
                 line_to({m_numbers[0] + (is_relative() ? m_here.x : 0.0), m_here.y});
@@ -148,23 +148,23 @@ private:
                 line_to({m_here.x, m_numbers[0] + (is_relative() ? m_here.y : 0.0)});
                 break;
             case 'C':
-                handle = place(2);
-                cubic_to(place(0), handle, place(4));
+                handle = position(2);
+                cubic_to(position(0), handle, position(4));
                 break;
             case 'S':
-                handle = place(0);
-                cubic_to(m_last == 'C' ? mirrored(m_handle, before) : before, handle, place(2));
+                handle = position(0);
+                cubic_to(m_last == 'C' ? mirrored(m_handle, before) : before, handle, position(2));
                 break;
             case 'Q':
-                handle = place(0);
-                quadratic_to(handle, place(2));
+                handle = position(0);
+                quadratic_to(handle, position(2));
                 break;
             case 'T':
                 handle = m_last == 'Q' ? mirrored(m_handle, before) : before;
-                quadratic_to(handle, place(0));
+                quadratic_to(handle, position(0));
                 break;
             case 'A':
-                arc_to(place(5));
+                arc_to(position(5));
                 break;
             default:
                 line_to(m_start);
@@ -283,7 +283,7 @@ std::string_view whole_svg_pairs(std::string_view text) {
     for (reader.skip_separators(); !reader.is_at_end(); reader.skip_separators()) {
         if (!reader.number() || !reader.number())
             break;
-        end = reader.place();
+        end = reader.offset();
     }
     return text.substr(0, end);
 }

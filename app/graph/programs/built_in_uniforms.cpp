@@ -65,9 +65,9 @@ Sixteen quad_to_clip(RowOrder rows) {
 }
 }  // namespace
 
-BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BuiltInUniform& place,
-                                                     const Frame& frame, const PassFacts& facts) {
-    switch (place.says) {
+BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, const Frame& frame,
+                                                     const PassFacts& facts) {
+    switch (bound.says) {
         case BuiltIn::time:
             return {{frame.time}, 1};
         case BuiltIn::time_delta:
@@ -111,11 +111,11 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BuiltInUniform& place
         case BuiltIn::output_extent:
             return {with_reciprocals(facts.output), 4};
         case BuiltIn::input_extent:
-            return {with_reciprocals(facts.extent_of(place.of)), 4};
+            return {with_reciprocals(facts.extent_of(bound.of)), 4};
         case BuiltIn::target_resolution:
             return {resolution(facts.target), 3};
         case BuiltIn::input_resolution:
-            return {resolution(facts.extent_of(place.of)), 3};
+            return {resolution(facts.extent_of(bound.of)), 3};
         case BuiltIn::press:
             return {widened(frame.press.numbers()), 4};
         case BuiltIn::drawn_onto:
@@ -128,9 +128,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BuiltInUniform& place
 
 void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
                             const PassFacts& facts) const {
-    for (const BuiltInUniform& place : m_uniforms) {
-        const Numbers value = numbers_of(place, frame, facts);
-        program.write(*place.uniform, std::span(value.numbers).first(value.count));
+    for (const BoundBuiltIn& bound : m_uniforms) {
+        const Numbers value = numbers_of(bound, frame, facts);
+        program.write(*bound.uniform, std::span(value.numbers).first(value.count));
     }
 }
 
@@ -142,10 +142,10 @@ void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) co
 std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassFacts& facts,
                                                    int samples) const {
     std::vector<BuiltInReport> all;
-    for (const BuiltInUniform& place : m_uniforms) {
-        const Numbers value = numbers_of(place, frame, facts);
+    for (const BoundBuiltIn& bound : m_uniforms) {
+        const Numbers value = numbers_of(bound, frame, facts);
         const auto end = value.numbers.begin() + static_cast<std::ptrdiff_t>(value.count);
-        all.push_back({place.uniform->name, {value.numbers.begin(), end}});
+        all.push_back({bound.uniform->name, {value.numbers.begin(), end}});
     }
     if (m_samples)
         all.push_back({m_samples->name, {static_cast<double>(samples)}});
@@ -153,11 +153,11 @@ std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const Pas
 }
 
 bool BuiltInUniforms::tell_time() const {
-    return std::ranges::any_of(m_uniforms, tells_time, &BuiltInUniform::says);
+    return std::ranges::any_of(m_uniforms, tells_time, &BoundBuiltIn::says);
 }
 
 bool BuiltInUniforms::tell_mouse() const {
-    return std::ranges::any_of(m_uniforms, [](const BuiltInUniform& place) {
-        return place.says == BuiltIn::mouse || place.says == BuiltIn::press;
+    return std::ranges::any_of(m_uniforms, [](const BoundBuiltIn& bound) {
+        return bound.says == BuiltIn::mouse || bound.says == BuiltIn::press;
     });
 }

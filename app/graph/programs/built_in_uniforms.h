@@ -38,7 +38,7 @@ public:
     bool tell_mouse() const;
 
 private:
-    struct BuiltInUniform {
+    struct BoundBuiltIn {
         const gpu::Uniform* uniform;
         BuiltIn says;
         BoundInput of;
@@ -47,9 +47,9 @@ private:
         std::array<double, 16> numbers;
         std::size_t count;
     };
-    static Numbers numbers_of(const BuiltInUniform& place, const Frame& frame,
+    static Numbers numbers_of(const BoundBuiltIn& bound, const Frame& frame,
                               const PassFacts& facts);
 
-    std::vector<BuiltInUniform> m_uniforms;  // of the uniforms that write() sets
+    std::vector<BoundBuiltIn> m_uniforms;  // of the uniforms that write() sets
     const gpu::Uniform* m_samples = nullptr;
 };

@@ -2,6 +2,8 @@
 
 #include "lab/storage/background_work.h"
 #include "lab/views/view_image.h"
+#include "model/look/look.h"
+#include "model/preset/content.h"
 
 #include <filesystem>
 #include <functional>

@@ -55,8 +55,8 @@ TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
     for (int n = 1; n <= 6; ++n) {
         whole.draw(frame(n));
         const bool is_beside = n % 2 == 0;
-        sliced.draw(frame(n), nullptr, is_beside);
-        CHECK(sliced.drawer().is_amid_frame() ? Slices::double_buffered : Slices::in_place);
+        sliced.draw(frame(n), nullptr, is_beside ? Slices::double_buffered : Slices::in_place);
+        CHECK(sliced.drawer().is_amid_frame());
         // 27 rows are 13 pairs and one row, for each of 1 + 1 + 3 + 1 draws, with pass ends
         // between.
         const int slices = slices_of(sliced);
@@ -73,8 +73,8 @@ TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
 TEST_CASE_FIXTURE(Headless, "until a frame is complete, the previous one is shown") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
-    executor.draw(frame(2), nullptr, true);
-    const auto number = executor.textures().number(? Slices::double_buffered : Slices::in_place);
+    executor.draw(frame(2), nullptr, Slices::double_buffered);
+    const auto number = executor.textures().number();
     int slices = 0;
     while (!executor.drawer().continue_frame(shortest)) {
         CHECK(red(executor, 0, 0, 0) == 1.0f);
@@ -99,9 +99,8 @@ TEST_CASE_FIXTURE(Headless,
     for (int n = 1; n <= 3; ++n)
         executor.draw(frame(n));
     executor.set_values({{"gain", 10.0}});
-    executor.redraw(frame(3), {true, true}, true);
-    CHECK_FALSE(executor.drawer().continue_frame(shortest) ? Slices::double_buffered
-                                                           : Slices::in_place);
+    executor.redraw(frame(3), {true, true}, Slices::double_buffered);
+    CHECK_FALSE(executor.drawer().continue_frame(shortest));
     CHECK(red(executor, 1, 0, 0) == 3.0f);
     slices_of(executor);
     CHECK(red(executor, 0) == 3.0f);  // two and one, not three and one
@@ -113,9 +112,9 @@ TEST_CASE_FIXTURE(Headless,
 TEST_CASE_FIXTURE(Headless, "a dropped frame leaves history unchanged") {
     Executor executor = executor_of(look_of({counter()}), {8, 8});
     executor.draw(frame(1));
-    executor.draw(frame(2), nullptr, true);
+    executor.draw(frame(2), nullptr, Slices::double_buffered);
     CHECK_FALSE(executor.drawer().continue_frame(shortest));
-    executor.drawer().drop_frame(? Slices::double_buffered : Slices::in_place);
+    executor.drawer().drop_frame();
     CHECK(red(executor, 0, 0, 0) == 1.0f);
     CHECK(red(executor, 0, 7, 7) == 1.0f);
     executor.draw(frame(3));
@@ -129,16 +128,16 @@ TEST_CASE_FIXTURE(Headless, "samples accumulate over slices, and a restart drops
     sum.blend = Blend::add;
     sum.repeat = 3;
     Executor executor = executor_of(look_of({sum}), {8, 8});
-    executor.draw(frame(1), nullptr, false);
-    slices_of(executor ? Slices::double_buffered : Slices::in_place);
-    executor.draw(frame(2), nullptr, true);
+    executor.draw(frame(1), nullptr, Slices::in_place);
     slices_of(executor);
-    CHECK(executor.drawer().samples()->held == 6 ? Slices::double_buffered : Slices::in_place);
+    executor.draw(frame(2), nullptr, Slices::double_buffered);
+    slices_of(executor);
+    CHECK(executor.drawer().samples()->held == 6);
     CHECK(pixel(executor, 0, 7, 7) == Rgba{6, 0 + 1 + 2 + 3 + 4 + 5, 0, 0});
-    executor.draw(frame(3), nullptr, true);
+    executor.draw(frame(3), nullptr, Slices::double_buffered);
     CHECK_FALSE(executor.drawer().continue_frame(shortest));
     executor.drawer().restart_samples();
     CHECK_FALSE(executor.drawer().is_amid_frame());
-    executor.draw(frame(4) ? Slices::double_buffered : Slices::in_place);
+    executor.draw(frame(4));
     CHECK(pixel(executor, 0, 0, 0) == Rgba{3, 0 + 1 + 2, 0, 0});
 }

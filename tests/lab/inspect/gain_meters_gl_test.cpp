@@ -16,7 +16,7 @@ struct Metered : SmallLab {
         lab().edit([](Document& document) { document.set_value("gain", Value(0.25)); });
         REQUIRE(update_until([&] { return !lab().is_moving(); }));
     }
-    void update(double seconds) {
+    void measure(double seconds) {
         meters->update(lab().renderer()->executor(), document().values(), seconds);
         gpu::finish();
     }
@@ -26,12 +26,12 @@ struct Metered : SmallLab {
 
 TEST_CASE("one pass is measured per update, and again after a change") {
     Metered lab;
-    lab.update(10.0);
+    lab.measure(10.0);
     CHECK(lab.meters->gain(0) == nullptr);
     CHECK(lab.meters->is_pending());
-    lab.update(10.0);  // the result is available
+    lab.measure(10.0);  // the result is available
     CHECK(lab.meters->gain(1) == nullptr);
-    lab.update(10.0);
+    lab.measure(10.0);
     REQUIRE(lab.meters->gain(0));
     const auto frames = static_cast<double>(lab.frames());
     CHECK(lab.peak(0) == frames);
@@ -43,14 +43,14 @@ TEST_CASE("one pass is measured per update, and again after a change") {
     lab.lab().player().step();
     lab.update(1);
     REQUIRE(lab.frames() == static_cast<float>(frames + 1.0));
-    lab.update(10.1);  // too early
-    lab.update(10.1);
+    lab.measure(10.1);  // too early
+    lab.measure(10.1);
     CHECK(lab.peak(0) == frames);
-    lab.update(1000.0);
-    lab.update(1000.0);
+    lab.measure(1000.0);
+    lab.measure(1000.0);
     CHECK(lab.peak(0) == frames + 1.0);
     CHECK(lab.peak(1) == frames / 4.0);
-    lab.update(1000.0);
+    lab.measure(1000.0);
     CHECK(lab.peak(1) == (frames + 1.0) / 4.0);
     lab.meters->stop();
     CHECK(lab.meters->gain(0) == nullptr);
@@ -59,7 +59,7 @@ TEST_CASE("one pass is measured per update, and again after a change") {
 TEST_CASE("a static picture is measured again after a value changes") {
     Metered lab;
     for (int update = 0; update < 3; ++update)
-        lab.update(10.0);
+        lab.measure(10.0);
     lab.lab().edit([](Document& document) { document.set_value("gain", Value(0.5)); });
     lab.update(1);
     // Waits until the GPU has checked the picture for NaN and infinity.

@@ -62,8 +62,8 @@ TEST_CASE("a chosen picture is loaded only when it is chosen and when its file c
     REQUIRE(executors.picture().resize({8, 8}, {8, 8}).has_value());
     ChosenImages images;
     const auto shown = [&](const fs::path& file) {
-        const auto done =
-            images.show(*loaded.look, {{"picked", Value::of_path(file.string())}}, executors);
+        const auto done = images.show(*loaded.look, {{"picked", Value::of_path(file.string())}},
+                                      executors.picture());
         executors.draw({}, {});
         CHECK(done.has_value());
         return gpu::read_pixel(executors.picture().target(1), 3, 3)[0];
@@ -185,7 +185,7 @@ TEST_CASE("a sampler reads its default pattern, and again after a choice is remo
     REQUIRE(executors.picture().resize({8, 8}, {8, 8}).has_value());
     ChosenImages images;
     const auto shown = [&](const Values& values) {
-        CHECK(images.show(*loaded.look, values, executors).has_value());
+        CHECK(images.show(*loaded.look, values, executors.picture()).has_value());
         executors.draw({1, {0.0, 1.0 / 60.0}}, {});
         return gpu::read_pixel(executors.picture().target(0), 4, 4)[0];
     };
@@ -235,7 +235,7 @@ TEST_CASE("a chosen panorama becomes a cube map, and another shape is reported")
         });
     };
     const auto red = [&small] {
-        return gpu::read_pixel(small.lab().executors()->executor().target(0), 3, 3)[0];
+        return gpu::read_pixel(small.lab().renderer()->executor().target(0), 3, 3)[0];
     };
     choose({{8, 4}, 1, Encoding::display, std::vector<float>(32, 1.0f)}, "white.png");
     CHECK(small.update_until([&] { return red() == 1.0f; }));

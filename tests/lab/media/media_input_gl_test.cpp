@@ -302,7 +302,7 @@ TEST_CASE("a look driven by a picture shows its pattern, then the user's file") 
     REQUIRE(save_picture(grey(0.25f), file).has_value());
     small.lab().looks().open_file(file);
     REQUIRE(small.update_until([&] { return small.shown() == 1.25f; }));
-    CHECK(small.lab().work().media.source_extent() == Extent{4, 4});
+    CHECK(small.lab().work().media.source().extent() == Extent{4, 4});
 
     small.lab().looks().open_file(small.folder() / "none.exr");
     REQUIRE(small.update_until([&] { return small.lab().messages().notice().has_value(); }));
@@ -344,7 +344,7 @@ TEST_CASE("each change of the placement of a source is an undo step") {
     REQUIRE(small.update_until([&] { return small.shown() == 1.25f; }));
     const auto lies_in = [&](Extent extent) {
         return small.update_until(
-            [&] { return small.lab().work().media.source_extent() == extent; });
+            [&] { return small.lab().work().media.source().extent() == extent; });
     };
     small.lab().edit([&](Document& document) {
         set_source(document, file + ",fit=whole,aspect=2");
@@ -376,7 +376,7 @@ TEST_CASE("a replay shows a moving pattern as it was in each frame") {
     SmallLab small(on_the_past);
     small.lab().work().size.choose({false, {64, 48}, 1.0});
     REQUIRE(small.update_until([&] {
-        return !small.lab().work().media.source_extent().is_empty() && small.frames() > 40.0f;
+        return !small.lab().work().media.source().extent().is_empty() && small.frames() > 40.0f;
     }));
     // The harbour moves by one step in ten frames.
     const double end = small.player().transport().time();
