@@ -65,6 +65,6 @@ TEST_CASE("a static picture is measured again after a value changes") {
     // Waits until the GPU has checked the picture for NaN and infinity.
     CHECK(lab.update_until([&] { return !lab.lab().is_moving(); }));
     for (const double seconds : {20.0, 21.0, 22.0, 23.0})
-        lab.update(seconds);
+        lab.measure(seconds);
     CHECK(lab.peak(1) == static_cast<double>(lab.frames()) / 2.0);
 }
