@@ -22,8 +22,9 @@ public:
         : BenchLab(folder, {1280, 720}), m_views(Views::make().value()) {
         m_window.views.picture = {1280, 720};
         m_window.views.thumbnail_height = 64;
-        m_window.shows_inspector = false;
-        m_window.shows_strip = shows_strip;
+        m_window.layout.panels.hide(PanelId::inspector);
+        if (!shows_strip)
+            m_window.layout.panels.hide(PanelId::strip);
         m_lab->looks().open(look);
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||

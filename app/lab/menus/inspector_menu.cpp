@@ -11,8 +11,7 @@ namespace {
 MenuCommand look_into(const TextureChoice& choice) {
     return [choice](WindowState& window) {
         window.inspected.look_into(choice);
-        window.shows_inspector = true;
-        window.is_picture_only = false;
+        window.layout.reveal(PanelId::inspector);
     };
 }
 
@@ -52,7 +51,7 @@ MenuSection channel_section(Channels present) {
         section.entries.push_back({.name = name,
                                    .commands = {[chosen = channels](WindowState& window) {
                                        window.inspected.channels = chosen;
-                                       window.shows_inspector = true;
+                                       window.layout.panels.show(PanelId::inspector);
                                    }},
                                    .is_present = channels == present});
     return section;
@@ -67,7 +66,7 @@ MenuEntry view_number(const char* name, double present, Limit limit, std::string
                                   .answer = [set](double number) -> MenuCommands {
                                       return {[set, number](WindowState& window) {
                                           set(window.inspected, number);
-                                          window.shows_inspector = true;
+                                          window.layout.panels.show(PanelId::inspector);
                                       }};
                                   }}};
 }

@@ -201,7 +201,7 @@ std::vector<MenuSection> parameter_list_sections(const Document& document,
         shown.entries.push_back({.name = name,
                                  .commands = {[chosen = filter](WindowState& changed) {
                                      changed.filter = chosen;
-                                     changed.shows_parameters = true;
+                                     changed.layout.panels.show(PanelId::parameters);
                                      if (chosen == ParameterFilter::all)
                                          changed.search.clear();
                                  }},
@@ -232,10 +232,8 @@ MenuCommands sheet_commands(const SheetRequest& request) {
             [is_grid = !request.down.empty()](WindowState& window) {
                 constexpr float room_of_grid = 330.0f;
                 if (is_grid)
-                    window.panes.bottom = std::max(window.panes.bottom, room_of_grid);
-                window.shows_bottom = true;
-                window.bottom_part = BottomPart::sheet;
-                window.is_picture_only = false;
+                    window.layout.sizes.bottom = std::max(window.layout.sizes.bottom, room_of_grid);
+                window.layout.reveal(PanelId::sheet);
             }};
 }
 

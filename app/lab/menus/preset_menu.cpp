@@ -34,9 +34,7 @@ MenuSection star_section(const std::vector<ListedPreset>& presets) {
 }
 
 void show_preset_pictures(WindowState& window) {
-    window.shows_bottom = true;
-    window.bottom_part = BottomPart::presets;
-    window.is_picture_only = false;
+    window.layout.reveal(PanelId::presets);
 }
 
 MenuSection browsing_section(const PresetBrowsing& wanted) {

@@ -68,7 +68,7 @@ MenuSection pane_section() {
         for (const float by : {step, -step})
             section.entries.push_back({.name = by > 0.0f ? side.larger : side.smaller,
                                        .commands = {[size = side.size, by](WindowState& window) {
-                                           resize_pane(window.panes, size, by);
+                                           resize_pane(window.layout.sizes, size, by);
                                        }}});
     return section;
 }
@@ -88,9 +88,7 @@ MenuSection pin_section(const std::vector<Pin>& pins) {
 }
 
 void show_waveform(WindowState& window) {
-    window.shows_bottom = true;
-    window.bottom_part = BottomPart::waveform;
-    window.is_picture_only = false;
+    window.layout.reveal(PanelId::waveform);
 }
 
 MenuSection waveform_section(const WindowState& window, Extent picture) {
@@ -155,8 +153,7 @@ void add_pin(WindowState& window, const Pin& pin) {
     if (window.pins.size() == most)
         window.pins.erase(window.pins.begin());
     window.pins.push_back(pin);
-    window.shows_bottom = true;
-    window.bottom_part = BottomPart::pins;
+    window.layout.panels.show(PanelId::pins);
 }
 
 std::string times_text(double factor) {

@@ -4,14 +4,13 @@
 #include "lab/window/window_state.h"
 
 PassSelection displayed_passes(const Lab& lab, const WindowState& window) {
-    const bool has_panels = !window.is_picture_only;
     PassSelection displayed{.are_all = false};
     if (const Document* document = lab.document())
         displayed.names.push_back(
             document->look()
                 .passes.at(static_cast<std::size_t>(lab.frames().passes().picture_pass()))
                 .name);
-    if (window.shows_pass_large || (has_panels && window.shows_inspector)) {
+    if (window.shows_pass_large || window.layout.sees(PanelId::inspector)) {
         displayed.names.push_back(window.inspected.pass);
         if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)
             displayed.names.push_back(other->name);

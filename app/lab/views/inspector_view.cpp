@@ -7,7 +7,7 @@ void InspectorView::set_context(std::shared_ptr<ContextViews> context) {
 
 void InspectorView::select(const Executor& executor, const WindowState& window,
                            TexelInspector& texels) {
-    const bool has_panel = !window.is_picture_only && window.shows_inspector;
+    const bool has_panel = window.layout.sees(PanelId::inspector);
     const auto inspected = has_panel || window.shows_pass_large
                                ? inspected_texture(executor, window.inspected)
                                : std::nullopt;
@@ -25,7 +25,7 @@ void InspectorView::select(const Executor& executor, const WindowState& window,
 
 void InspectorView::update(const Executor& executor, const WindowState& window,
                            TexelInspector& texels, double seconds) {
-    if (!m_selected || window.is_picture_only || !window.shows_inspector) {
+    if (!m_selected || !window.layout.sees(PanelId::inspector)) {
         m_context->inspected.reset();
         m_context->inspection.stop();
         texels.update_inspected(nullptr, 0.0);

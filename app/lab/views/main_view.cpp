@@ -41,9 +41,9 @@ void MainView::measure(const Subject& subject, TexelInspector& texels) {
     const bool is_itself = subject.frames.comparison().mode() == CompareMode::off &&
                            !subject.frames.comparison().selection().is_flashing() &&
                            !subject.frames.previews().probe().picture();
-    texels.update_picture(is_itself && !window.is_picture_only ? &cells : nullptr, subject.seconds);
-    const bool has_waveform = !window.is_picture_only && window.shows_bottom &&
-                              window.bottom_part == BottomPart::waveform;
+    texels.update_picture(is_itself && !window.layout.is_picture_only ? &cells : nullptr,
+                          subject.seconds);
+    const bool has_waveform = window.layout.sees(PanelId::waveform);
     const Waveform::Subject along{*shown.texture, shown.name, window.scan_line, number};
     texels.update_waveform(has_waveform ? &along : nullptr, subject.seconds);
     count_flashes(subject);
@@ -51,7 +51,7 @@ void MainView::measure(const Subject& subject, TexelInspector& texels) {
 
 // Measures the look's own picture, independent of the display settings.
 void MainView::count_flashes(const Subject& subject) {
-    if (!subject.window.shows_flashes || subject.window.is_picture_only)
+    if (!subject.window.shows_flashes || subject.window.layout.is_picture_only)
         return m_context->flash_meter.stop();
     const Executor& executor = subject.renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;

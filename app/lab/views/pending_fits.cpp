@@ -15,7 +15,7 @@ std::optional<double> fitting_gain(const Comparison& comparison,
 
 namespace {
 void fit_levels(const Views& views, WindowState& window) {
-    const bool is_measured = window.shows_inspector && !window.is_picture_only;
+    const bool is_measured = window.layout.sees(PanelId::inspector);
     if (const auto statistics = views.inspector().statistics(); is_measured && statistics)
         window.inspected.fit(*statistics);
     else if (is_measured)

@@ -107,11 +107,10 @@ void Views::update(const Lab& lab, const WindowState& window) {
     if (std::exchange(m_is_first, false))
         return;  // the picture is displayed first, the remaining views in the next update
     m_main.measure(subject, m_texels);
-    const bool is_whole = !window.is_picture_only;
     m_strip.update(executor, lab.document()->values(),
-                   is_whole && window.shows_strip ? window.views.thumbnail_height : 0, now);
+                   window.layout.sees(PanelId::strip) ? window.views.thumbnail_height : 0, now);
     m_inspector.update(executor, window, m_texels, now);
-    if (is_whole && window.shows_bottom && window.bottom_part == BottomPart::pins)
+    if (window.layout.sees(PanelId::pins))
         m_pins.update(executor, window.pins, now);
     else
         m_pins.stop();

@@ -1,7 +1,19 @@
 #pragma once
 
-#include "lab/window/window_state.h"
 #include "model/look/parameter.h"
+
+#include <array>
+
+/// Widths and heights of the panes in pixels at scale 1.
+struct PaneSizes {
+    float left = 252.0f;
+    float right = 344.0f;
+    float strip = 132.0f;
+    float bottom = 150.0f;
+    float inspector = 330.0f;
+
+    bool operator==(const PaneSizes&) const = default;
+};
 
 /// A resizable pane with its limits.
 struct PaneSide {

@@ -8,10 +8,7 @@
 
 namespace {
 constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
-    {"library", &WindowState::shows_library},     {"parameters", &WindowState::shows_parameters},
-    {"inspector", &WindowState::shows_inspector}, {"strip", &WindowState::shows_strip},
-    {"history", &WindowState::shows_history},     {"bottom", &WindowState::shows_bottom},
-    {"flashes", &WindowState::shows_flashes},     {"maximised", &WindowState::is_maximised}};
+    {"flashes", &WindowState::shows_flashes}, {"maximised", &WindowState::is_maximised}};
 
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},
@@ -60,6 +57,39 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 }  // namespace
 
 namespace {
+// The panels that the session stores by their number, in this order.
+std::vector<PanelId> bottom_panels() {
+    std::vector<PanelId> panels;
+    for (const PanelKind& kind : panel_kinds)
+        if (kind.place == PanelPlace::bottom)
+            panels.push_back(kind.id);
+    return panels;
+}
+
+void remember_panels(const OpenPanels& panels, std::map<std::string, double>& numbers) {
+    for (const PanelKind& kind : panel_kinds)
+        if (kind.key)
+            numbers[kind.key] = panels.is_open(kind.id) ? 1.0 : 0.0;
+    const std::vector<PanelId> bottom = bottom_panels();
+    const auto shown = std::ranges::find_if(bottom, [&](PanelId id) { return panels.shows(id); });
+    const bool is_open = shown != bottom.end();
+    numbers["bottom"] = is_open ? 1.0 : 0.0;
+    numbers["bottom_part"] = is_open ? static_cast<double>(shown - bottom.begin()) : 0.0;
+}
+
+void restore_panels(const std::map<std::string, double>& numbers, OpenPanels& panels) {
+    for (const PanelKind& kind : panel_kinds) {
+        const auto stored = kind.key ? number(numbers, kind.key, 0.0, 1.0) : std::nullopt;
+        if (stored)
+            *stored != 0.0 ? panels.show(kind.id) : panels.hide(kind.id);
+    }
+    const std::vector<PanelId> bottom = bottom_panels();
+    const auto last = static_cast<double>(bottom.size() - 1);
+    if (number(numbers, "bottom", 0.0, 1.0).value_or(0.0) != 0.0)
+        panels.show(
+            bottom[static_cast<std::size_t>(whole(numbers, "bottom_part", 0.0, last).value_or(0))]);
+}
+
 constexpr std::size_t most_pins = 9;
 
 std::string pin_name(std::size_t index, const char* side) {
@@ -130,8 +160,7 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
         {"offered_move", window.has_offered_move ? 1.0 : 0.0},
         {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
-        {"morph_seconds", window.presets.morph_seconds},
-        {"bottom_part", static_cast<int>(window.bottom_part)}};
+        {"morph_seconds", window.presets.morph_seconds}};
     if (window.position) {
         numbers["left"] = (*window.position)[0];
         numbers["top"] = (*window.position)[1];
@@ -140,11 +169,12 @@ std::map<std::string, double> remembered(const WindowState& window) {
         numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
     for (const auto& [name, is_on] : switches)
         numbers[name] = window.*is_on ? 1.0 : 0.0;
+    remember_panels(window.layout.panels, numbers);
     remember_looking(window, numbers);
     remember_use(window.used, used_prefix, numbers);
     remember_use(window.recent_files, recent_prefix, numbers);
     for (const auto& [name, size] : sizes)
-        numbers[name] = static_cast<double>(window.panes.*size);
+        numbers[name] = static_cast<double>(window.layout.sizes.*size);
     return numbers;
 }
 
@@ -184,15 +214,13 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
         window.presets.shows_own_content = *is_on != 0.0;
     if (const auto seconds = number(numbers, "morph_seconds", 0.1, 600.0))
         window.presets.morph_seconds = *seconds;
-    constexpr auto last_part = static_cast<double>(BottomPart::presets);
-    if (const auto part = whole(numbers, "bottom_part", 0.0, last_part))
-        window.bottom_part = static_cast<BottomPart>(*part);
     for (const auto& [name, is_on] : switches)
         if (const auto stored = number(numbers, name, 0.0, 1.0))
             window.*is_on = *stored != 0.0;
+    restore_panels(numbers, window.layout.panels);
     for (const auto& [name, size] : sizes)
         if (const auto stored = number(numbers, name, 60.0, 2000.0))
-            window.panes.*size = static_cast<float>(*stored);
+            window.layout.sizes.*size = static_cast<float>(*stored);
     restore_looking(numbers, window);
     window.used = restored_use(numbers, used_prefix);
     window.recent_files = restored_use(numbers, recent_prefix);

@@ -2,6 +2,7 @@
 
 #include "lab/document/changes.h"
 #include "lab/storage/folder.h"
+#include "lab/window/window_layout.h"
 #include "model/look/extent.h"
 #include "model/look/texture_choice.h"
 #include "model/picture/flash_limit.h"
@@ -121,9 +122,6 @@ struct ScanLine {
     std::optional<int> row(Extent extent) const;
 };
 
-/// The content of the bottom pane.
-enum class BottomPart { problems, timings, pins, inputs, text, graph, sheet, waveform, presets };
-
 /// Sizes of the picture views in device pixels.
 struct ViewSizes {
     Extent picture;
@@ -131,17 +129,6 @@ struct ViewSizes {
     Extent output;  // empty while closed
     Extent cell;    // size of a texel that fits its numbers
     int thumbnail_height = 0;
-};
-
-/// Widths and heights of the panes in pixels at scale 1.
-struct PaneSizes {
-    float left = 252.0f;
-    float right = 344.0f;
-    float strip = 132.0f;
-    float bottom = 150.0f;
-    float inspector = 330.0f;
-
-    bool operator==(const PaneSizes&) const = default;
 };
 
 /// The open modal dialog.
@@ -280,15 +267,7 @@ struct WindowState {
     FirstSteps first_steps;
     bool has_offered_move = false;  // offered to move presets out of the program's folder
 
-    PaneSizes panes;
-    bool shows_library = true;
-    bool shows_history = false;  // instead of looks and signal
-    bool shows_parameters = true;
-    bool shows_inspector = true;
-    bool shows_strip = true;
-    bool shows_bottom = false;
-    BottomPart bottom_part = BottomPart::problems;
-    bool is_picture_only = false;
+    WindowLayout layout;
     bool walks_menus = false;   // with the keyboard
     bool gives_keys = false;    // keys go to the look under the pointer
     bool shows_flashes = true;  // the flash meter
@@ -322,9 +301,6 @@ struct WindowState {
     double export_fps = 60.0;
     double export_seconds = 0.0;  // 0: default
 
-    bool sees(BottomPart part) const {
-        return shows_bottom && bottom_part == part && !is_picture_only;
-    }
     /// The view of the picture, or of the pass that replaces it.
     PictureView& large_view() { return shows_pass_large ? inspected.view : picture; }
     const PictureView& large_view() const { return shows_pass_large ? inspected.view : picture; }

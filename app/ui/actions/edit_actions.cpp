@@ -2,6 +2,7 @@
 
 #include "lab/document/parameter_edits.h"
 #include "ui/actions/file_actions.h"
+#include "ui/actions/panel_actions.h"
 #include "ui/actions/view_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
@@ -59,14 +60,6 @@ std::vector<Action> edit_actions::list() {
     std::vector<Action> actions{
         {ActionId::undo, Menu::edit, "Undo", {'Z', true}, false, undo, can_undo},
         {ActionId::redo, Menu::edit, "Redo", {'Z', true, true}, false, redo, can_redo},
-        {ActionId::show_history,
-         Menu::edit,
-         "History",
-         {'H', true},
-         false,
-         view_actions::toggle_history,
-         nullptr,
-         view_actions::shows_history},
         {ActionId::reset_all,
          Menu::edit,
          "Reset all parameters",
@@ -100,5 +93,7 @@ std::vector<Action> edit_actions::list() {
         {ActionId::remote, Menu::edit, "Remote control…", {}, true, show_remote}};
     actions[0].current_label = undo_label;
     actions[1].current_label = redo_label;
+    const std::vector<Action> of_panels = panel_actions::list(Menu::edit);
+    actions.insert(actions.begin() + 2, of_panels.begin(), of_panels.end());
     return actions;
 }

@@ -30,8 +30,7 @@ void go(const Scene& scene, Edits& edits) {
     if (!next)
         return;
     edits.arrange([next](WindowState& window) {
-        window.shows_parameters = true;
-        window.is_picture_only = false;
+        window.layout.reveal(PanelId::parameters);
         window.revealed = {
             .parameter = next->parameter, .is_new = true, .component = next->component};
     });

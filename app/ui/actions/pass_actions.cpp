@@ -31,7 +31,7 @@ void choose_next(const Scene& scene, Edits& edits) {
     const std::size_t next = next_used_pass(look, executor.plan(), present, by);
     edits.arrange([name = look.passes[next].name](WindowState& window) {
         window.inspected.look_into(name);
-        window.shows_inspector = true;
+        window.layout.panels.show(PanelId::inspector);
     });
 }
 
@@ -57,7 +57,7 @@ void expose(const Scene&, Edits& edits) {
 // The levels are fitted later: the histogram may still be pending after a change of channels.
 void fit_levels(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.shows_inspector = true;
+        window.layout.panels.show(PanelId::inspector);
         window.pending.levels = true;
     });
 }

@@ -48,8 +48,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
     else if (scene.window.shows_pass_large)
         edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
-    else if (scene.window.is_picture_only)
-        edits.arrange([](WindowState& window) { window.is_picture_only = false; });
+    else if (scene.window.layout.is_picture_only)
+        edits.arrange([](WindowState& window) { window.layout.is_picture_only = false; });
     else if (scene.lab.drawing().board().has_pen())
         edits.add([](Lab& lab) { lab.drawing().take_pen(false); });
 }

@@ -1,54 +1,32 @@
 #include "ui/actions/view_actions.h"
 
 #include "gpu/input_event.h"
-#include "ui/actions/file_actions.h"
+#include "ui/actions/panel_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 #include "ui/picture/picture_menus.h"
-#include "ui/status/bottom_panels.h"
 
 #include <algorithm>
 
 namespace {
 constexpr int key_f11 = gpu::key::first_function + 10;
 
-template <bool WindowState::*shown>
-void toggle(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.*shown = !(window.*shown); });
-}
-
-template <bool WindowState::*shown>
-bool is_shown(const Scene& scene) {
-    return scene.window.*shown;
-}
-
-// A menu item with a check mark while its pane is shown.
-template <bool WindowState::*shown>
-Action toggling(ActionId id, const char* label, Chord chord, bool is_first = false) {
-    return {id, Menu::view, label, chord, is_first, toggle<shown>, nullptr, is_shown<shown>};
-}
-
-Action panel_action(const BottomPanel& panel) {
-    Action action{panel.action, Menu::view, panel.title, panel.chord};
-    action.act = [&panel](const Scene&, Edits& edits) {
-        edits.arrange([&panel](WindowState& window) { toggle(panel, window); });
-    };
-    action.is_on = [&panel](const Scene& scene) { return is_chosen(panel, scene.window); };
-    if (panel.needs_look)
-        action.is_enabled = file_actions::has_document;
-    return action;
-}
-
-// The history panel replaces the library panel while it is shown.
-bool shows_library(const Scene& scene) {
-    return scene.window.shows_library && !scene.window.shows_history;
-}
-
-void toggle_library(const Scene& scene, Edits& edits) {
-    edits.arrange([is_shown = shows_library(scene)](WindowState& window) {
-        window.shows_library = !is_shown;
-        window.shows_history = false;
+void toggle_full_screen(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.layout.is_picture_only = !window.layout.is_picture_only;
     });
+}
+
+bool is_full_screen(const Scene& scene) {
+    return scene.window.layout.is_picture_only;
+}
+
+void toggle_flashes(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.shows_flashes = !window.shows_flashes; });
+}
+
+bool shows_flashes(const Scene& scene) {
+    return scene.window.shows_flashes;
 }
 
 void zoom_one(const Scene&, Edits& edits) {
@@ -88,8 +66,7 @@ void scale_text(const Scene&, Edits& edits) {
 
 void view_actions::search(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.shows_parameters = true;
-        window.is_picture_only = false;
+        window.layout.reveal(PanelId::parameters);
         window.is_searching = true;
     });
 }
@@ -98,20 +75,8 @@ void view_actions::toggle_changed(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         const bool is_on = window.filter == ParameterFilter::changed;
         window.filter = is_on ? ParameterFilter::all : ParameterFilter::changed;
-        window.shows_parameters = true;
+        window.layout.panels.show(PanelId::parameters);
     });
-}
-
-void view_actions::toggle_history(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) {
-        window.shows_history = !window.shows_history || window.is_picture_only;
-        window.is_picture_only = false;
-        window.history_seen = {};
-    });
-}
-
-bool view_actions::shows_history(const Scene& scene) {
-    return scene.window.shows_history;
 }
 
 bool view_actions::shows_only_changed(const Scene& scene) {
@@ -119,28 +84,31 @@ bool view_actions::shows_only_changed(const Scene& scene) {
 }
 
 std::vector<Action> view_actions::list() {
-    using State = WindowState;
     std::vector<Action> actions{
         {ActionId::zoom_one, Menu::view, "Zoom 1:1", {'1'}, true, zoom_one},
         {ActionId::zoom_fit, Menu::view, "Zoom to fit", {'F'}, false, zoom_fit},
         {ActionId::zoom_in, Menu::view, "Zoom in", {'='}, false, zoom<true>},
-        {ActionId::zoom_out, Menu::view, "Zoom out", {'-'}, false, zoom<false>},
-        {ActionId::show_library,
-         Menu::view,
-         "Looks and signal",
-         {'1', true},
-         true,
-         toggle_library,
-         nullptr,
-         shows_library},
-        toggling<&State::shows_parameters>(ActionId::show_parameters, "Parameters", {'2', true}),
-        toggling<&State::shows_inspector>(ActionId::show_inspector, "Inspector", {'3', true}),
-        toggling<&State::shows_strip>(ActionId::show_strip, "Pass strip", {'4', true})};
-    for (const BottomPanel& panel : bottom_panels())
-        actions.push_back(panel_action(panel));
+        {ActionId::zoom_out, Menu::view, "Zoom out", {'-'}, false, zoom<false>}};
+    std::vector<Action> of_panels = panel_actions::list(Menu::view);
+    of_panels.front().is_first = true;
+    actions.insert(actions.end(), of_panels.begin(), of_panels.end());
     const std::vector<Action> others{
-        toggling<&State::is_picture_only>(ActionId::picture_only, "Full screen", {key_f11}, true),
-        toggling<&State::shows_flashes>(ActionId::show_flashes, "Flash meter", {}, true),
+        {ActionId::picture_only,
+         Menu::view,
+         "Full screen",
+         {key_f11},
+         true,
+         toggle_full_screen,
+         nullptr,
+         is_full_screen},
+        {ActionId::show_flashes,
+         Menu::view,
+         "Flash meter",
+         {},
+         true,
+         toggle_flashes,
+         nullptr,
+         shows_flashes},
         {ActionId::comfort,
          Menu::view,
          "Flash limiter",

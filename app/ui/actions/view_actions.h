@@ -6,8 +6,6 @@ namespace view_actions {
 std::vector<Action> list();
 
 void search(const Scene& scene, Edits& edits);
-void toggle_history(const Scene& scene, Edits& edits);
-bool shows_history(const Scene& scene);
 void toggle_changed(const Scene& scene, Edits& edits);
 bool shows_only_changed(const Scene& scene);
 }  // namespace view_actions

@@ -98,8 +98,7 @@ const char* why_not(const Action& action, const Scene& scene) {
 
 void reveal(const std::string& parameter, Edits& edits) {
     edits.arrange([parameter](WindowState& window) {
-        window.shows_parameters = true;
-        window.is_picture_only = false;
+        window.layout.reveal(PanelId::parameters);
         window.filter = ParameterFilter::all;
         window.search.clear();
         window.revealed = {parameter, true};
@@ -109,8 +108,7 @@ void reveal(const std::string& parameter, Edits& edits) {
 void inspect(const std::string& pass, Edits& edits) {
     edits.arrange([pass](WindowState& window) {
         window.inspected.look_into(pass);
-        window.shows_inspector = true;
-        window.is_picture_only = false;
+        window.layout.reveal(PanelId::inspector);
     });
 }
 

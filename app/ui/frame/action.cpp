@@ -39,14 +39,17 @@ const Action& ActionTable::row(ActionId id) const {
                          [id](const Action& action) { return action.id == id; });
 }
 
+const Action& ActionTable::row(PanelId panel) const {
+    return *std::ranges::find(m_rows, std::optional(panel), &Action::panel);
+}
+
 std::string ActionTable::key(ActionId id) const {
     return chord_text(row(id).chord);
 }
 
-std::string ActionTable::help(ActionId id) const {
-    const std::string keys = key(id);
-    const char* label = row(id).label;
-    return keys.empty() ? label : fmt::format("{} ({})", label, keys);
+std::string ActionTable::help(const Action& action) {
+    const std::string keys = chord_text(action.chord);
+    return keys.empty() ? action.label : fmt::format("{} ({})", action.label, keys);
 }
 
 bool is_enabled(const Action& action, const Scene& scene) {
@@ -57,8 +60,17 @@ std::string label_of(const Action& action, const Scene& scene) {
     return action.current_label ? action.current_label(scene) : action.label;
 }
 
-void run(ActionId id, const Scene& scene, Edits& edits) {
-    const Action& action = scene.actions.row(id);
+namespace {
+void run(const Action& action, const Scene& scene, Edits& edits) {
     if (is_enabled(action, scene))
         action.act(scene, edits);
+}
+}  // namespace
+
+void run(ActionId id, const Scene& scene, Edits& edits) {
+    run(scene.actions.row(id), scene, edits);
+}
+
+void run(PanelId panel, const Scene& scene, Edits& edits) {
+    run(scene.actions.row(panel), scene, edits);
 }

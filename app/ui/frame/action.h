@@ -1,6 +1,9 @@
 #pragma once
 
+#include "lab/window/open_panels.h"
+
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -8,7 +11,7 @@
 class Edits;
 struct Scene;
 
-/// A command of a menu, a key or a button.
+/// A command of a menu, a key or a button. All panels share an id.
 enum class ActionId {
     open,
     take_up_unsaved,
@@ -32,7 +35,6 @@ enum class ActionId {
     quit,
     undo,
     redo,
-    show_history,
     reset_all,
     draw,
     search,
@@ -40,16 +42,7 @@ enum class ActionId {
     zoom_fit,
     zoom_in,
     zoom_out,
-    show_library,
-    show_parameters,
-    show_inspector,
-    show_strip,
-    show_problems,
-    show_timings,
-    show_pins,
-    show_inputs,
-    show_text,
-    show_graph,
+    show_panel,
     bypass_pass,
     solo_pass,
     stop_at_pass,
@@ -121,9 +114,6 @@ enum class ActionId {
     randomise,
     step_up,
     step_down,
-    show_sheet,
-    show_waveform,
-    show_presets,
     show_favourites,
     show_of_pass,
     next_parameter,
@@ -162,22 +152,27 @@ struct Action {
     std::function<void(const Scene& scene, Edits& edits)> let_go =
         {};  // on release of its key; null: ignored
     std::function<std::string(const Scene& scene)> current_label =
-        {};  // "Undo: Decay"; null: label
+        {};                             // "Undo: Decay"; null: label
+    std::optional<PanelId> panel = {};  // of show_panel
 };
 
-/// All actions in the order of the menus. Each action of ActionId has exactly one row.
+/// All actions in the order of the menus. Each ActionId and each panel has exactly one row.
 class ActionTable {
 public:
     explicit ActionTable(std::vector<Action> rows) : m_rows(std::move(rows)) {}
 
     const std::vector<Action>& rows() const { return m_rows; }
     const Action& row(ActionId id) const;
+    const Action& row(PanelId panel) const;
     /// "F4"; "": no key.
     std::string key(ActionId id) const;
     /// "Play or pause (Space)".
-    std::string help(ActionId id) const;
+    std::string help(ActionId id) const { return help(row(id)); }
+    std::string help(PanelId panel) const { return help(row(panel)); }
 
 private:
+    static std::string help(const Action& action);
+
     std::vector<Action> m_rows;
 };
 
@@ -190,3 +185,4 @@ std::string label_of(const Action& action, const Scene& scene);
 
 /// Runs the action if it is enabled.
 void run(ActionId id, const Scene& scene, Edits& edits);
+void run(PanelId panel, const Scene& scene, Edits& edits);

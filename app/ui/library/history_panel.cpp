@@ -67,15 +67,16 @@ void draw_head(Edits& edits) {
     same_line_right(ImGui::GetFrameHeight());
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y * 0.5f);
     if (icon_button("##close", Icon::close, "Close", theme::dim))
-        edits.arrange([](WindowState& window) { window.shows_history = false; });
+        edits.arrange([](WindowState& window) { window.layout.panels.hide(PanelId::history); });
     edits.mark("history_close");
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight());
 }
 
-// Scrolls to the current step after an edit, undo or redo. Otherwise keeps the scroll position.
+// Scrolls to the current step when the panel opens, and after an edit, undo or redo. Otherwise
+// keeps the scroll position.
 void follow(const Document& document, const WindowState& window, float height, Edits& edits) {
     const HistorySeen seen{history_index(document), history_size(document)};
-    if (seen == window.history_seen)
+    if (seen == window.history_seen && !ImGui::IsWindowAppearing())
         return;
     const float top = height * static_cast<float>(seen.place);
     const float room = ImGui::GetWindowHeight();

@@ -208,6 +208,7 @@ void draw_sheet_items(const ParameterEntry& entry, Edits& edits) {
 }
 
 void leave_hidden_sheet(const Scene& scene, Edits& edits) {
-    if (!scene.window.sees(BottomPart::sheet) && scene.lab.frames().previews().sheet().is_running())
+    if (!scene.window.layout.sees(PanelId::sheet) &&
+        scene.lab.frames().previews().sheet().is_running())
         edits.add([](Lab& lab) { lab.frames().previews().sheet().cancel(); });
 }

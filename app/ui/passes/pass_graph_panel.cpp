@@ -182,7 +182,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     if (ImGui::InvisibleButton("##node", paper.node) && is_pass)
         edits.arrange([name = node.name](WindowState& window) {
             window.inspected.look_into(name);
-            window.shows_inspector = true;
+            window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("node:" + node.name);
     tooltip(help_of(index, graph, scene));

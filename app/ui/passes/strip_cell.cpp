@@ -76,7 +76,7 @@ bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, 
     if (ImGui::InvisibleButton("##pass", size))
         edits.arrange([name = pass.pass.name](WindowState& window) {
             window.inspected.look_into(name);
-            window.shows_inspector = true;
+            window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("pass:" + pass.pass.name);
     const bool is_hovered = ImGui::IsItemHovered();

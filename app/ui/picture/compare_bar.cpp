@@ -203,7 +203,7 @@ float padding() {
 
 float compare_bar_height(const Scene& scene) {
     const CompareMode mode = scene.lab.frames().comparison().mode();
-    if (mode == CompareMode::off || scene.window.is_picture_only)
+    if (mode == CompareMode::off || scene.window.layout.is_picture_only)
         return 0.0f;
     const float rows = mode == CompareMode::difference ? 2.0f : 1.0f;
     return rows * ImGui::GetFrameHeight() + (rows - 1.0f) * ImGui::GetStyle().ItemSpacing.y +

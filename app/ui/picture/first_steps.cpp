@@ -51,7 +51,7 @@ void note_first_steps(const Lab& lab, WindowState& window) {
 
 void draw_first_steps(const Scene& scene, Edits& edits) {
     const FirstSteps& steps = scene.window.first_steps;
-    if (!steps.is_shown || scene.window.is_picture_only)
+    if (!steps.is_shown || scene.window.layout.is_picture_only)
         return;
     const float letter = ImGui::GetFontSize();
     const float margin = letter * 0.7f;

@@ -188,7 +188,7 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
         edits.arrange([pass](WindowState& window) {
             window.inspected.look_into(pass);
             window.inspected.marks_flaws = true;
-            window.shows_inspector = true;
+            window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("trip_show");
     ImGui::EndChild();

@@ -88,7 +88,7 @@ void pin_on_click(const Scene& scene, Edits& edits) {
 
 void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const PictureView& view,
                     Extent room) {
-    const bool is_shown = scene.window.shows_bottom && scene.window.bottom_part == BottomPart::pins;
+    const bool is_shown = scene.window.layout.panels.shows(PanelId::pins);
     if (!is_shown || picture.is_empty())
         return;
     const PicturePosition place = position_of(view, picture, room);

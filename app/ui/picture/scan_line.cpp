@@ -10,8 +10,7 @@
 
 namespace {
 bool has_scan_line(const Scene& scene) {
-    return scene.window.shows_bottom && !scene.window.is_picture_only &&
-           scene.window.bottom_part == BottomPart::waveform && !large_extent(scene).is_empty();
+    return scene.window.layout.sees(PanelId::waveform) && !large_extent(scene).is_empty();
 }
 
 /// Converts between relative positions in the picture and window coordinates.

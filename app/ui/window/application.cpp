@@ -209,7 +209,7 @@ void Application::update() {
     follow_output();
     if (const Extent seen = view(); !seen.is_empty())
         m_lab.work().size.set_view(seen);
-    m_lab.frames().nan_guard().set_unattended(m_state.is_picture_only || m_output.is_open());
+    m_lab.frames().nan_guard().set_unattended(m_state.layout.is_picture_only || m_output.is_open());
     m_lab.frames().set_displayed(displayed_passes(m_lab, m_state));
     m_lab.update(wall_seconds);
     m_first_file.update(m_lab);
@@ -225,7 +225,7 @@ void Application::update() {
     m_views.update(m_lab, m_state);
     answer_pending_fits(m_views, m_lab, m_state);
     m_history_pictures.update(m_lab, m_views);
-    m_preset_pictures.update(m_lab, m_state.sees(BottomPart::presets), wall_seconds,
+    m_preset_pictures.update(m_lab, m_state.layout.sees(PanelId::presets), wall_seconds,
                              m_state.presets.shows_own_content && m_lab.document()
                                  ? std::optional(content_of(*m_lab.document()))
                                  : std::nullopt);

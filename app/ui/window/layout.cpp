@@ -1,6 +1,5 @@
 #include "ui/window/layout.h"
 
-#include "lab/window/pane_sizes.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 
@@ -20,35 +19,43 @@ std::array<float, 2> shared(float first, float second, float room, float rest) {
     return {first * factor, second * factor};
 }
 
-void arrange_right(const WindowState& window, const Rect& column, float scale, Layout& layout) {
-    layout.parameters = column;
-    if (!window.shows_parameters) {
-        layout.inspector = column;
-        layout.parameters = {};
-    } else if (window.shows_inspector) {
-        const float wanted = window.panes.inspector * scale;
-        const float height = std::clamp(wanted, column.height * 0.2f, column.height * 0.5f);
-        layout.parameters.height = column.height - height - pane_gap * scale;
-        layout.inspector = {column.left, layout.parameters.bottom() + pane_gap * scale,
-                            column.width, height};
-    }
+bool is_used(PanelPlace place, const WindowLayout& window) {
+    return window.panels.shown_in(place).has_value();
 }
 
-void arrange_middle(const WindowState& window, const Rect& column, float scale, Layout& layout) {
+void arrange_right(const WindowLayout& window, const Rect& column, float scale, Layout& layout) {
+    if (!is_used(PanelPlace::lower_right, window)) {
+        layout.panels[PanelPlace::right] = column;
+        return;
+    }
+    Rect lower = column;
+    if (is_used(PanelPlace::right, window)) {
+        const float wanted = window.sizes.inspector * scale;
+        const float gap = pane_gap * scale;
+        lower.height = std::clamp(wanted, column.height * 0.2f, column.height * 0.5f);
+        lower.top = column.bottom() - lower.height;
+        layout.panels[PanelPlace::right] = {column.left, column.top, column.width,
+                                            column.height - lower.height - gap};
+    }
+    layout.panels[PanelPlace::lower_right] = lower;
+}
+
+void arrange_middle(const WindowLayout& window, const Rect& column, float scale, Layout& layout) {
     const float between = pane_gap * scale;
     layout.transport = {column.left, column.top, column.width, transport_height * scale};
     const float top = layout.transport.bottom() + between;
     const float room = column.bottom() - top;
-    const auto [strip, bottom] = shared(
-        window.shows_strip ? window.panes.strip * scale + between : 0.0f,
-        window.shows_bottom ? window.panes.bottom * scale + between : 0.0f, room, room / 3.0f);
+    const auto [strip, bottom] =
+        shared(is_used(PanelPlace::strip, window) ? window.sizes.strip * scale + between : 0.0f,
+               is_used(PanelPlace::bottom, window) ? window.sizes.bottom * scale + between : 0.0f,
+               room, room / 3.0f);
     layout.picture = {column.left, top, column.width, room - strip - bottom};
     if (strip > 0.0f)
-        layout.strip = {column.left, layout.picture.bottom() + between, column.width,
-                        strip - between};
+        layout.panels[PanelPlace::strip] = {column.left, layout.picture.bottom() + between,
+                                            column.width, strip - between};
     if (bottom > 0.0f)
-        layout.bottom = {column.left, column.bottom() - bottom + between, column.width,
-                         bottom - between};
+        layout.panels[PanelPlace::bottom] = {column.left, column.bottom() - bottom + between,
+                                             column.width, bottom - between};
 }
 
 // A splitter between two panes; returns the dragged distance.
@@ -70,11 +77,11 @@ float dragged(const char* id, const Rect& bar, bool is_upright) {
 
 void resize(Edits& edits, float PaneSizes::*size, float by) {
     if (by != 0.0f)
-        edits.arrange([=](WindowState& window) { resize_pane(window.panes, size, by); });
+        edits.arrange([=](WindowState& window) { resize_pane(window.layout.sizes, size, by); });
 }
 }  // namespace
 
-Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
+Layout arrange_panes(const WindowLayout& window, const Rect& all, float scale) {
     Layout layout;
     if (window.is_picture_only) {
         layout.picture = all;
@@ -84,12 +91,14 @@ Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
     layout.status = {all.left, all.bottom() - status_height * scale, all.width,
                      status_height * scale};
     const float height = all.height - layout.status.height - between;
-    const bool has_right = window.shows_parameters || window.shows_inspector;
-    const auto [left, right] = shared(
-        window.shows_library || window.shows_history ? window.panes.left * scale + between : 0.0f,
-        has_right ? window.panes.right * scale + between : 0.0f, all.width, all.width / 3.0f);
+    const bool has_left = is_used(PanelPlace::left, window);
+    const bool has_right =
+        is_used(PanelPlace::right, window) || is_used(PanelPlace::lower_right, window);
+    const auto [left, right] = shared(has_left ? window.sizes.left * scale + between : 0.0f,
+                                      has_right ? window.sizes.right * scale + between : 0.0f,
+                                      all.width, all.width / 3.0f);
     if (left > 0.0f)
-        layout.library = {all.left, all.top, left - between, height};
+        layout.panels[PanelPlace::left] = {all.left, all.top, left - between, height};
     if (right > 0.0f)
         arrange_right(window, {all.right() - right + between, all.top, right - between, height},
                       scale, layout);
@@ -98,39 +107,32 @@ Layout arrange_panes(const WindowState& window, const Rect& all, float scale) {
     return layout;
 }
 
-void draw_splitters(const Layout& layout, const WindowState& window, float scale, Edits& edits) {
-    if (window.is_picture_only)
-        return;
+void draw_splitters(const Layout& layout, float scale, Edits& edits) {
     const float width = pane_gap * scale;
-    const auto upright = [&](float left) {
-        return Rect{left, layout.transport.top, width,
-                    layout.status.top - width - layout.transport.top};
+    const auto pane = [&](PanelPlace place) {
+        const auto found = layout.panels.find(place);
+        return found == layout.panels.end() ? Rect() : found->second;
     };
-    if (layout.library.is_shown()) {
-        const float by = dragged("##left", upright(layout.library.right()), true);
-        resize(edits, &PaneSizes::left, by / scale);
-    }
-    const Rect& right = layout.parameters.is_shown() ? layout.parameters : layout.inspector;
-    if (right.is_shown()) {
-        const float by = dragged("##right", upright(right.left - width), true);
-        resize(edits, &PaneSizes::right, -by / scale);
-    }
-    if (layout.strip.is_shown()) {
-        const Rect& strip = layout.strip;
-        const float by =
-            dragged("##strip", {strip.left, strip.top - width, strip.width, width}, false);
-        resize(edits, &PaneSizes::strip, -by / scale);
-    }
-    if (layout.bottom.is_shown()) {
-        const Rect& bottom = layout.bottom;
-        const float by =
-            dragged("##bottom", {bottom.left, bottom.top - width, bottom.width, width}, false);
-        resize(edits, &PaneSizes::bottom, -by / scale);
-    }
-    if (layout.inspector.is_shown() && layout.parameters.is_shown()) {
-        const Rect& pane = layout.inspector;
-        const float by =
-            dragged("##inspector", {pane.left, pane.top - width, pane.width, width}, false);
-        resize(edits, &PaneSizes::inspector, -by / scale);
-    }
+    const auto drag_column = [&](const char* id, float left, float PaneSizes::*size, float sign) {
+        const Rect bar{left, layout.transport.top, width,
+                       layout.status.top - width - layout.transport.top};
+        resize(edits, size, sign * dragged(id, bar, true) / scale);
+    };
+    const auto drag_top = [&](const char* id, const Rect& below, float PaneSizes::*size) {
+        const Rect bar{below.left, below.top - width, below.width, width};
+        if (below.is_shown())
+            resize(edits, size, -dragged(id, bar, false) / scale);
+    };
+    const Rect left = pane(PanelPlace::left);
+    if (left.is_shown())
+        drag_column("##left", left.right(), &PaneSizes::left, 1.0f);
+    const Rect upper = pane(PanelPlace::right);
+    const Rect lower = pane(PanelPlace::lower_right);
+    const Rect& right = upper.is_shown() ? upper : lower;
+    if (right.is_shown())
+        drag_column("##right", right.left - width, &PaneSizes::right, -1.0f);
+    drag_top("##strip", pane(PanelPlace::strip), &PaneSizes::strip);
+    drag_top("##bottom", pane(PanelPlace::bottom), &PaneSizes::bottom);
+    if (upper.is_shown())
+        drag_top("##inspector", lower, &PaneSizes::inspector);
 }

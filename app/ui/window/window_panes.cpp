@@ -2,90 +2,53 @@
 
 #include "ui/actions/shortcuts.h"
 #include "ui/dialogs/dialogs.h"
-#include "ui/frame/action.h"
-#include "ui/library/history_panel.h"
-#include "ui/library/library_panel.h"
-#include "ui/library/stack_panel.h"
-#include "ui/parameters/parameters_panel.h"
+#include "ui/panels/bottom_pane.h"
+#include "ui/panels/panel_table.h"
 #include "ui/parameters/sheet_panel.h"
 #include "ui/parameters/step_view.h"
-#include "ui/passes/inspector_panel.h"
-#include "ui/passes/pass_strip.h"
 #include "ui/picture/picture_panel.h"
-#include "ui/playback/signal_panel.h"
 #include "ui/playback/transport_bar.h"
-#include "ui/status/bottom_panel.h"
+#include "ui/status/status_bar.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/layout.h"
 #include "ui/window/menu_bar.h"
 
-#include <algorithm>
-
 namespace {
-// Transparent, so that the clear colour remains. On software GL, filling it again costs as much as
+// Transparent panes keep the clear colour. On software GL, filling them again costs as much as
 // drawing the panels.
-constexpr theme::Color nothing{0.0f, 0.0f, 0.0f, 0.0f};
-
-void draw_left(const Scene& scene, const Rect& place, Edits& edits) {
-    Rect upper = place;
-    Rect lower = place;
-    // The list has its full height, up to 55 %.
-    std::size_t lines = 2;
-    for (const ListedLook& look : scene.library_view.looks())
-        lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
-                          ? look.presets.size() + 1
-                          : 0);
-    const float wanted = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +
-                         2.0f * ImGui::GetStyle().WindowPadding.y;
-    const float gap = 4.0f * scene.scale;
-    upper.height = std::min(wanted, place.height * 0.55f);
-    lower.top = upper.bottom() + gap;
-    lower.height = place.bottom() - lower.top;
-    {
-        const Pane pane("library", upper, theme::pane);
-        draw_library_panel(scene, edits);
-    }
-    const Pane pane("signal", lower, theme::pane);
-    draw_stack_panel(scene, edits);
-    draw_signal_panel(scene, edits);
+theme::Color background_of(PanelFrame frame) {
+    return frame == PanelFrame::own ? theme::none : theme::pane;
 }
 
-void draw_middle(const Scene& scene, const Layout& layout, Edits& edits) {
+void draw_panel(PanelPlace place, const Scene& scene, const Layout& layout, Edits& edits) {
+    const auto found = layout.panels.find(place);
+    const auto id = scene.window.layout.panels.shown_in(place);
+    if (!id || found == layout.panels.end() || !found->second.is_shown())
+        return;
+    if (place == PanelPlace::bottom) {
+        const Pane pane("bottom", found->second, theme::pane);
+        return draw_bottom_pane(scene, edits);
+    }
+    const Panel& panel = panel_of(*id);
+    const Pane pane(panel.title, found->second, background_of(panel.frame),
+                    panel.frame != PanelFrame::own, panel.frame == PanelFrame::scrolling);
+    panel.draw(scene, edits);
+}
+
+void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
+    draw_panel(PanelPlace::left, scene, layout, edits);
     if (layout.transport.is_shown()) {
         const Pane pane("transport", layout.transport, theme::pane, true, false);
         draw_transport_bar(scene, edits);
     }
     {
-        const Pane pane("picture", layout.picture, nothing, false);
+        const Pane pane("picture", layout.picture, theme::none, false);
         draw_picture_panel(scene, layout.picture, edits);
     }
-    if (layout.strip.is_shown()) {
-        const Pane pane("strip", layout.strip, theme::pane);
-        draw_pass_strip(scene, edits);
-    }
-    if (layout.bottom.is_shown()) {
-        const Pane pane("bottom", layout.bottom, theme::pane);
-        draw_bottom_panel(scene, edits);
-    }
-}
-
-void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
-    if (layout.library.is_shown() && scene.window.shows_history) {
-        const Pane pane("history", layout.library, theme::pane, true, false);
-        draw_history_panel(scene, edits);
-    } else if (layout.library.is_shown()) {
-        draw_left(scene, layout.library, edits);
-    }
-    draw_middle(scene, layout, edits);
-    if (layout.parameters.is_shown()) {
-        const Pane pane("parameters", layout.parameters, theme::pane);
-        draw_parameters_panel(scene, edits);
-    }
-    if (layout.inspector.is_shown()) {
-        const Pane pane("inspector", layout.inspector, theme::pane);
-        draw_inspector_panel(scene, edits);
-    }
+    for (const PanelPlace place :
+         {PanelPlace::strip, PanelPlace::bottom, PanelPlace::right, PanelPlace::lower_right})
+        draw_panel(place, scene, layout, edits);
     if (layout.status.is_shown()) {
         const Pane pane("status", layout.status, theme::pane, true, false);
         draw_status_bar(scene, edits);
@@ -101,19 +64,19 @@ void draw_window(const Scene& scene, Edits& edits) {
                              ImGuiWindowFlags_NoSavedSettings |
                              ImGuiWindowFlags_NoBringToFrontOnFocus |
                              ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground;
-    if (!scene.window.is_picture_only)
+    if (!scene.window.layout.is_picture_only)
         flags |= ImGuiWindowFlags_MenuBar;
     {
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::Begin("Afterglow", nullptr, flags);
     }
-    if (!scene.window.is_picture_only)
+    if (!scene.window.layout.is_picture_only)
         draw_menu_bar(scene, edits);
-    const float top = scene.window.is_picture_only ? 0.0f : ImGui::GetFrameHeight();
+    const float top = scene.window.layout.is_picture_only ? 0.0f : ImGui::GetFrameHeight();
     const Layout layout =
-        arrange_panes(scene.window, {0.0f, top, size.x, size.y - top}, scene.scale);
+        arrange_panes(scene.window.layout, {0.0f, top, size.x, size.y - top}, scene.scale);
     draw_panes(scene, layout, edits);
-    draw_splitters(layout, scene.window, scene.scale, edits);
+    draw_splitters(layout, scene.scale, edits);
     ImGui::End();
     follow_pointer(scene, edits);
     leave_hidden_sheet(scene, edits);

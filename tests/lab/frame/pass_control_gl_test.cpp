@@ -8,7 +8,7 @@ namespace {
 int displayed_value(const Lab& lab, Views& views) {
     WindowState window;
     window.views.picture = {8, 8};
-    window.is_picture_only = true;
+    window.layout.is_picture_only = true;
     views.update(lab, window);
     const Picture picture = views.main().read_picture();
     return picture.extent.is_empty()

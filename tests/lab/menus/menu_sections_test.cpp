@@ -250,15 +250,15 @@ TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
 TEST_CASE("panes are resized by name, within their limits") {
     WindowState window;
     const auto sections = window_sections(window, {{}, ViewShape::view, {320, 180}});
-    const double before = window.panes.left;
+    const double before = window.layout.sizes.left;
     take(menu_entry_of(sections, "Pane: Widen left pane").commands, window);
-    CHECK(window.panes.left == before + 40.0);
+    CHECK(window.layout.sizes.left == before + 40.0);
     for (int i = 0; i < 20; ++i)
         take(menu_entry_of(sections, "Pane: Widen left pane").commands, window);
-    CHECK(window.panes.left == 520.0);
+    CHECK(window.layout.sizes.left == 520.0);
     take(menu_entry_of(sections, "Waveform: Row…").number->answer(20.0), window);
     CHECK(window.scan_line.row({320, 180}) == 20);
-    CHECK(window.sees(BottomPart::waveform));
+    CHECK(window.layout.sees(PanelId::waveform));
     take(menu_entry_of(sections, "Pins: Pin picture centre").commands, window);
     CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
 }
@@ -329,5 +329,5 @@ TEST_CASE("presets are morphed to, starred and searched by name") {
     WindowState window;
     take(menu_entry_of(sections, "Presets: Search…").text->answer("amb"), window);
     CHECK(window.presets.search == "amb");
-    CHECK(window.sees(BottomPart::presets));
+    CHECK(window.layout.sees(PanelId::presets));
 }

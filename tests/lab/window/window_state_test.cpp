@@ -90,13 +90,37 @@ TEST_CASE("a pinned pixel is the same point in targets of every size") {
     CHECK(Pin{1.0, 1.0}.texel({400, 60}) == std::array{399, 59});
 }
 
-TEST_CASE("the part in the bottom pane is restored") {
+TEST_CASE("the open panels are restored") {
     WindowState window;
-    window.bottom_part = BottomPart::graph;
-    CHECK(restored_window(remembered(window)).bottom_part == BottomPart::graph);
+    CHECK(restored_window(remembered(window)).layout == window.layout);
+    CHECK_FALSE(remembered(window).contains("problems"));
+    window.layout.panels.show(PanelId::history);
+    window.layout.panels.hide(PanelId::strip);
+    const auto numbers = remembered(window);
+    CHECK(numbers.at("library") == 1.0);  // covered
+    CHECK(numbers.at("history") == 1.0);
+    CHECK(numbers.at("strip") == 0.0);
+    CHECK(numbers.at("bottom") == 0.0);
+    CHECK(restored_window(numbers).layout == window.layout);
+    CHECK(restored_window({{"library", 0.0}, {"history", 1.0}})
+              .layout.panels.shown_in(PanelPlace::left) == PanelId::history);
+    CHECK_FALSE(restored_window({{"library", 0.0}}).layout.panels.is_open(PanelId::library));
+}
+
+TEST_CASE("the panel in the bottom pane is restored") {
+    WindowState window;
+    window.layout.panels.show(PanelId::graph);
+    CHECK(restored_window(remembered(window)).layout == window.layout);
     window.budget_milliseconds = 8.0;
     CHECK(restored_window(remembered(window)).budget_milliseconds == 8.0);
-    CHECK(restored_window({{"bottom_part", 9.0}}).bottom_part == BottomPart::problems);
+    const auto bottom = [](double number) {
+        const std::map<std::string, double> numbers{{"bottom", 1.0}, {"bottom_part", number}};
+        return restored_window(numbers).layout.panels.shown_in(PanelPlace::bottom);
+    };
+    CHECK(bottom(1.0) == PanelId::timings);
+    CHECK(bottom(8.0) == PanelId::presets);
+    CHECK(bottom(9.0) == PanelId::problems);
+    CHECK(restored_window({{"bottom_part", 5.0}}).layout == WindowLayout{});
 }
 
 TEST_CASE("pins, the waveform line and the inspector's settings are restored") {

@@ -6,9 +6,9 @@
 #include <set>
 #include <string>
 
-TEST_CASE("each action has exactly one row with a label and an effect") {
+TEST_CASE("each action and each panel has exactly one row with a label and an effect") {
     const ActionTable table = make_action_table();
-    std::map<ActionId, int> rows;
+    std::map<ActionId, std::size_t> rows;
     for (const Action& action : table.rows()) {
         CAPTURE(action.label);
         CHECK(std::string(action.label) != "");
@@ -17,8 +17,11 @@ TEST_CASE("each action has exactly one row with a label and an effect") {
     }
     for (int id = 0; id <= static_cast<int>(last_action); ++id) {
         CAPTURE(id);
-        CHECK(rows[static_cast<ActionId>(id)] == 1);
+        const bool is_of_panels = id == static_cast<int>(ActionId::show_panel);
+        CHECK(rows[static_cast<ActionId>(id)] == (is_of_panels ? panel_kinds.size() : 1));
     }
+    for (const PanelKind& kind : panel_kinds)
+        CHECK(table.row(kind.id).panel == kind.id);
 }
 
 TEST_CASE("no two actions have the same shortcut or the same label") {
@@ -37,5 +40,6 @@ TEST_CASE("a tooltip has the label and the shortcut") {
     const ActionTable table = make_action_table();
     CHECK(table.help(ActionId::undo) == "Undo (Ctrl+Z)");
     CHECK(table.key(ActionId::undo) == "Ctrl+Z");
+    CHECK(table.help(PanelId::timings) == "Timings (Ctrl+6)");
     CHECK(table.help(ActionId::about) == "About Afterglow (Shift+F1)");
 }

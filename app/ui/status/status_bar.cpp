@@ -1,17 +1,13 @@
-#include "ui/status/bottom_panel.h"
+#include "ui/status/status_bar.h"
 
 #include "lab/frame/heavy_pass.h"
 #include "ui/frame/action.h"
-#include "ui/status/bottom_panels.h"
 #include "ui/status/timings_panel.h"
-#include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
-
-#include <vector>
 
 namespace {
 std::string problems_text(const Lab& lab) {
@@ -109,9 +105,9 @@ void draw_cost(const Scene& scene, Edits& edits) {
         const ScopedColor color(ImGuiCol_Text, theme::dim);
         const std::string time = is_over ? std::string(cost.time.size(), ' ') : cost.time;
         if (quiet_button(cost.before + time + cost.after + "###timings"))
-            run(ActionId::show_timings, scene, edits);
+            run(PanelId::timings, scene, edits);
     }
-    tooltip(scene.actions.help(ActionId::show_timings));
+    tooltip(scene.actions.help(PanelId::timings));
     if (!is_over)
         return;
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
@@ -129,30 +125,6 @@ std::string pointer_text(const Scene& scene) {
 }
 }  // namespace
 
-void draw_bottom_panel(const Scene& scene, Edits& edits) {
-    std::vector<const char*> labels;
-    for (const BottomPanel& panel : bottom_panels())
-        labels.push_back(panel.tab);
-    const int present = static_cast<int>(scene.window.bottom_part);
-    const int chosen =
-        choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
-    if (chosen != present)
-        edits.arrange([part = static_cast<BottomPart>(chosen)](WindowState& window) {
-            window.bottom_part = part;
-        });
-    same_line_right(ImGui::GetFrameHeight());
-    if (icon_button("##close", Icon::close, "Close", theme::dim))
-        edits.arrange([](WindowState& window) { window.shows_bottom = false; });
-    {  // only for this child: popups above it keep their own padding
-        const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##content");
-    }
-    for (const BottomPanel& panel : bottom_panels())
-        if (panel.part == scene.window.bottom_part)
-            panel.draw(scene, edits);
-    ImGui::EndChild();
-}
-
 void draw_status_bar(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
                                     ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
@@ -162,8 +134,8 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     {
         const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
         if (quiet_button(problems_text(scene.lab) + "##problems"))
-            run(ActionId::show_problems, scene, edits);
-        tooltip(scene.actions.help(ActionId::show_problems));
+            run(PanelId::problems, scene, edits);
+        tooltip(scene.actions.help(PanelId::problems));
         edits.mark("status_problems");
     }
     ImGui::SameLine();

@@ -1,0 +1,81 @@
+#include "ui/panels/panel_table.h"
+
+#include "ui/library/history_panel.h"
+#include "ui/library/library_column.h"
+#include "ui/library/presets_panel.h"
+#include "ui/parameters/parameters_panel.h"
+#include "ui/parameters/sheet_panel.h"
+#include "ui/passes/inspector_panel.h"
+#include "ui/passes/pass_graph_panel.h"
+#include "ui/passes/pass_inputs.h"
+#include "ui/passes/pass_strip.h"
+#include "ui/passes/pass_text.h"
+#include "ui/passes/waveform_panel.h"
+#include "ui/picture/pins_panel.h"
+#include "ui/status/timings_panel.h"
+#include "ui/widgets/problem_list.h"
+
+#include <algorithm>
+#include <array>
+
+namespace {
+constexpr float picture_height = 250.0f;
+
+constexpr std::array table{
+    Panel{.id = PanelId::library,
+          .title = "Looks and signal",
+          .chord = {'1', true},
+          .draw = draw_library_column,
+          .frame = PanelFrame::own},
+    Panel{.id = PanelId::history,
+          .title = "History",
+          .chord = {'H', true},
+          .draw = draw_history_panel,
+          .menu = Menu::edit,
+          .frame = PanelFrame::fixed,
+          .leaves_full_screen = true},
+    Panel{PanelId::parameters, "Parameters", {'2', true}, draw_parameters_panel},
+    Panel{PanelId::inspector, "Inspector", {'3', true}, draw_inspector_panel},
+    Panel{PanelId::strip, "Pass strip", {'4', true}, draw_pass_strip},
+    Panel{PanelId::problems, "Problems", {'5', true}, draw_problems_panel, "Problems"},
+    Panel{PanelId::timings, "Timings", {'6', true}, draw_timings_panel, "Timings"},
+    Panel{PanelId::pins, "Pinned pixels", {'7', true}, draw_pins_panel, "Pins"},
+    Panel{PanelId::inputs, "Inputs and uniforms", {'8', true}, draw_pass_inputs, "Inputs"},
+    Panel{PanelId::text, "Compiled source", {'9', true}, draw_pass_text, "Compiled"},
+    Panel{PanelId::graph, "Pass graph", {'G'}, draw_pass_graph, "Graph"},
+    Panel{
+        PanelId::sheet, "Filmstrip and contact sheet", {'0', true}, draw_sheet_panel, "Filmstrip"},
+    Panel{PanelId::waveform, "Waveform along a line", {'L'}, draw_waveform_panel, "Waveform"},
+    Panel{.id = PanelId::presets,
+          .title = "Preset browser",
+          .chord = {'L', true},
+          .draw = draw_presets_panel,
+          .tab = "Presets",
+          .least_height = picture_height,
+          .leaves_full_screen = true,
+          .needs_look = true},
+};
+}  // namespace
+
+std::span<const Panel> panels() {
+    return table;
+}
+
+const Panel& panel_of(PanelId id) {
+    return *std::ranges::find(table, id, &Panel::id);
+}
+
+bool is_chosen(const Panel& panel, const WindowState& window) {
+    return panel.leaves_full_screen ? window.layout.sees(panel.id)
+                                    : window.layout.panels.shows(panel.id);
+}
+
+void toggle(const Panel& panel, WindowState& window) {
+    const bool is_shown = is_chosen(panel, window);
+    if (panel.leaves_full_screen)
+        window.layout.is_picture_only = false;
+    if (is_shown)
+        return window.layout.panels.hide(panel.id);
+    window.layout.panels.show(panel.id);
+    window.layout.sizes.bottom = std::max(window.layout.sizes.bottom, panel.least_height);
+}
