@@ -20,8 +20,8 @@ class StripLab : public bench::BenchLab {
 public:
     StripLab(const fs::path& folder, const std::string& look, bool shows_strip)
         : BenchLab(folder, {1280, 720}), m_views(Views::make().value()) {
-        m_window.views.picture = {1280, 720};
-        m_window.views.thumbnail_height = 64;
+        m_window.views.sizes.picture = {1280, 720};
+        m_window.views.sizes.thumbnail_height = 64;
         m_window.layout.panels.hide(PanelId::inspector);
         if (!shows_strip)
             m_window.layout.panels.hide(PanelId::strip);

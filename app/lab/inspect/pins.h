@@ -2,7 +2,7 @@
 
 #include "graph/executor/executor.h"
 #include "graph/inspect/gatherer.h"
-#include "lab/window/window_state.h"
+#include "lab/window/probes.h"
 
 /// The values of every pass at the pinned positions, read at most five times a second.
 class Pins {

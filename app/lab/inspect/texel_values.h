@@ -2,7 +2,7 @@
 
 #include "graph/inspect/texel_reader.h"
 #include "graph/inspect/viewer.h"
-#include "lab/window/window_state.h"
+#include "lab/window/picture_view.h"
 
 #include <cstdint>
 #include <string>

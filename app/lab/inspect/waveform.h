@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graph/inspect/texel_reader.h"
-#include "lab/window/window_state.h"
+#include "lab/window/probes.h"
 #include "model/picture/plot_scale.h"
 
 #include <cstdint>

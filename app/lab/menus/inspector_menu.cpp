@@ -10,7 +10,7 @@
 namespace {
 MenuCommand look_into(const TextureChoice& choice) {
     return [choice](WindowState& window) {
-        window.inspected.look_into(choice);
+        window.views.inspected.look_into(choice);
         window.layout.reveal(PanelId::inspector);
     };
 }
@@ -50,7 +50,7 @@ MenuSection channel_section(Channels present) {
           std::pair{Channels::luminance, "Luminance as grey"}})
         section.entries.push_back({.name = name,
                                    .commands = {[chosen = channels](WindowState& window) {
-                                       window.inspected.channels = chosen;
+                                       window.views.inspected.channels = chosen;
                                        window.layout.panels.show(PanelId::inspector);
                                    }},
                                    .is_present = channels == present});
@@ -65,7 +65,7 @@ MenuEntry view_number(const char* name, double present, Limit limit, std::string
                                   .limit = limit,
                                   .answer = [set](double number) -> MenuCommands {
                                       return {[set, number](WindowState& window) {
-                                          set(window.inspected, number);
+                                          set(window.views.inspected, number);
                                           window.layout.panels.show(PanelId::inspector);
                                       }};
                                   }}};

@@ -186,9 +186,9 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Li
     add_sections(all, source_sections(document, open_source(lab.work().media)));
     all.push_back(stack_section(document.state().stack, looks));
     if (lab.renderer())
-        add_sections(
-            all, inspector_sections(inspected_parts(lab.renderer()->executor(), window.inspected),
-                                    window.inspected));
+        add_sections(all, inspector_sections(
+                              inspected_parts(lab.renderer()->executor(), window.views.inspected),
+                              window.views.inspected));
     all.push_back(comparison_section(lab));
     all.push_back(unsaved_section(lab.looks().kept_sessions()));
     add_sections(all, preset_sections(
@@ -200,10 +200,11 @@ void add_of_look(const Lab& lab, const WindowState& window, const std::vector<Li
 
 void add_further(const Lab& lab, const WindowState& window, Sections& all) {
     const Document& document = *lab.document();
-    const Parameter* in_hand = find_parameter(document.look(), window.revealed.parameter);
+    const Parameter* in_hand =
+        find_parameter(document.look(), window.parameters.revealed.parameter);
     if (in_hand)
         add_sections(all, parameter_sections(document, *in_hand));
-    all.push_back(pass_setting_section(document, window.inspected.pass));
+    all.push_back(pass_setting_section(document, window.views.inspected.pass));
     const VariantSheet& sheet = lab.frames().previews().sheet();
     std::vector<SweepCell> cells;
     for (const VariantSheet::Cell& cell : sheet.cells())

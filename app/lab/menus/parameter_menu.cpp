@@ -200,12 +200,12 @@ std::vector<MenuSection> parameter_list_sections(const Document& document,
           std::pair{ParameterFilter::of_pass, "Show only this pass"}})
         shown.entries.push_back({.name = name,
                                  .commands = {[chosen = filter](WindowState& changed) {
-                                     changed.filter = chosen;
+                                     changed.parameters.filter = chosen;
                                      changed.layout.panels.show(PanelId::parameters);
                                      if (chosen == ParameterFilter::all)
-                                         changed.search.clear();
+                                         changed.parameters.search.clear();
                                  }},
-                                 .is_present = filter == window.filter});
+                                 .is_present = filter == window.parameters.filter});
     for (const ParameterGroup& group : listed_parameters(document, {})) {
         std::vector<std::string> names;
         bool has_changes = false;

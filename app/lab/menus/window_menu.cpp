@@ -38,23 +38,24 @@ MenuSection size_section(const SizeInForce& in_force) {
 
 MenuSection zoom_section(const PictureView& present) {
     MenuSection section{"Zoom"};
-    section.entries.push_back(
-        {.name = "Largest integer zoom",
-         .commands = {[](WindowState& window) { window.large_view() = {PictureView::Fit::whole}; }},
-         .is_present = present.fit == PictureView::Fit::whole});
+    section.entries.push_back({.name = "Largest integer zoom",
+                               .commands = {[](WindowState& window) {
+                                   window.views.large() = {PictureView::Fit::whole};
+                               }},
+                               .is_present = present.fit == PictureView::Fit::whole});
     for (const double zoom : picture_zooms)
         section.entries.push_back(
             {.name = times_text(zoom),
              .commands = {[zoom](WindowState& window) {
-                 window.large_view().fit = PictureView::Fit::free;
-                 window.large_view().zoom = zoom;
+                 window.views.large().fit = PictureView::Fit::free;
+                 window.views.large().zoom = zoom;
              }},
              .is_present = present.fit == PictureView::Fit::free && present.zoom == zoom});
     for (const auto& [name, x, y] :
          {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
           std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
         section.entries.push_back({.name = name, .commands = {[x = x, y = y](WindowState& window) {
-                                                     PictureView& view = window.large_view();
+                                                     PictureView& view = window.views.large();
                                                      view.x = std::clamp(view.x + x, 0.0, 1.0);
                                                      view.y = std::clamp(view.y + y, 0.0, 1.0);
                                                  }}});
@@ -80,9 +81,9 @@ MenuSection pin_section(const std::vector<Pin>& pins) {
     for (std::size_t i = 0; i < pins.size(); ++i)
         section.entries.push_back({.name = fmt::format("Remove pin {}", i + 1),
                                    .commands = {[i](WindowState& window) {
-                                       if (i < window.pins.size())
-                                           window.pins.erase(window.pins.begin() +
-                                                             static_cast<std::ptrdiff_t>(i));
+                                       if (i < window.probes.pins.size())
+                                           window.probes.pins.erase(window.probes.pins.begin() +
+                                                                    static_cast<std::ptrdiff_t>(i));
                                    }}});
     return section;
 }
@@ -96,12 +97,12 @@ MenuSection waveform_section(const WindowState& window, Extent picture) {
     for (const bool is_luminance : {false, true})
         section.entries.push_back({.name = is_luminance ? "Luminance" : "Red, green and blue",
                                    .commands = {[is_luminance](WindowState& changed) {
-                                       changed.plots_luminance = is_luminance;
+                                       changed.probes.plots_luminance = is_luminance;
                                        show_waveform(changed);
                                    }},
-                                   .is_present = window.plots_luminance == is_luminance});
-    const double row =
-        window.scan_line.row(picture).value_or(window.scan_line.start.texel(picture)[1]);
+                                   .is_present = window.probes.plots_luminance == is_luminance});
+    const double row = window.probes.scan_line.row(picture).value_or(
+        window.probes.scan_line.start.texel(picture)[1]);
     section.entries.push_back(
         {.name = "Row…",
          .number = AskedNumber{.present = row,
@@ -110,7 +111,7 @@ MenuSection waveform_section(const WindowState& window, Extent picture) {
                                .answer = [height = picture.height](double typed) -> MenuCommands {
                                    return {[row = static_cast<int>(typed),
                                             height](WindowState& changed) {
-                                       changed.scan_line = ScanLine::along_row(row, height);
+                                       changed.probes.scan_line = ScanLine::along_row(row, height);
                                        show_waveform(changed);
                                    }};
                                }}});
@@ -133,26 +134,28 @@ MenuEntry window_number(const char* name, const char* unit, double present, Limi
 MenuSection number_section(const WindowState& window) {
     MenuSection section{"Set"};
     section.entries = {
-        window_number(
-            "Frame budget…", "ms", window.budget_milliseconds, {0.1, 1000.0},
-            [](WindowState& changed, double number) { changed.budget_milliseconds = number; }),
-        window_number("Flash limiter…", "× full brightness per second",
-                      window.comfort.most_a_second, {FlashLimit::lowest, FlashLimit::highest},
+        window_number("Frame budget…", "ms", window.frame_rate.budget_milliseconds, {0.1, 1000.0},
                       [](WindowState& changed, double number) {
-                          changed.comfort = {.is_on = true, .most_a_second = number};
+                          changed.frame_rate.budget_milliseconds = number;
                       }),
-        window_number(
-            "Wipe position…", "%", 100.0 * window.wipe_share, {0.0, 100.0},
-            [](WindowState& changed, double number) { changed.wipe_share = number / 100.0; })};
+        window_number("Flash limiter…", "× full brightness per second",
+                      window.flashes.limit.most_a_second, {FlashLimit::lowest, FlashLimit::highest},
+                      [](WindowState& changed, double number) {
+                          changed.flashes.limit = {.is_on = true, .most_a_second = number};
+                      }),
+        window_number("Wipe position…", "%", 100.0 * window.views.wipe_share, {0.0, 100.0},
+                      [](WindowState& changed, double number) {
+                          changed.views.wipe_share = number / 100.0;
+                      })};
     return section;
 }
 }  // namespace
 
 void add_pin(WindowState& window, const Pin& pin) {
     constexpr std::size_t most = 4;  // fit into the table
-    if (window.pins.size() == most)
-        window.pins.erase(window.pins.begin());
-    window.pins.push_back(pin);
+    if (window.probes.pins.size() == most)
+        window.probes.pins.erase(window.probes.pins.begin());
+    window.probes.pins.push_back(pin);
     window.layout.panels.show(PanelId::pins);
 }
 
@@ -184,7 +187,10 @@ PictureSize with_shape(PictureSize size, ViewShape shape) {
 }
 
 std::vector<MenuSection> window_sections(const WindowState& window, const SizeInForce& size) {
-    return {
-        size_section(size),       zoom_section(window.large_view()),     pane_section(),
-        pin_section(window.pins), waveform_section(window, size.extent), number_section(window)};
+    return {size_section(size),
+            zoom_section(window.views.large()),
+            pane_section(),
+            pin_section(window.probes.pins),
+            waveform_section(window, size.extent),
+            number_section(window)};
 }

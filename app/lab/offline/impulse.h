@@ -2,7 +2,7 @@
 
 #include "base/work.h"
 #include "lab/document/document.h"
-#include "lab/window/window_state.h"
+#include "lab/window/probes.h"
 #include "model/picture/decay_curve.h"
 
 #include <string>

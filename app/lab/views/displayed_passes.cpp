@@ -10,12 +10,13 @@ PassSelection displayed_passes(const Lab& lab, const WindowState& window) {
             document->look()
                 .passes.at(static_cast<std::size_t>(lab.frames().passes().picture_pass()))
                 .name);
-    if (window.shows_pass_large || window.layout.sees(PanelId::inspector)) {
-        displayed.names.push_back(window.inspected.pass);
-        if (const auto& other = window.inspected.other; other && other->from == Input::From::pass)
+    if (window.views.shows_pass_large || window.layout.sees(PanelId::inspector)) {
+        displayed.names.push_back(window.views.inspected.pass);
+        if (const auto& other = window.views.inspected.other;
+            other && other->from == Input::From::pass)
             displayed.names.push_back(other->name);
     }
-    if (window.probe)
-        displayed.names.push_back(window.probe->pass);
+    if (window.probes.pointer)
+        displayed.names.push_back(window.probes.pointer->pass);
     return displayed;
 }

@@ -8,8 +8,8 @@ void InspectorView::set_context(std::shared_ptr<ContextViews> context) {
 void InspectorView::select(const Executor& executor, const WindowState& window,
                            TexelInspector& texels) {
     const bool has_panel = window.layout.sees(PanelId::inspector);
-    const auto inspected = has_panel || window.shows_pass_large
-                               ? inspected_texture(executor, window.inspected)
+    const auto inspected = has_panel || window.views.shows_pass_large
+                               ? inspected_texture(executor, window.views.inspected)
                                : std::nullopt;
     m_selected.reset();
     if (!inspected)
@@ -19,8 +19,8 @@ void InspectorView::select(const Executor& executor, const WindowState& window,
                                   inspected->choice.label(),
                                   inspected->choice.is_present_pass() ? inspected->pass : -1,
                                   texture.extent(),
-                                  window.inspected.view,
-                                  options_for(window.inspected, inspected->encoding)};
+                                  window.views.inspected.view,
+                                  options_for(window.views.inspected, inspected->encoding)};
 }
 
 void InspectorView::update(const Executor& executor, const WindowState& window,
@@ -32,8 +32,8 @@ void InspectorView::update(const Executor& executor, const WindowState& window,
         return;
     }
     DisplayedTexture shown = *m_selected;
-    shown.view = inspector_view(window);
-    const Extent room = window.views.inspector;
+    shown.view = inspector_view(window.views);
+    const Extent room = window.views.sizes.inspector;
     {
         const gpu::ContextScope home(m_context->home.get());
         draw_view(*m_context, *shown.texture, m_context->inspected, room, shown);
@@ -41,7 +41,7 @@ void InspectorView::update(const Executor& executor, const WindowState& window,
             *shown.texture, {shown.name, shown.options.channels, shown.options.levels}, seconds);
     }
     const CellNumbers::Subject cells =
-        shown.cells(room, window.views.cell, executor.textures().number());
+        shown.cells(room, window.views.sizes.cell, executor.textures().number());
     texels.update_inspected(&cells, seconds);
 }
 
@@ -55,11 +55,11 @@ ViewOptions options_for(const PassView& view, Encoding encoding) {
             .is_false_color = view.is_false_color};
 }
 
-int inspected_pass(const Look& look, const WindowState& window) {
+int inspected_pass(const Look& look, const PassView& inspected) {
     const int last = static_cast<int>(look.passes.size()) - 1;
-    return find_pass(look, window.inspected.pass).value_or(last);
+    return find_pass(look, inspected.pass).value_or(last);
 }
 
-PictureView inspector_view(const WindowState& window) {
-    return window.shows_pass_large ? PictureView{PictureView::Fit::all} : window.inspected.view;
+PictureView inspector_view(const ViewState& views) {
+    return views.shows_pass_large ? PictureView{PictureView::Fit::all} : views.inspected.view;
 }

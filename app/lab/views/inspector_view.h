@@ -40,7 +40,7 @@ private:
 ViewOptions options_for(const PassView& view, Encoding encoding);
 
 /// The inspected pass; the last one if the chosen pass is empty or no longer exists.
-int inspected_pass(const Look& look, const WindowState& window);
+int inspected_pass(const Look& look, const PassView& inspected);
 
 /// The view of the inspector; fits everything while the main view is used for navigation.
-PictureView inspector_view(const WindowState& window);
+PictureView inspector_view(const ViewState& views);

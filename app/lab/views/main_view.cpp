@@ -37,21 +37,22 @@ void MainView::measure(const Subject& subject, TexelInspector& texels) {
     const WindowState& window = subject.window;
     const DisplayedTexture shown = displayed(subject);
     const auto number = subject.renderer.executor().textures().number();
-    const CellNumbers::Subject cells = shown.cells(window.views.picture, window.views.cell, number);
+    const CellNumbers::Subject cells =
+        shown.cells(window.views.sizes.picture, window.views.sizes.cell, number);
     const bool is_itself = subject.frames.comparison().mode() == CompareMode::off &&
                            !subject.frames.comparison().selection().is_flashing() &&
                            !subject.frames.previews().probe().picture();
     texels.update_picture(is_itself && !window.layout.is_picture_only ? &cells : nullptr,
                           subject.seconds);
     const bool has_waveform = window.layout.sees(PanelId::waveform);
-    const Waveform::Subject along{*shown.texture, shown.name, window.scan_line, number};
+    const Waveform::Subject along{*shown.texture, shown.name, window.probes.scan_line, number};
     texels.update_waveform(has_waveform ? &along : nullptr, subject.seconds);
     count_flashes(subject);
 }
 
 // Measures the look's own picture, independent of the display settings.
 void MainView::count_flashes(const Subject& subject) {
-    if (!subject.window.shows_flashes || subject.window.layout.is_picture_only)
+    if (!subject.window.flashes.shows_meter || subject.window.layout.is_picture_only)
         return m_context->flash_meter.stop();
     const Executor& executor = subject.renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
@@ -64,7 +65,7 @@ void MainView::count_flashes(const Subject& subject) {
 // Independent of the panels; the whole picture at the largest integer zoom that fits.
 void MainView::draw_output(const Subject& subject) {
     const WindowState& window = subject.window;
-    const Extent extent = window.output.is_black ? Extent{} : window.views.output;
+    const Extent extent = window.output.is_black ? Extent{} : window.views.sizes.output;
     if (extent.is_empty())
         return m_context->output.reset();
     const Executor& executor = subject.renderer.executor();
@@ -80,7 +81,7 @@ void MainView::draw_output(const Subject& subject) {
 
 // Applies the flash limiter to all displayed pictures.
 void MainView::limit_flashes(const Subject& subject, bool is_moving) {
-    const FlashLimit& limit = subject.window.comfort;
+    const FlashLimit& limit = subject.window.flashes.limit;
     if (is_moving || !limit.is_on)
         m_limiter.note_moving(limit, subject.seconds);
     const std::array views{&m_context->picture, &m_context->beside, &m_context->output};
@@ -96,7 +97,7 @@ bool MainView::is_specializing(double seconds) const {
 }
 
 DisplayedTexture MainView::displayed(const Subject& subject) const {
-    if (subject.inspected && subject.window.shows_pass_large)
+    if (subject.inspected && subject.window.views.shows_pass_large)
         return *subject.inspected;
     const Executor& executor = subject.renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
@@ -106,7 +107,7 @@ DisplayedTexture MainView::displayed(const Subject& subject) const {
             pass.name,
             shown,
             executor.target(last).extent(),
-            subject.window.picture,
+            subject.window.views.picture,
             {.encoding = encoding_of(executor.look(), shown), .is_over_checker = pass.has_alpha}};
 }
 
@@ -131,9 +132,9 @@ void MainView::compare(const Subject& subject, const DisplayedTexture& shown) {
 // Draws the reference over its side of the picture.
 void MainView::draw_wiped(const Subject& subject, DisplayedTexture shown) {
     const WindowState& window = subject.window;
-    const Extent size = window.views.picture;
+    const Extent size = window.views.sizes.picture;
     const int line = wipe_column(position_of(shown.view, shown.whole, size), shown.whole, size,
-                                 window.wipe_share);
+                                 window.views.wipe_share);
     shown.options.columns = subject.frames.comparison().sides()->is_other_left
                                 ? std::array{0, line}
                                 : std::array{line, size.width};
@@ -147,18 +148,18 @@ void MainView::draw_difference(const Subject& subject, DisplayedTexture shown) {
     const double stops = subject.frames.comparison().selection().chosen().gain_stops;
     shown.options = {.levels = {0.0, std::exp2(-stops)}, .encoding = Encoding::display};
     draw_view(*m_context, *m_compared.difference(), m_context->picture,
-              subject.window.views.picture, shown);
+              subject.window.views.sizes.picture, shown);
 }
 
 // Draws the effect of a previewed step; false: no preview.
 bool MainView::draw_step(const Subject& subject) {
     const gpu::Texture* step = subject.frames.previews().probe().picture();
-    if (!step || subject.window.shows_pass_large)
+    if (!step || subject.window.views.shows_pass_large)
         return false;
-    draw_view(*m_context, *step, m_context->picture, subject.window.views.picture,
+    draw_view(*m_context, *step, m_context->picture, subject.window.views.sizes.picture,
               {.texture = step,
                .whole = step->extent(),
-               .view = subject.window.picture,
+               .view = subject.window.views.picture,
                .options = {.encoding = Encoding::display}});
     m_context->beside.reset();
     return true;
@@ -169,7 +170,7 @@ void MainView::draw_picture(const Subject& subject) {
         return;
     const ComparisonView& comparison = subject.frames.comparison();
     const CompareMode mode = comparison.mode();
-    const Extent size = room_of_one(subject.window.views.picture, mode);
+    const Extent size = room_of_one(subject.window.views.sizes.picture, mode);
     const DisplayedTexture shown = displayed(subject);
     compare(subject, shown);
     const gpu::Texture* other = m_compared.other();

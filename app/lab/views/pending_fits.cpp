@@ -17,10 +17,10 @@ namespace {
 void fit_levels(const Views& views, WindowState& window) {
     const bool is_measured = window.layout.sees(PanelId::inspector);
     if (const auto statistics = views.inspector().statistics(); is_measured && statistics)
-        window.inspected.fit(*statistics);
+        window.views.inspected.fit(*statistics);
     else if (is_measured)
         return;
-    window.pending.levels = false;
+    window.views.pending.levels = false;
 }
 
 void fit_gain(const Views& views, Lab& lab, WindowState& window) {
@@ -34,13 +34,13 @@ void fit_gain(const Views& views, Lab& lab, WindowState& window) {
         comparison.gain_stops = *gain;
         lab.frames().comparison().choose(comparison);
     }
-    window.pending.gain = false;
+    window.views.pending.gain = false;
 }
 }  // namespace
 
 void answer_pending_fits(const Views& views, Lab& lab, WindowState& window) {
-    if (window.pending.levels)
+    if (window.views.pending.levels)
         fit_levels(views, window);
-    if (window.pending.gain)
+    if (window.views.pending.gain)
         fit_gain(views, lab, window);
 }

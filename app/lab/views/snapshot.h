@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/lab.h"
-#include "lab/window/window_state.h"
+#include "lab/window/pass_view.h"
 
 #include <filesystem>
 

@@ -108,11 +108,12 @@ void Views::update(const Lab& lab, const WindowState& window) {
         return;  // the picture is displayed first, the remaining views in the next update
     m_main.measure(subject, m_texels);
     m_strip.update(executor, lab.document()->values(),
-                   window.layout.sees(PanelId::strip) ? window.views.thumbnail_height : 0, now);
+                   window.layout.sees(PanelId::strip) ? window.views.sizes.thumbnail_height : 0,
+                   now);
     m_inspector.update(executor, window, m_texels, now);
     if (window.layout.sees(PanelId::pins))
-        m_pins.update(executor, window.pins, now);
+        m_pins.update(executor, window.probes.pins, now);
     else
         m_pins.stop();
-    probe(executor, window.probe);
+    probe(executor, window.probes.pointer);
 }

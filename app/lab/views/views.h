@@ -26,7 +26,7 @@ public:
     const Pins& pins() const { return m_pins; }
     /// Texel values and values along a line; empty while hidden.
     const TexelInspector& texels() const { return m_texels; }
-    /// The stored values of the pixel at WindowState::probe.
+    /// The stored values of the pixel at Probes::pointer.
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
     /// A display-encoded thumbnail of a pass; nullopt: no memory, or the views belong to another
     /// look.

@@ -80,7 +80,7 @@ std::vector<ParameterGroup> listed_parameters(const Document& document,
 }
 
 ParameterQuery query_of(const WindowState& window) {
-    return {window.search, window.filter, window.inspected.pass};
+    return {window.parameters.search, window.parameters.filter, window.views.inspected.pass};
 }
 
 std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,

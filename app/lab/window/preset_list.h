@@ -2,7 +2,7 @@
 
 #include "lab/document/document.h"
 #include "lab/library/library_view.h"
-#include "lab/window/window_state.h"
+#include "lab/window/preset_browsing.h"
 #include "model/preset/preset_stars.h"
 
 #include <filesystem>

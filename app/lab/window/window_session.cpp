@@ -7,9 +7,6 @@
 #include <utility>
 
 namespace {
-constexpr std::initializer_list<std::pair<const char*, bool WindowState::*>> switches{
-    {"flashes", &WindowState::shows_flashes}, {"maximised", &WindowState::is_maximised}};
-
 constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> sizes{
     {"left_size", &PaneSizes::left},
     {"right_size", &PaneSizes::right},
@@ -98,20 +95,20 @@ std::string pin_name(std::size_t index, const char* side) {
 
 // The inspector settings, without the inspected pass.
 void remember_looking(const WindowState& window, std::map<std::string, double>& numbers) {
-    const PassView& view = window.inspected;
+    const PassView& view = window.views.inspected;
     numbers["black"] = view.levels.black;
     numbers["white"] = view.levels.white;
     numbers["exposure"] = view.exposure;
     numbers["channels"] = static_cast<int>(view.channels);
-    numbers["plots_luminance"] = window.plots_luminance ? 1.0 : 0.0;
-    const ScanLine& line = window.scan_line;
+    numbers["plots_luminance"] = window.probes.plots_luminance ? 1.0 : 0.0;
+    const ScanLine& line = window.probes.scan_line;
     numbers["line_start_x"] = line.start.x;
     numbers["line_start_y"] = line.start.y;
     numbers["line_end_x"] = line.end.x;
     numbers["line_end_y"] = line.end.y;
-    for (std::size_t i = 0; i < std::min(window.pins.size(), most_pins); ++i) {
-        numbers[pin_name(i, "_x")] = window.pins[i].x;
-        numbers[pin_name(i, "_y")] = window.pins[i].y;
+    for (std::size_t i = 0; i < std::min(window.probes.pins.size(), most_pins); ++i) {
+        numbers[pin_name(i, "_x")] = window.probes.pins[i].x;
+        numbers[pin_name(i, "_y")] = window.probes.pins[i].y;
     }
 }
 
@@ -125,7 +122,7 @@ std::optional<Pin> pin_of(const std::map<std::string, double>& numbers, const st
 void restore_looking(const std::map<std::string, double>& numbers, WindowState& window) {
     constexpr double most = 1e9;
     constexpr auto last_channels = static_cast<double>(Channels::luminance);
-    PassView& view = window.inspected;
+    PassView& view = window.views.inspected;
     const auto black = number(numbers, "black", -most, most);
     const auto white = number(numbers, "white", -most, most);
     if (black && white && *black < *white)
@@ -133,96 +130,108 @@ void restore_looking(const std::map<std::string, double>& numbers, WindowState& 
     view.exposure = number(numbers, "exposure", -60.0, 60.0).value_or(0.0);
     view.channels =
         static_cast<Channels>(whole(numbers, "channels", 0.0, last_channels).value_or(0));
-    window.plots_luminance = number(numbers, "plots_luminance", 0.0, 1.0).value_or(0.0) != 0.0;
+    window.probes.plots_luminance =
+        number(numbers, "plots_luminance", 0.0, 1.0).value_or(0.0) != 0.0;
     const auto start = pin_of(numbers, "line_start_x", "line_start_y");
     const auto end = pin_of(numbers, "line_end_x", "line_end_y");
     if (start && end)
-        window.scan_line = {*start, *end};
+        window.probes.scan_line = {*start, *end};
     for (std::size_t i = 0; i < most_pins; ++i)
         if (const auto pin = pin_of(numbers, pin_name(i, "_x"), pin_name(i, "_y")))
-            window.pins.push_back(*pin);
+            window.probes.pins.push_back(*pin);
 }
 }  // namespace
 
 std::map<std::string, double> remembered(const WindowState& window) {
     std::map<std::string, double> numbers{
-        {"width", window.size.width},
-        {"height", window.size.height},
-        {"view_width", window.views.picture.width},
-        {"view_height", window.views.picture.height},
-        {"scale", window.scale},
-        {"wipe_share", window.wipe_share},
+        {"width", window.geometry.size.width},
+        {"height", window.geometry.size.height},
+        {"view_width", window.views.sizes.picture.width},
+        {"view_height", window.views.sizes.picture.height},
+        {"scale", window.geometry.scale},
+        {"wipe_share", window.views.wipe_share},
         {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
         {"frame_cap", window.frame_rate.cap},
-        {"comfort", window.comfort.is_on ? 1.0 : 0.0},
-        {"comfort_rate", window.comfort.most_a_second},
-        {"budget_ms", window.budget_milliseconds},
+        {"comfort", window.flashes.limit.is_on ? 1.0 : 0.0},
+        {"comfort_rate", window.flashes.limit.most_a_second},
+        {"budget_ms", window.frame_rate.budget_milliseconds},
         {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
-        {"offered_move", window.has_offered_move ? 1.0 : 0.0},
+        {"offered_move", window.presets.has_offered_move ? 1.0 : 0.0},
         {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
-        {"morph_seconds", window.presets.morph_seconds}};
-    if (window.position) {
-        numbers["left"] = (*window.position)[0];
-        numbers["top"] = (*window.position)[1];
+        {"morph_seconds", window.presets.morph_seconds},
+        {"flashes", window.flashes.shows_meter ? 1.0 : 0.0},
+        {"maximised", window.geometry.is_maximised ? 1.0 : 0.0}};
+    if (window.geometry.position) {
+        numbers["left"] = (*window.geometry.position)[0];
+        numbers["top"] = (*window.geometry.position)[1];
     }
     if (window.output.monitor)
         numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
-    for (const auto& [name, is_on] : switches)
-        numbers[name] = window.*is_on ? 1.0 : 0.0;
     remember_panels(window.layout.panels, numbers);
     remember_looking(window, numbers);
-    remember_use(window.used, used_prefix, numbers);
-    remember_use(window.recent_files, recent_prefix, numbers);
+    remember_use(window.recent.commands, used_prefix, numbers);
+    remember_use(window.recent.files, recent_prefix, numbers);
     for (const auto& [name, size] : sizes)
         numbers[name] = static_cast<double>(window.layout.sizes.*size);
     return numbers;
 }
 
-WindowState restored_window(const std::map<std::string, double>& numbers) {
-    WindowState window;
+namespace {
+void restore(const std::map<std::string, double>& numbers, const char* name, Limit limit,
+             double& value) {
+    value = number(numbers, name, limit.low, limit.high).value_or(value);
+}
+
+void restore(const std::map<std::string, double>& numbers, const char* name, bool& value) {
+    if (const auto stored = number(numbers, name, 0.0, 1.0))
+        value = *stored != 0.0;
+}
+
+void restore_geometry(const std::map<std::string, double>& numbers, WindowGeometry& geometry) {
     const auto width = whole(numbers, "width", 320.0, 16384.0);
     const auto height = whole(numbers, "height", 240.0, 16384.0);
     if (width && height)
-        window.size = {*width, *height};
-    const auto view_width = whole(numbers, "view_width", 1.0, 16384.0);
-    const auto view_height = whole(numbers, "view_height", 1.0, 16384.0);
-    if (view_width && view_height)
-        window.views.picture = {*view_width, *view_height};
+        geometry.size = {*width, *height};
     const auto left = whole(numbers, "left", -32768.0, 32768.0);
     const auto top = whole(numbers, "top", -32768.0, 32768.0);
     if (left && top)
-        window.position = {*left, *top};
-    if (const auto scale = number(numbers, "scale", 0.75, 3.0))
-        window.scale = *scale;
-    if (const auto share = number(numbers, "wipe_share", 0.0, 1.0))
-        window.wipe_share = *share;
-    window.comfort.is_on = number(numbers, "comfort", 0.0, 1.0).value_or(0.0) != 0.0;
-    if (const auto rate = number(numbers, "comfort_rate", FlashLimit::lowest, FlashLimit::highest))
-        window.comfort.most_a_second = *rate;
-    if (const auto is_on = number(numbers, "vsync", 0.0, 1.0))
-        window.frame_rate.waits_for_display = *is_on != 0.0;
-    if (const auto cap = number(numbers, "frame_cap", 1.0, FrameRate::no_cap))
-        window.frame_rate.cap = *cap;
+        geometry.position = {*left, *top};
+    restore(numbers, "maximised", geometry.is_maximised);
+    restore(numbers, "scale", {0.75, 3.0}, geometry.scale);
+}
+
+void restore_presets(const std::map<std::string, double>& numbers, PresetBrowsing& presets) {
+    restore(numbers, "starred_presets", presets.only_starred);
+    restore(numbers, "offered_move", presets.has_offered_move);
+    restore(numbers, "presets_own_content", presets.shows_own_content);
+    restore(numbers, "morph_seconds", {0.1, 600.0}, presets.morph_seconds);
+}
+}  // namespace
+
+WindowState restored_window(const std::map<std::string, double>& numbers) {
+    WindowState window;
+    restore_geometry(numbers, window.geometry);
+    const auto view_width = whole(numbers, "view_width", 1.0, 16384.0);
+    const auto view_height = whole(numbers, "view_height", 1.0, 16384.0);
+    if (view_width && view_height)
+        window.views.sizes.picture = {*view_width, *view_height};
+    restore(numbers, "wipe_share", {0.0, 1.0}, window.views.wipe_share);
+    restore(numbers, "flashes", window.flashes.shows_meter);
+    restore(numbers, "comfort", window.flashes.limit.is_on);
+    restore(numbers, "comfort_rate", {FlashLimit::lowest, FlashLimit::highest},
+            window.flashes.limit.most_a_second);
+    restore(numbers, "vsync", window.frame_rate.waits_for_display);
+    restore(numbers, "frame_cap", {1.0, FrameRate::no_cap}, window.frame_rate.cap);
+    restore(numbers, "budget_ms", {0.1, 1000.0}, window.frame_rate.budget_milliseconds);
     if (const auto monitor = whole(numbers, "output_monitor", 0.0, 63.0))
         window.output.monitor = static_cast<std::size_t>(*monitor);
-    if (const auto budget = number(numbers, "budget_ms", 0.1, 1000.0))
-        window.budget_milliseconds = *budget;
-    if (const auto is_on = number(numbers, "starred_presets", 0.0, 1.0))
-        window.presets.only_starred = *is_on != 0.0;
-    window.has_offered_move = number(numbers, "offered_move", 0.0, 1.0).value_or(0.0) != 0.0;
-    if (const auto is_on = number(numbers, "presets_own_content", 0.0, 1.0))
-        window.presets.shows_own_content = *is_on != 0.0;
-    if (const auto seconds = number(numbers, "morph_seconds", 0.1, 600.0))
-        window.presets.morph_seconds = *seconds;
-    for (const auto& [name, is_on] : switches)
-        if (const auto stored = number(numbers, name, 0.0, 1.0))
-            window.*is_on = *stored != 0.0;
+    restore_presets(numbers, window.presets);
     restore_panels(numbers, window.layout.panels);
     for (const auto& [name, size] : sizes)
         if (const auto stored = number(numbers, name, 60.0, 2000.0))
             window.layout.sizes.*size = static_cast<float>(*stored);
     restore_looking(numbers, window);
-    window.used = restored_use(numbers, used_prefix);
-    window.recent_files = restored_use(numbers, recent_prefix);
+    window.recent.commands = restored_use(numbers, used_prefix);
+    window.recent.files = restored_use(numbers, recent_prefix);
     return window;
 }

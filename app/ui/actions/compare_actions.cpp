@@ -96,7 +96,7 @@ bool can_fit_gain(const Scene& scene) {
 }
 
 void fit_gain(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.pending.gain = true; });
+    edits.arrange([](WindowState& window) { window.views.pending.gain = true; });
 }
 
 void compare_with_article(const Scene&, Edits& edits) {

@@ -12,9 +12,9 @@
 
 namespace {
 const Parameter* selected_parameter(const Scene& scene) {
-    return scene.lab.document()
-               ? find_parameter(scene.lab.document()->look(), scene.window.revealed.parameter)
-               : nullptr;
+    return scene.lab.document() ? find_parameter(scene.lab.document()->look(),
+                                                 scene.window.parameters.revealed.parameter)
+                                : nullptr;
 }
 
 bool has_selected_parameter(const Scene& scene) {
@@ -23,7 +23,7 @@ bool has_selected_parameter(const Scene& scene) {
 
 template <int by>
 void go(const Scene& scene, Edits& edits) {
-    const Revealed& revealed = scene.window.revealed;
+    const Revealed& revealed = scene.window.parameters.revealed;
     const auto next =
         listed_beside(listed_parameters(*scene.lab.document(), query_of(scene.window)),
                       {.parameter = revealed.parameter, .component = revealed.component}, by);
@@ -31,7 +31,7 @@ void go(const Scene& scene, Edits& edits) {
         return;
     edits.arrange([next](WindowState& window) {
         window.layout.reveal(PanelId::parameters);
-        window.revealed = {
+        window.parameters.revealed = {
             .parameter = next->parameter, .is_new = true, .component = next->component};
     });
 }
@@ -46,12 +46,12 @@ template <bool is_up>
 void turn(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document();
     if (is_trigger(scene))
-        return edits.set(scene.window.revealed.parameter, Value(1.0));
-    const Parameter parameter =
-        with_ends(*selected_parameter(scene),
-                  setting_of(scene.window.revealed.parameter, document.parameter_settings()));
-    const auto next =
-        one_step(parameter, document.value(parameter), scene.window.revealed.component, is_up);
+        return edits.set(scene.window.parameters.revealed.parameter, Value(1.0));
+    const Parameter parameter = with_ends(
+        *selected_parameter(scene),
+        setting_of(scene.window.parameters.revealed.parameter, document.parameter_settings()));
+    const auto next = one_step(parameter, document.value(parameter),
+                               scene.window.parameters.revealed.component, is_up);
     if (next)
         edits.set(parameter.name, *next);
     else
@@ -61,23 +61,23 @@ void turn(const Scene& scene, Edits& edits) {
 void let_go(const Scene& scene, Edits& edits) {
     if (is_trigger(scene) &&
         scene.lab.document()->value(*selected_parameter(scene)).number() != 0.0)
-        edits.set(scene.window.revealed.parameter, Value(0.0));
+        edits.set(scene.window.parameters.revealed.parameter, Value(0.0));
     if (has_selected_parameter(scene))
         edits.finish();
 }
 
 void type(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.revealed.is_to_be_typed = true; });
+    edits.arrange([](WindowState& window) { window.parameters.revealed.is_to_be_typed = true; });
 }
 
 void reset(const Scene& scene, Edits& edits) {
-    edits.document([name = scene.window.revealed.parameter](Document& document) {
+    edits.document([name = scene.window.parameters.revealed.parameter](Document& document) {
         reset_parameters(document, {name});
     });
 }
 
 void copy_name(const Scene& scene, Edits& edits) {
-    edits.copy(scene.window.revealed.parameter);
+    edits.copy(scene.window.parameters.revealed.parameter);
 }
 
 Action turning(ActionId id, const char* label, int key, void (*act)(const Scene&, Edits&)) {

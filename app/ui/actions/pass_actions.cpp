@@ -19,7 +19,7 @@ bool has_overrides(const Scene& scene) {
 }
 
 bool is_large(const Scene& scene) {
-    return scene.window.shows_pass_large;
+    return scene.window.views.shows_pass_large;
 }
 
 // Skips idle passes, which the picture does not use at present.
@@ -27,30 +27,34 @@ template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer()->executor();
     const Look& look = executor.look();
-    const auto present = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const auto present =
+        static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
     const std::size_t next = next_used_pass(look, executor.plan(), present, by);
     edits.arrange([name = look.passes[next].name](WindowState& window) {
-        window.inspected.look_into(name);
+        window.views.inspected.look_into(name);
         window.layout.panels.show(PanelId::inspector);
     });
 }
 
 void toggle_large(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.shows_pass_large = !window.shows_pass_large; });
+    edits.arrange([](WindowState& window) {
+        window.views.shows_pass_large = !window.views.shows_pass_large;
+    });
 }
 
 void choose_channels(const Scene&, Edits& edits) {
     constexpr int count = static_cast<int>(Channels::luminance) + 1;
     edits.arrange([](WindowState& window) {
-        window.inspected.channels =
-            static_cast<Channels>((static_cast<int>(window.inspected.channels) + 1) % count);
+        window.views.inspected.channels =
+            static_cast<Channels>((static_cast<int>(window.views.inspected.channels) + 1) % count);
     });
 }
 
 template <int stops>
 void expose(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.inspected.exposure = std::clamp(window.inspected.exposure + stops, -60.0, 60.0);
+        window.views.inspected.exposure =
+            std::clamp(window.views.inspected.exposure + stops, -60.0, 60.0);
     });
 }
 
@@ -58,45 +62,47 @@ void expose(const Scene&, Edits& edits) {
 void fit_levels(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         window.layout.panels.show(PanelId::inspector);
-        window.pending.levels = true;
+        window.views.pending.levels = true;
     });
 }
 
 void reset_levels(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.inspected.reset_levels(); });
+    edits.arrange([](WindowState& window) { window.views.inspected.reset_levels(); });
 }
 
 bool has_levels(const Scene& scene) {
-    return has_passes(scene) && scene.window.inspected.has_levels();
+    return has_passes(scene) && scene.window.views.inspected.has_levels();
 }
 
 template <bool PassView::*overlay>
 void toggle(const Scene&, Edits& edits) {
-    edits.arrange(
-        [](WindowState& window) { window.inspected.*overlay = !(window.inspected.*overlay); });
+    edits.arrange([](WindowState& window) {
+        window.views.inspected.*overlay = !(window.views.inspected.*overlay);
+    });
 }
 
 template <bool PassView::*overlay>
 bool is_on(const Scene& scene) {
-    return scene.window.inspected.*overlay;
+    return scene.window.views.inspected.*overlay;
 }
 
 bool has_probe(const Scene& scene) {
-    return has_passes(scene) && scene.window.probe;
+    return has_passes(scene) && scene.window.probes.pointer;
 }
 
 void pin(const Scene& scene, Edits& edits) {
-    edits.arrange(
-        [pin = pin_at(*scene.window.probe)](WindowState& window) { add_pin(window, pin); });
+    edits.arrange([pin = pin_at(*scene.window.probes.pointer)](WindowState& window) {
+        add_pin(window, pin);
+    });
 }
 
 void save_pass(const Scene& scene, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.inspected.label()});
+    edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.views.inspected.label()});
 }
 
 void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document()->look();
-    const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window));
+    const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
     const Location place{look.passes[pass].fragment.file, 1};
     edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
 }

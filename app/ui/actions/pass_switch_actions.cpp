@@ -7,7 +7,8 @@
 namespace {
 std::string chosen_pass(const Scene& scene) {
     const Look& look = scene.lab.document()->look();
-    return look.passes[static_cast<std::size_t>(inspected_pass(look, scene.window))].name;
+    return look.passes[static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected))]
+        .name;
 }
 
 void toggle(PassSwitch which, const std::string& pass, Edits& edits) {

@@ -46,8 +46,8 @@ void escape(const Scene& scene, Edits& edits) {
         edits.add([](Lab& lab) { lab.frames().comparison().flash(false); });
     else if (shows_errors(scene))
         edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
-    else if (scene.window.shows_pass_large)
-        edits.arrange([](WindowState& window) { window.shows_pass_large = false; });
+    else if (scene.window.views.shows_pass_large)
+        edits.arrange([](WindowState& window) { window.views.shows_pass_large = false; });
     else if (scene.window.layout.is_picture_only)
         edits.arrange([](WindowState& window) { window.layout.is_picture_only = false; });
     else if (scene.lab.drawing().board().has_pen())
@@ -59,7 +59,7 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
     for (const Action& action : scene.actions.rows())
         if (action.let_go && ImGui::IsKeyReleased(action.chord.key))
             action.let_go(scene, edits);
-    if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.walks_menus)
+    if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.keyboard.is_in_menus)
         return;
     if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
         escape(scene, edits);

@@ -17,14 +17,14 @@ void randomise(const Scene&, Edits& edits) {
 
 template <ParameterFilter filter>
 bool is_filtered(const Scene& scene) {
-    return scene.window.filter == filter;
+    return scene.window.parameters.filter == filter;
 }
 
 template <ParameterFilter filter>
 void toggle_filter(const Scene& scene, Edits& edits) {
     const ParameterFilter next = is_filtered<filter>(scene) ? ParameterFilter::all : filter;
     edits.arrange([next](WindowState& window) {
-        window.filter = next;
+        window.parameters.filter = next;
         window.layout.panels.show(PanelId::parameters);
     });
 }
@@ -32,8 +32,8 @@ void toggle_filter(const Scene& scene, Edits& edits) {
 // Without a slider under the pointer, as from the menu, it shows instructions.
 template <bool is_up>
 void show_step(const Scene& scene, Edits& edits) {
-    if (scene.window.pointed)
-        return ask_for_step(*scene.window.pointed, is_up, edits);
+    if (scene.window.parameters.pointed)
+        return ask_for_step(*scene.window.parameters.pointed, is_up, edits);
     edits.add([](Lab& lab) { lab.messages().say("Point at a parameter and hold U or Shift+U"); });
 }
 

@@ -22,19 +22,22 @@ bool is_full_screen(const Scene& scene) {
 }
 
 void toggle_flashes(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.shows_flashes = !window.shows_flashes; });
+    edits.arrange(
+        [](WindowState& window) { window.flashes.shows_meter = !window.flashes.shows_meter; });
 }
 
 bool shows_flashes(const Scene& scene) {
-    return scene.window.shows_flashes;
+    return scene.window.flashes.shows_meter;
 }
 
 void zoom_one(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.large_view() = {PictureView::Fit::free, 1.0}; });
+    edits.arrange([](WindowState& window) {
+        window.views.large() = {PictureView::Fit::free, 1.0};
+    });
 }
 
 void zoom_fit(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.large_view() = {PictureView::Fit::all}; });
+    edits.arrange([](WindowState& window) { window.views.large() = {PictureView::Fit::all}; });
 }
 
 template <bool is_in>
@@ -42,24 +45,25 @@ void zoom(const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
     const Extent room = large_room(scene);
     edits.arrange([picture, room](WindowState& window) {
-        PictureView& view = window.large_view();
+        PictureView& view = window.views.large();
         const double present = view.zoom_for(picture, room);
         view.zoom_about(view.x, view.y, present, next_zoom(present, is_in));
     });
 }
 
 void toggle_comfort(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.comfort.is_on = !window.comfort.is_on; });
+    edits.arrange(
+        [](WindowState& window) { window.flashes.limit.is_on = !window.flashes.limit.is_on; });
 }
 
 bool has_comfort(const Scene& scene) {
-    return scene.window.comfort.is_on;
+    return scene.window.flashes.limit.is_on;
 }
 
 template <int eighths>
 void scale_text(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.scale = std::clamp(window.scale + eighths / 8.0, 0.75, 3.0);
+        window.geometry.scale = std::clamp(window.geometry.scale + eighths / 8.0, 0.75, 3.0);
     });
 }
 }  // namespace
@@ -67,20 +71,20 @@ void scale_text(const Scene&, Edits& edits) {
 void view_actions::search(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         window.layout.reveal(PanelId::parameters);
-        window.is_searching = true;
+        window.parameters.is_searching = true;
     });
 }
 
 void view_actions::toggle_changed(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        const bool is_on = window.filter == ParameterFilter::changed;
-        window.filter = is_on ? ParameterFilter::all : ParameterFilter::changed;
+        const bool is_on = window.parameters.filter == ParameterFilter::changed;
+        window.parameters.filter = is_on ? ParameterFilter::all : ParameterFilter::changed;
         window.layout.panels.show(PanelId::parameters);
     });
 }
 
 bool view_actions::shows_only_changed(const Scene& scene) {
-    return scene.window.filter == ParameterFilter::changed;
+    return scene.window.parameters.filter == ParameterFilter::changed;
 }
 
 std::vector<Action> view_actions::list() {

@@ -7,8 +7,8 @@
 
 namespace {
 double export_seconds(const Scene& scene) {
-    if (scene.window.export_seconds > 0.0)
-        return scene.window.export_seconds;
+    if (scene.window.exporting.seconds > 0.0)
+        return scene.window.exporting.seconds;
     const double sound = scene.lab.player().signal().sound_seconds();
     return sound > 0.0 ? sound : film_seconds_without_sound;
 }
@@ -28,7 +28,7 @@ void draw_exported(const Exported& exported, Edits& edits) {
 }  // namespace
 
 void export_frames(const std::filesystem::path& file, const Scene& scene, Edits& edits) {
-    ExportWishes wishes{file, scene.window.export_fps, scene.window.export_seconds};
+    ExportWishes wishes{file, scene.window.exporting.fps, scene.window.exporting.seconds};
     if (!file.has_extension())
         wishes.file += ".mp4";
     edits.add([wishes](Lab& lab) { lab.jobs().export_frames(wishes); });
@@ -41,15 +41,15 @@ void draw_export_numbers(const Scene& scene, Edits& edits) {
     ImGui::SetNextItemWidth(width);
     if (ImGui::InputDouble("seconds", &seconds, 0.0, 0.0, "%.3f"))
         edits.arrange([seconds](WindowState& window) {
-            window.export_seconds = std::clamp(seconds, 0.0, 86400.0);
+            window.exporting.seconds = std::clamp(seconds, 0.0, 86400.0);
         });
     edits.mark("export_seconds");
     ImGui::SameLine();
-    double fps = scene.window.export_fps;
+    double fps = scene.window.exporting.fps;
     ImGui::SetNextItemWidth(width);
     if (ImGui::InputDouble("fps", &fps, 0.0, 0.0, "%.3f"))
         edits.arrange(
-            [fps](WindowState& window) { window.export_fps = std::clamp(fps, 1.0, 1000.0); });
+            [fps](WindowState& window) { window.exporting.fps = std::clamp(fps, 1.0, 1000.0); });
     edits.mark("export_fps");
 }
 

@@ -82,13 +82,13 @@ void enter(const fs::path& folder, Edits& edits) {
     edits.arrange([folder = folder.lexically_normal()](WindowState& window) {
         window.dialog.folder = folder;
         window.dialog.entries = list_folder(folder, endings_for(window.dialog.kind));
-        window.last_folder = folder;
+        window.recent.folder = folder;
     });
 }
 
 void start(const Scene& scene, Edits& edits) {
     std::error_code error;
-    const fs::path& last = scene.window.last_folder;
+    const fs::path& last = scene.window.recent.folder;
     enter(fs::is_directory(last, error) ? last : fs::current_path(error), edits);
     edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
     if (scene.window.dialog.kind == Dialog::Kind::save_picture)
@@ -120,8 +120,9 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     else if (dialog.kind == Dialog::Kind::export_frames)
         export_frames(file, scene, edits);
     else if (dialog.kind == Dialog::Kind::save_pass)
-        edits.add(
-            [view = scene.window.inspected, file](Lab& lab) { save_target(lab, view, file); });
+        edits.add([view = scene.window.views.inspected, file](Lab& lab) {
+            save_target(lab, view, file);
+        });
     else if (dialog.kind == Dialog::Kind::load_drawing)
         edits.add([file](Lab& lab) { lab.drawing().load(file); });
     else if (dialog.kind == Dialog::Kind::choose_reference)

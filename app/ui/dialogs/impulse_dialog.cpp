@@ -29,9 +29,9 @@ const theme::Color& hue_of(std::size_t pass) {
 }
 
 Pin flash_pin(const Scene& scene) {
-    if (!scene.window.pins.empty())
-        return scene.window.pins.front();
-    return scene.window.probe ? pin_at(*scene.window.probe) : Pin{};
+    if (!scene.window.probes.pins.empty())
+        return scene.window.probes.pins.front();
+    return scene.window.probes.pointer ? pin_at(*scene.window.probes.pointer) : Pin{};
 }
 
 // The time until the slowest pass has decayed to the floor, plus a margin.

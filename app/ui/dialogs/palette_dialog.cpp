@@ -123,7 +123,8 @@ void draw_palette(const Scene& scene, float width, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
     const std::string query = draw_query(dialog, width, edits);
     const std::vector<PaletteEntry> entries = palette_list(scene);
-    const std::vector<PaletteMatch> matches = find_entries(entries, query, scene.window.used);
+    const std::vector<PaletteMatch> matches =
+        find_entries(entries, query, scene.window.recent.commands);
     const int first = query == dialog.text ? dialog.chosen : 0;
     const int chosen = moved_choice(first, static_cast<int>(matches.size()), edits);
     const float row = ImGui::GetTextLineHeightWithSpacing();

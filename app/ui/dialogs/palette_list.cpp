@@ -99,15 +99,15 @@ const char* why_not(const Action& action, const Scene& scene) {
 void reveal(const std::string& parameter, Edits& edits) {
     edits.arrange([parameter](WindowState& window) {
         window.layout.reveal(PanelId::parameters);
-        window.filter = ParameterFilter::all;
-        window.search.clear();
-        window.revealed = {parameter, true};
+        window.parameters.filter = ParameterFilter::all;
+        window.parameters.search.clear();
+        window.parameters.revealed = {parameter, true};
     });
 }
 
 void inspect(const std::string& pass, Edits& edits) {
     edits.arrange([pass](WindowState& window) {
-        window.inspected.look_into(pass);
+        window.views.inspected.look_into(pass);
         window.layout.reveal(PanelId::inspector);
     });
 }
@@ -147,12 +147,12 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
     add(palette_entries(document ? &document->look() : nullptr, looks), entries);
     if (document)
         add(difference_entries(document->look(), looks), entries);
-    add(file_entries(scene.window.recent_files), entries);
+    add(file_entries(scene.window.recent.files), entries);
     return entries;
 }
 
 void run(const PaletteEntry& entry, const Scene& scene, Edits& edits) {
-    edits.arrange([id = entry.id](WindowState& window) { note_use(window.used, id); });
+    edits.arrange([id = entry.id](WindowState& window) { note_use(window.recent.commands, id); });
     switch (entry.kind) {
         case PaletteEntry::Kind::action:
             return run_action(entry.id, scene, edits);

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> recent_files(const Scene& scene, const std::vector<std::string>& endings) {
     std::vector<fs::path> files;
-    for (const std::string& name : scene.window.recent_files) {
+    for (const std::string& name : scene.window.recent.files) {
         const fs::path file(name);
         std::string ending = file.extension().string();
         std::ranges::transform(ending, ending.begin(), [](unsigned char letter) {

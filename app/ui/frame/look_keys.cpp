@@ -50,7 +50,7 @@ constexpr auto key_numbers = std::to_array<KeyNumbers>({{' ', 1, 32},
                                                         {gpu::key::right_shift, 3, 16}});
 
 bool gives_keys(const Scene& scene) {
-    return scene.window.gives_keys;
+    return scene.window.keyboard.is_in_look;
 }
 }  // namespace
 
@@ -67,7 +67,7 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
     const bool gives = is_pointed && reads_keys(scene.lab.document()->look()) &&
                        !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
     if (gives != gives_keys(scene))
-        edits.arrange([gives](WindowState& window) { window.gives_keys = gives; });
+        edits.arrange([gives](WindowState& window) { window.keyboard.is_in_look = gives; });
     const Keys::Flags known = scene.lab.renderer()->hand().keys().down;
     const auto is_held = [&known](int key, std::size_t number) {
         return ImGui::IsKeyDown(key) && (known.test(number) || ImGui::IsKeyPressed(key, false));

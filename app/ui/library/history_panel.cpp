@@ -76,13 +76,13 @@ void draw_head(Edits& edits) {
 // keeps the scroll position.
 void follow(const Document& document, const WindowState& window, float height, Edits& edits) {
     const HistorySeen seen{history_index(document), history_size(document)};
-    if (seen == window.history_seen && !ImGui::IsWindowAppearing())
+    if (seen == window.scrolled.history && !ImGui::IsWindowAppearing())
         return;
     const float top = height * static_cast<float>(seen.place);
     const float room = ImGui::GetWindowHeight();
     if (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + room)
         ImGui::SetScrollY(std::max(0.0f, top - (room - height) * 0.5f));
-    edits.arrange([seen](WindowState& state) { state.history_seen = seen; });
+    edits.arrange([seen](WindowState& state) { state.scrolled.history = seen; });
 }
 }  // namespace
 

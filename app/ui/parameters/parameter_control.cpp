@@ -232,7 +232,7 @@ void tell_pointed(const ParameterEntry& entry, float top, Edits& edits) {
         component = static_cast<std::size_t>(std::max(part, 0.0f));
     }
     edits.arrange([pointed = Pointed{entry.parameter.name, component}](WindowState& window) {
-        window.pointed = pointed;
+        window.parameters.pointed = pointed;
     });
 }
 }  // namespace

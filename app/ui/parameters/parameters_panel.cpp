@@ -20,13 +20,13 @@
 namespace {
 void draw_search(const WindowState& window, float width, Edits& edits) {
     ImGui::SetNextItemWidth(width);
-    if (window.is_searching) {
+    if (window.parameters.is_searching) {
         ImGui::SetKeyboardFocusHere();
-        edits.arrange([](WindowState& state) { state.is_searching = false; });
+        edits.arrange([](WindowState& state) { state.parameters.is_searching = false; });
     }
-    std::string words = window.search;
+    std::string words = window.parameters.search;
     if (ImGui::InputTextWithHint("##search", "Search parameters", &words))
-        edits.arrange([words](WindowState& state) { state.search = words; });
+        edits.arrange([words](WindowState& state) { state.parameters.search = words; });
     edits.mark("search");
 }
 
@@ -46,8 +46,9 @@ float filter_width() {
 }
 
 void draw_filter(const WindowState& window, Edits& edits) {
-    const auto& present = *std::ranges::find(filters, window.filter, &FilterChoice::filter);
-    const bool is_all = window.filter == ParameterFilter::all;
+    const auto& present =
+        *std::ranges::find(filters, window.parameters.filter, &FilterChoice::filter);
+    const bool is_all = window.parameters.filter == ParameterFilter::all;
     bool is_open = false;
     {
         const ScopedColor text(ImGuiCol_Text, is_all ? theme::dim : theme::accent);
@@ -61,10 +62,11 @@ void draw_filter(const WindowState& window, Edits& edits) {
     for (const FilterChoice& choice : filters) {
         const bool is_of_pass = choice.filter == ParameterFilter::of_pass;
         const std::string words =
-            is_of_pass ? fmt::format("Used by {}", window.inspected.pass) : choice.words;
-        if ((!is_of_pass || !window.inspected.pass.empty()) &&
-            ImGui::Selectable(words.c_str(), choice.filter == window.filter))
-            edits.arrange([chosen = choice.filter](WindowState& state) { state.filter = chosen; });
+            is_of_pass ? fmt::format("Used by {}", window.views.inspected.pass) : choice.words;
+        if ((!is_of_pass || !window.views.inspected.pass.empty()) &&
+            ImGui::Selectable(words.c_str(), choice.filter == window.parameters.filter))
+            edits.arrange(
+                [chosen = choice.filter](WindowState& state) { state.parameters.filter = chosen; });
         edits.mark(std::string("filter:") + choice.name);
     }
     ImGui::EndCombo();
@@ -169,7 +171,7 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
         .modulation = modulation_of(document, parameter),
         .period = period_facts(parameter, scene),
         .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
-    const Revealed& revealed = scene.window.revealed;
+    const Revealed& revealed = scene.window.parameters.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
         entry.typed = revealed.component;
     if (entry.modulation && scene.lab.renderer())
@@ -187,9 +189,9 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
     {
         const ScopedFont strong(scene.fonts.strong);
         const std::string title = group.name.empty() ? "Parameters" : group.name;
-        if (is_to_be_shown(group.parameters, scene.window))
+        if (is_to_be_shown(group.parameters, scene.window.parameters))
             open_section(title);
-        is_open = section(title, true) || !scene.window.search.empty();
+        is_open = section(title, true) || !scene.window.parameters.search.empty();
         edits.mark("group:" + group.name);
     }
     draw_group_header_end(group, changed, edits);
@@ -198,7 +200,7 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
         draw_parameter_row(*parameter, scene, edits);
-        show_if_revealed(*parameter, top, scene.window, edits);
+        show_if_revealed(*parameter, top, scene.window.parameters, edits);
     }
     ImGui::Spacing();
 }
@@ -212,8 +214,8 @@ void draw_nothing_to_show(const Document& document, const WindowState& window, E
     wrapped_dim_text(why_nothing_is_listed(query_of(window)));
     if (quiet_button("Show all"))
         edits.arrange([](WindowState& state) {
-            state.search.clear();
-            state.filter = ParameterFilter::all;
+            state.parameters.search.clear();
+            state.parameters.filter = ParameterFilter::all;
         });
     edits.mark("show_all");
 }
@@ -231,12 +233,12 @@ void draw_orphans(const Document& document) {
 // Clears search and scroll position for another look. Returns whether it is another look.
 bool begin_list(const Document& document, const WindowState& window, Edits& edits) {
     const std::string look = document.look().manifest.string();
-    if (window.listed_look == look)
+    if (window.parameters.listed_look == look)
         return false;
-    edits.arrange([look, is_first = window.listed_look.empty()](WindowState& state) {
-        state.listed_look = look;
+    edits.arrange([look, is_first = window.parameters.listed_look.empty()](WindowState& state) {
+        state.parameters.listed_look = look;
         if (!is_first)
-            state.search.clear();
+            state.parameters.search.clear();
     });
     return true;
 }

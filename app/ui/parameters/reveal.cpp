@@ -5,16 +5,17 @@
 
 #include <algorithm>
 
-bool is_to_be_shown(const std::vector<const Parameter*>& parameters, const WindowState& window) {
-    return window.revealed.is_new &&
+bool is_to_be_shown(const std::vector<const Parameter*>& parameters,
+                    const ParameterListing& listing) {
+    return listing.revealed.is_new &&
            std::any_of(parameters.begin(), parameters.end(), [&](const Parameter* parameter) {
-               return parameter->name == window.revealed.parameter;
+               return parameter->name == listing.revealed.parameter;
            });
 }
 
-void show_if_revealed(const Parameter& parameter, float top, const WindowState& window,
+void show_if_revealed(const Parameter& parameter, float top, const ParameterListing& listing,
                       Edits& edits) {
-    const Revealed& revealed = window.revealed;
+    const Revealed& revealed = listing.revealed;
     if (parameter.name != revealed.parameter)
         return;
     const float line = ImGui::GetFrameHeightWithSpacing();
@@ -38,9 +39,9 @@ void show_if_revealed(const Parameter& parameter, float top, const WindowState& 
     edits.mark("revealed:" + parameter.name);
     const bool is_over = !revealed.is_new && ImGui::IsMouseClicked(0);
     edits.arrange([is_over](WindowState& state) {
-        state.revealed.is_new = false;
-        state.revealed.is_to_be_typed = false;
+        state.parameters.revealed.is_new = false;
+        state.parameters.revealed.is_to_be_typed = false;
         if (is_over)
-            state.revealed = {};
+            state.parameters.revealed = {};
     });
 }

@@ -11,7 +11,7 @@ void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {
 
 void follow_pointer(const Scene& scene, Edits& edits) {
     const auto& question = scene.lab.frames().previews().probe().question();
-    const auto& pointed = scene.window.pointed;
+    const auto& pointed = scene.window.parameters.pointed;
     if (!question || !pointed || !ImGui::IsKeyDown('U') || ImGui::GetIO().WantTextInput)
         return;
     const Pointed present{question->parameter, question->component};

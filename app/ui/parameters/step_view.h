@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/window/window_state.h"
+#include "lab/window/parameter_listing.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 

@@ -28,7 +28,7 @@ float strip_height() {
 }
 
 void set_levels(const Levels& levels, Edits& edits) {
-    edits.arrange([levels](WindowState& window) { window.inspected.levels = levels; });
+    edits.arrange([levels](WindowState& window) { window.views.inspected.levels = levels; });
 }
 
 // The sum of the colours of several channels, as in the waveform.
@@ -157,7 +157,7 @@ void drag(const ImVec2& low, const ImVec2& high, const Scene& scene, Edits& edit
         return run(ActionId::fit_levels, scene, edits);
     if (!ImGui::IsItemActive() || io.MouseDelta.x == 0.0f)
         return;
-    const Levels& levels = scene.window.inspected.levels;
+    const Levels& levels = scene.window.views.inspected.levels;
     // A drag over half the strip halves or doubles the range, independent of the number of steps.
     const double part = io.MouseDelta.x / (high.x - low.x);
     const double range = levels.white - levels.black;
@@ -177,7 +177,7 @@ void draw_strip(const Scene& scene, Edits& edits) {
     tooltip(help_text(histogram));
     edits.mark("histogram");
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, theme::packed(theme::surround));
-    const float legend = scene.window.inspected.is_false_color ? 4.0f * scene.scale : 0.0f;
+    const float legend = scene.window.views.inspected.is_false_color ? 4.0f * scene.scale : 0.0f;
     draw_bars(histogram, {low.x, low.y + ImGui::GetFontSize() * 1.1f}, {high.x, high.y - legend});
     if (legend > 0.0f)
         draw_ramp({low.x, high.y - legend}, high);
@@ -193,7 +193,7 @@ void draw_end(const char* name, double value, const Scene& scene, Edits& edits, 
     const NumberFacts facts{value != (is_black ? 0.0 : 1.0), {}, Limit{-1e9, 1e9}, false};
     const std::string id = std::string("##") + name;
     if (draw_number(id.c_str(), value, width, facts).is_changed) {
-        const Levels& levels = scene.window.inspected.levels;
+        const Levels& levels = scene.window.views.inspected.levels;
         set_levels(is_black ? with_black(levels, value) : with_white(levels, value), edits);
     }
     tooltip(is_black ? "Stored value shown as black. Click to type it."
@@ -215,7 +215,7 @@ struct Switch {
 };
 
 void draw_switches(const Scene& scene, Edits& edits) {
-    const PassView& view = scene.window.inspected;
+    const PassView& view = scene.window.views.inspected;
     const std::array switches{
         Switch{ActionId::fit_levels, Icon::fit, "fit_levels", false},
         Switch{ActionId::reset_levels, Icon::reset, "reset_levels", view.has_levels()},
@@ -237,7 +237,7 @@ void draw_switches(const Scene& scene, Edits& edits) {
 
 void draw_inspector_levels(const Scene& scene, Edits& edits) {
     draw_strip(scene, edits);
-    const Levels& levels = scene.window.inspected.levels;
+    const Levels& levels = scene.window.views.inspected.levels;
     const float side = ImGui::GetFrameHeight();
     const float room = ImGui::GetContentRegionAvail().x;
     const float left = ImGui::GetCursorPosX();

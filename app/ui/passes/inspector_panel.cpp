@@ -20,14 +20,14 @@
 
 namespace {
 void arrange(PassView view, Edits& edits) {
-    edits.arrange([view = std::move(view)](WindowState& window) { window.inspected = view; });
+    edits.arrange([view = std::move(view)](WindowState& window) { window.views.inspected = view; });
 }
 
 // A list entry; a click inspects it.
 void draw_choice(const TextureChoice& choice, const std::string& words, bool is_present,
                  Edits& edits) {
     if (ImGui::Selectable(words.c_str(), is_present))
-        edits.arrange([choice](WindowState& window) { window.inspected.look_into(choice); });
+        edits.arrange([choice](WindowState& window) { window.views.inspected.look_into(choice); });
     edits.mark("inspect:" + choice.label());
 }
 
@@ -125,7 +125,7 @@ void draw_title(const Pass& pass, const InspectedTexture& inspected, const Scene
         run(ActionId::save_pass, scene, edits);
     edits.mark("save_pass");
     ImGui::SameLine(0.0f, 2.0f);
-    if (icon_button("##large", scene.window.shows_pass_large ? Icon::close : Icon::large,
+    if (icon_button("##large", scene.window.views.shows_pass_large ? Icon::close : Icon::large,
                     scene.actions.help(ActionId::pass_large), theme::dim))
         run(ActionId::pass_large, scene, edits);
     edits.mark("pass_large");
@@ -133,7 +133,7 @@ void draw_title(const Pass& pass, const InspectedTexture& inspected, const Scene
 
 void draw_channels(const Scene& scene, Edits& edits) {
     static constexpr std::array labels{"RGB", "R", "G", "B", "A", "Y"};
-    PassView view = scene.window.inspected;
+    PassView view = scene.window.views.inspected;
     const int chosen = choice("channels", labels.data(), static_cast<int>(labels.size()),
                               static_cast<int>(view.channels), edits);
     if (chosen == static_cast<int>(view.channels))
@@ -143,7 +143,7 @@ void draw_channels(const Scene& scene, Edits& edits) {
 }
 
 void draw_exposure(const Scene& scene, Edits& edits) {
-    PassView view = scene.window.inspected;
+    PassView view = scene.window.views.inspected;
     ImGui::AlignTextToFramePadding();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetStyle().ItemSpacing.x);
     const float number = ImGui::GetFontSize() * 4.6f;
@@ -168,7 +168,7 @@ void draw_exposure(const Scene& scene, Edits& edits) {
 }
 
 std::string probe_text(const Scene& scene, const InspectedTexture& inspected) {
-    const auto& probe = scene.window.probe;
+    const auto& probe = scene.window.probes.pointer;
     const auto& rgba = scene.views.probed();
     if (!probe || probe->pass != inspected.choice.label() || !rgba)
         return {};
@@ -181,7 +181,8 @@ std::string probe_text(const Scene& scene, const InspectedTexture& inspected) {
 void draw_facts_line(const InspectedTexture& inspected, const Scene& scene, Edits& edits) {
     const Extent extent = inspected.extent();
     const ScopedFont font(scene.fonts.numbers);
-    const double zoom = inspector_view(scene.window).zoom_for(extent, scene.window.views.inspector);
+    const double zoom =
+        inspector_view(scene.window.views).zoom_for(extent, scene.window.views.sizes.inspector);
     const std::string probe = probe_text(scene, inspected);
     const float width = ImGui::GetContentRegionAvail().x;
     if (!probe.empty()) {
@@ -198,23 +199,24 @@ void draw_view(const InspectedTexture& inspected, float height, const Scene& sce
     const Extent extent = inspected.extent();
     const float width = ImGui::GetContentRegionAvail().x;
     const Extent room = device_pixels(scene, width, height);
-    if (room != scene.window.views.inspector)
-        edits.arrange([room](WindowState& window) { window.views.inspector = room; });
+    if (room != scene.window.views.sizes.inspector)
+        edits.arrange([room](WindowState& window) { window.views.sizes.inspector = room; });
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + height},
                                               theme::packed(theme::surround));
     const CanvasInput input = draw_picture_canvas({.id = "##inspected",
                                                    .image = scene.views.inspector().image(),
                                                    .picture = extent,
-                                                   .view = inspector_view(scene.window),
+                                                   .view = inspector_view(scene.window.views),
                                                    .size = {width, height}},
                                                   scene);
     edits.mark("inspector");
     draw_cell_texts(scene.views.texels().inspected(), low, {width, height}, scene);
     pin_on_click(scene, edits);
-    draw_pin_marks(scene, low, extent, inspector_view(scene.window), room);
-    if (input.moved && !scene.window.shows_pass_large)
-        edits.arrange([view = *input.moved](WindowState& window) { window.inspected.view = view; });
+    draw_pin_marks(scene, low, extent, inspector_view(scene.window.views), room);
+    if (input.moved && !scene.window.views.shows_pass_large)
+        edits.arrange(
+            [view = *input.moved](WindowState& window) { window.views.inspected.view = view; });
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(0))
         run(ActionId::pass_large, scene, edits);
     if (!input.hovered)
@@ -223,7 +225,7 @@ void draw_view(const InspectedTexture& inspected, float height, const Scene& sce
                       .x = static_cast<int>(std::floor((*input.hovered)[0])),
                       .y = static_cast<int>(std::floor((*input.hovered)[1])),
                       .extent = extent};
-    edits.arrange([probe](WindowState& window) { window.probe = probe; });
+    edits.arrange([probe](WindowState& window) { window.probes.pointer = probe; });
 }
 }  // namespace
 
@@ -231,11 +233,12 @@ void draw_inspector_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     const Executor& executor = scene.lab.renderer()->executor();
-    const int index = inspected_pass(executor.look(), scene.window);
+    const int index = inspected_pass(executor.look(), scene.window.views.inspected);
     const Pass& pass = executor.look().passes[static_cast<std::size_t>(index)];
-    if (pass.name != scene.window.inspected.pass)
-        edits.arrange([name = pass.name](WindowState& window) { window.inspected.pass = name; });
-    PassView view = scene.window.inspected;
+    if (pass.name != scene.window.views.inspected.pass)
+        edits.arrange(
+            [name = pass.name](WindowState& window) { window.views.inspected.pass = name; });
+    PassView view = scene.window.views.inspected;
     view.pass = pass.name;
     const auto inspected = inspected_texture(executor, view);
     if (!inspected)

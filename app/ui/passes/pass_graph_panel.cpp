@@ -181,7 +181,7 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     ImGui::SetCursorScreenPos(low);
     if (ImGui::InvisibleButton("##node", paper.node) && is_pass)
         edits.arrange([name = node.name](WindowState& window) {
-            window.inspected.look_into(name);
+            window.views.inspected.look_into(name);
             window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("node:" + node.name);
@@ -275,7 +275,8 @@ void draw_pass_graph(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
     const Executor& executor = scene.lab.renderer()->executor();
-    const auto inspected = static_cast<std::size_t>(inspected_pass(executor.look(), scene.window));
+    const auto inspected =
+        static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
     const PassGraph graph = graph_of_present(executor, inspected);
     ImGui::BeginChild("##graph", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const Paper paper = paper_for(graph);

@@ -29,8 +29,9 @@ void draw_read(const SamplerReport& sampler, Edits& edits) {
         return;
     }
     if (quiet_button(sampler.reads->label() + "##" + sampler.uniform))
-        edits.arrange(
-            [choice = *sampler.reads](WindowState& window) { window.inspected.look_into(choice); });
+        edits.arrange([choice = *sampler.reads](WindowState& window) {
+            window.views.inspected.look_into(choice);
+        });
     edits.mark("reads:" + sampler.uniform);
     tooltip("Click to inspect this picture.");
 }
@@ -106,7 +107,7 @@ void draw_pass_inputs(const Scene& scene, Edits& edits) {
         return;
     const Executor& executor = scene.lab.renderer()->executor();
     const PassReport report =
-        executor.drawer().report(inspected_pass(executor.look(), scene.window));
+        executor.drawer().report(inspected_pass(executor.look(), scene.window.views.inspected));
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> padding(
         ImGuiStyleVar_CellPadding,

@@ -140,11 +140,11 @@ void go_on(const std::vector<Group>& groups, const std::string& key, const Scene
 // Scrolls to the block that was just drawn if one of its passes has just been inspected. The
 // previously inspected pass must be in the same look.
 void follow_chosen(const StripBlock& block, const Scene& scene, Edits& edits) {
-    const std::string& chosen = scene.window.inspected.pass;
-    const std::string& previous = scene.window.strip_seen;
+    const std::string& chosen = scene.window.views.inspected.pass;
+    const std::string& previous = scene.window.scrolled.pass;
     if (chosen == previous || std::ranges::none_of(block.passes, &StripPass::is_chosen))
         return;
-    edits.arrange([chosen](WindowState& window) { window.strip_seen = chosen; });
+    edits.arrange([chosen](WindowState& window) { window.scrolled.pass = chosen; });
     if (!find_pass(scene.lab.renderer()->executor().look(), previous))
         return;
     const float left = ImGui::GetWindowPos().x;
@@ -184,8 +184,9 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
         ImGui::GetContentRegionAvail().y - ImGui::GetFontSize() * text_lines - scrollbar;
     const float image_height = std::max(24.0f, std::floor(room));
     const int wanted = static_cast<int>(image_height * scene.density);
-    if (wanted != scene.window.views.thumbnail_height)
-        edits.arrange([wanted](WindowState& window) { window.views.thumbnail_height = wanted; });
+    if (wanted != scene.window.views.sizes.thumbnail_height)
+        edits.arrange(
+            [wanted](WindowState& window) { window.views.sizes.thumbnail_height = wanted; });
     {  // only for the strip: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
         ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);

@@ -69,7 +69,8 @@ void draw_pass_text(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer())
         return;
     const Executor& executor = scene.lab.renderer()->executor();
-    const auto index = static_cast<std::size_t>(inspected_pass(executor.look(), scene.window));
+    const auto index =
+        static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
     const Pass& pass = executor.look().passes[index];
     const Stage own{{}, executor.programs().generic().passes[index].vertex, {}};
     const ScopedFont font(scene.fonts.numbers);

@@ -171,7 +171,7 @@ std::vector<StripPass> present_passes(const Scene& scene) {
             .milliseconds = i < times.size() ? times[i] : 0.0,
             .gain = scene.views.strip().gain(i),
             .change = i < changes.size() ? changes[i] : std::nullopt,
-            .is_chosen = look.passes[i].name == scene.window.inspected.pass,
+            .is_chosen = look.passes[i].name == scene.window.views.inspected.pass,
             .state = pass_switch_text(i, look, scene.lab.frames().passes().switches())};
         if (pass.is_chosen || is_switched(pass) || !is_idle(look, i, targets[i].extent))
             passes.push_back(pass);

@@ -75,13 +75,13 @@ std::string cell_help(const StripPass& pass) {
 bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, Edits& edits) {
     if (ImGui::InvisibleButton("##pass", size))
         edits.arrange([name = pass.pass.name](WindowState& window) {
-            window.inspected.look_into(name);
+            window.views.inspected.look_into(name);
             window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("pass:" + pass.pass.name);
     const bool is_hovered = ImGui::IsItemHovered();
     if (is_hovered && ImGui::IsMouseDoubleClicked(0))
-        edits.arrange([](WindowState& window) { window.shows_pass_large = true; });
+        edits.arrange([](WindowState& window) { window.views.shows_pass_large = true; });
     if (ImGui::BeginPopupContextItem("##switches")) {
         draw_pass_switches(pass.pass.name, scene, edits);
         ImGui::EndPopup();

@@ -84,7 +84,7 @@ void draw_curves(const WavePlot& plot, const Numbers& numbers, const Scene& scen
             ImGui::GetWindowDrawList()->AddLine({plot.x(i), plot.low.y},
                                                 {plot.x(i), plot.low.y + plot.size.y},
                                                 theme::packed(theme::problem));
-        else if (scene.window.plots_luminance && channels > 1)
+        else if (scene.window.probes.plots_luminance && channels > 1)
             draw_segment(plot, i, from, to, theme::text);
         else
             draw_step(plot, i, numbers, channels);
@@ -153,8 +153,8 @@ void draw_readout(const std::optional<std::size_t>& index, const Scene& scene) {
 void draw_row(const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
     const int last = std::max(picture.height - 1, 0);
-    double row = scene.window.scan_line.row(picture).value_or(
-        scene.window.scan_line.start.texel(picture)[1]);
+    double row = scene.window.probes.scan_line.row(picture).value_or(
+        scene.window.probes.scan_line.start.texel(picture)[1]);
     ImGui::AlignTextToFramePadding();
     dim_text("Row");
     ImGui::SameLine();
@@ -162,7 +162,7 @@ void draw_row(const Scene& scene, Edits& edits) {
     const NumberFacts facts{false, {}, Limit{0.0, static_cast<double>(last)}, true};
     if (draw_number("##row", row, ImGui::CalcTextSize("00000 ").x, facts).is_changed)
         edits.arrange([row = static_cast<int>(row), height = picture.height](WindowState& window) {
-            window.scan_line = ScanLine::along_row(row, height);
+            window.probes.scan_line = ScanLine::along_row(row, height);
         });
     edits.mark("scan_row");
     tooltip("Click to type a row, counted from the top. The line then spans the whole row.");
@@ -170,11 +170,12 @@ void draw_row(const Scene& scene, Edits& edits) {
 
 void draw_controls(const std::optional<std::size_t>& index, const Scene& scene, Edits& edits) {
     static constexpr std::array labels{"RGB", "Y"};
-    const int present = scene.window.plots_luminance ? 1 : 0;
+    const int present = scene.window.probes.plots_luminance ? 1 : 0;
     const int chosen =
         choice("waveform", labels.data(), static_cast<int>(labels.size()), present, edits);
     if (chosen != present)
-        edits.arrange([chosen](WindowState& window) { window.plots_luminance = chosen == 1; });
+        edits.arrange(
+            [chosen](WindowState& window) { window.probes.plots_luminance = chosen == 1; });
     ImGui::SameLine();
     draw_row(scene, edits);
     draw_readout(index, scene);
@@ -214,7 +215,7 @@ void draw_waveform_panel(const Scene& scene, Edits& edits) {
                      theme::packed(theme::faint));
         edits.arrange([place = (static_cast<double>(*index) + 0.5) /
                                static_cast<double>(plot.count)](WindowState& window) {
-            window.scan_place = place;
+            window.probes.scan_place = place;
         });
     }
     list.PopClipRect();

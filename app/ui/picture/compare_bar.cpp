@@ -135,7 +135,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     if (icon_button("##fit", Icon::fit, "Auto gain: show the largest difference as white.",
                     can_fit ? theme::text : theme::faint) &&
         can_fit)
-        edits.arrange([](WindowState& window) { window.pending.gain = true; });
+        edits.arrange([](WindowState& window) { window.views.pending.gain = true; });
     edits.mark("fit_gain");
     if (turned.is_changed)
         change_comparison(edits, [gain](Comparison& comparison) { comparison.gain_stops = gain; });

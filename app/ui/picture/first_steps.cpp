@@ -45,7 +45,7 @@ void note_first_steps(const Lab& lab, WindowState& window) {
     FirstSteps& steps = window.first_steps;
     steps.has_turned |= state.values != saved.values;
     steps.has_driven |= state.signal != saved.signal || state.source != saved.source;
-    const std::string& inspected = window.inspected.pass;  // initially the last pass
+    const std::string& inspected = window.views.inspected.pass;  // initially the last pass
     steps.has_looked |= !inspected.empty() && inspected != document->look().passes.back().name;
 }
 

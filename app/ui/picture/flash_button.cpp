@@ -13,7 +13,7 @@ constexpr const char* popup = "flashes";
 std::string label_of(const Scene& scene) {
     const Flashes flashes = scene.views.main().flashes();
     const int most = flashes.most();
-    const bool is_limited = scene.window.comfort.is_on;
+    const bool is_limited = scene.window.flashes.limit.is_on;
     if (most == 1)
         return is_limited ? "1 flash/s · limited" : "1 flash/s";
     return is_limited ? fmt::format("{} flashes/s · limited", most)
@@ -22,7 +22,7 @@ std::string label_of(const Scene& scene) {
 
 // A fixed width, so that neighbouring items do not move.
 std::string widest_label(const Scene& scene) {
-    return scene.window.comfort.is_on ? "00 flashes/s · limited" : "00 flashes/s";
+    return scene.window.flashes.limit.is_on ? "00 flashes/s · limited" : "00 flashes/s";
 }
 
 theme::Color color_of(const Flashes& flashes) {
@@ -45,7 +45,7 @@ void draw_counts(const Scene& scene) {
 }
 
 void draw_clamp(const Scene& scene, Edits& edits) {
-    FlashLimit clamp = scene.window.comfort;
+    FlashLimit clamp = scene.window.flashes.limit;
     bool is_changed = ImGui::Checkbox("Flash limiter", &clamp.is_on);
     edits.mark("comfort");
     tooltip(
@@ -66,19 +66,19 @@ void draw_clamp(const Scene& scene, Edits& edits) {
             fmt::format("{:.2f} of full brightness per second", clamp.most_a_second).c_str());
     }
     if (is_changed)
-        edits.arrange([clamp](WindowState& window) { window.comfort = clamp; });
+        edits.arrange([clamp](WindowState& window) { window.flashes.limit = clamp; });
 }
 }  // namespace
 
 float flash_button_width(const Scene& scene) {
-    if (!scene.window.shows_flashes)
+    if (!scene.window.flashes.shows_meter)
         return 0.0f;
     return ImGui::CalcTextSize(widest_label(scene).c_str()).x +
            2.0f * ImGui::GetStyle().FramePadding.x;
 }
 
 void draw_flash_button(const Scene& scene, Edits& edits) {
-    if (!scene.window.shows_flashes)
+    if (!scene.window.flashes.shows_meter)
         return;
     {
         const ScopedColor color(ImGuiCol_Text, color_of(scene.views.main().flashes()));

@@ -186,8 +186,8 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
     }
     if (quiet_button("Show pass"))
         edits.arrange([pass](WindowState& window) {
-            window.inspected.look_into(pass);
-            window.inspected.marks_flaws = true;
+            window.views.inspected.look_into(pass);
+            window.views.inspected.marks_flaws = true;
             window.layout.panels.show(PanelId::inspector);
         });
     edits.mark("trip_show");

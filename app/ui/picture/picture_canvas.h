@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lab/views/views.h"
-#include "lab/window/window_state.h"
+#include "lab/window/picture_view.h"
 #include "model/look/orbit.h"
 #include "ui/frame/scene.h"
 

@@ -17,7 +17,7 @@ std::string size_label(const Scene& scene) {
 }
 
 double present_zoom(const Scene& scene) {
-    return scene.window.large_view().zoom_for(large_extent(scene), large_room(scene));
+    return scene.window.views.large().zoom_for(large_extent(scene), large_room(scene));
 }
 
 // Only at integer zooms is every pixel of the picture a block of screen pixels.
@@ -49,9 +49,9 @@ void draw_button(const std::string& label, const char* popup, const std::string&
 }  // namespace
 
 Extent large_extent(const Scene& scene) {
-    if (scene.window.shows_pass_large && scene.lab.renderer()) {
+    if (scene.window.views.shows_pass_large && scene.lab.renderer()) {
         const auto inspected =
-            inspected_texture(scene.lab.renderer()->executor(), scene.window.inspected);
+            inspected_texture(scene.lab.renderer()->executor(), scene.window.views.inspected);
         if (inspected)
             return inspected->extent();
     }
@@ -60,7 +60,7 @@ Extent large_extent(const Scene& scene) {
 
 Extent large_room(const Scene& scene) {
     const bool is_half = scene.views.main().beside().handle != 0;
-    return room_of_one(scene.window.views.picture,
+    return room_of_one(scene.window.views.sizes.picture,
                        is_half ? CompareMode::side_by_side : CompareMode::off);
 }
 
@@ -125,10 +125,10 @@ void draw_size_items(const Scene& scene, Edits& edits) {
 }
 
 void draw_zoom_items(const Scene& scene, Edits& edits) {
-    const PictureView& present = scene.window.large_view();
+    const PictureView& present = scene.window.views.large();
     const auto fit_item = [&](const char* label, const char* key, PictureView::Fit fit) {
         if (ImGui::MenuItem(label, key, present.fit == fit))
-            edits.arrange([fit](WindowState& window) { window.large_view() = {fit}; });
+            edits.arrange([fit](WindowState& window) { window.views.large() = {fit}; });
     };
     fit_item("Largest integer zoom", "", PictureView::Fit::whole);
     fit_item("Fit", "F", PictureView::Fit::all);
@@ -137,8 +137,8 @@ void draw_zoom_items(const Scene& scene, Edits& edits) {
         const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;
         if (ImGui::MenuItem(zoom_text(zoom).c_str(), zoom == 1.0 ? "1" : nullptr, is_chosen))
             edits.arrange([zoom](WindowState& window) {
-                window.large_view().fit = PictureView::Fit::free;
-                window.large_view().zoom = zoom;
+                window.views.large().fit = PictureView::Fit::free;
+                window.views.large().zoom = zoom;
             });
     }
 }

@@ -28,10 +28,10 @@ struct PointedPixel {
 };
 
 void probe_inspected(const PointedPixel& place, const Scene& scene, Edits& edits) {
-    const Probe probe{scene.window.inspected.label(), static_cast<int>(std::floor(place.pixel[0])),
-                      static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant,
-                      large_extent(scene)};
-    edits.arrange([probe](WindowState& window) { window.probe = probe; });
+    const Probe probe{
+        scene.window.views.inspected.label(), static_cast<int>(std::floor(place.pixel[0])),
+        static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant, large_extent(scene)};
+    edits.arrange([probe](WindowState& window) { window.probes.pointer = probe; });
 }
 
 // Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
@@ -52,7 +52,7 @@ void tell_pointer(const PointedPixel& place, const Scene& scene, Edits& edits) {
         return;
     Probe probed = picture_probe(scene.lab, place.pixel);
     probed.is_of_variant = place.is_of_variant;
-    edits.arrange([probed](WindowState& window) { window.probe = probed; });
+    edits.arrange([probed](WindowState& window) { window.probes.pointer = probed; });
 }
 
 // Call it after the picture's item if the look reads the mouse button.
@@ -79,8 +79,8 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
 // The text for a pass that replaces the picture; "": the picture is displayed.
 std::string other_words(const Scene& scene) {
     const PassSwitches& switches = scene.lab.frames().passes().switches();
-    if (scene.window.shows_pass_large)
-        return fmt::format("{} · Back to picture", scene.window.inspected.label());
+    if (scene.window.views.shows_pass_large)
+        return fmt::format("{} · Back to picture", scene.window.views.inspected.label());
     if (!switches.solo.empty())
         return fmt::format("Solo: {} · Back to picture", switches.solo);
     if (!switches.last.empty())
@@ -100,7 +100,7 @@ void draw_other_words(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     ImGui::BeginChild("##back", {width, ImGui::GetFrameHeight()});  // above the picture
     if (ImGui::Button(label.c_str())) {
-        if (scene.window.shows_pass_large)
+        if (scene.window.views.shows_pass_large)
             run(ActionId::pass_large, scene, edits);
         else
             show_whole_picture(scene, edits);
@@ -123,7 +123,7 @@ std::vector<Shown> shown_pictures(const Scene& scene) {
                .is_other = sides && scene.lab.frames().comparison().selection().is_flashing()};
     if (scene.views.main().beside().handle == 0)
         return {ours};
-    const Extent whole = scene.window.views.picture;
+    const Extent whole = scene.window.views.sizes.picture;
     const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
     Shown beside{"beside", scene.views.main().beside(), 0.0f, true};
     (sides && !sides->is_other_left ? beside : ours).left = right;
@@ -137,7 +137,7 @@ void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene)
 }
 
 void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVec2& size) {
-    const bool is_large = scene.window.shows_pass_large;
+    const bool is_large = scene.window.views.shows_pass_large;
     const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
     const bool has_pen = !is_large && scene.lab.drawing().board().has_pen();
     const bool has_press = !is_large && !has_pen && !is_turned && !shown.is_other &&
@@ -150,7 +150,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     const CanvasInput input = draw_picture_canvas({.id = shown.name,
                                                    .image = shown.image,
                                                    .picture = large_extent(scene),
-                                                   .view = scene.window.large_view(),
+                                                   .view = scene.window.views.large(),
                                                    .size = size,
                                                    .has_orbit = is_turned,
                                                    .has_pen = has_pen,
@@ -162,9 +162,9 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
         draw_over_texels(low, size, scene);
     if (!has_pen)
         pin_on_click(scene, edits);
-    draw_pin_marks(scene, low, large_extent(scene), scene.window.large_view(), room);
+    draw_pin_marks(scene, low, large_extent(scene), scene.window.views.large(), room);
     if (input.moved)
-        edits.arrange([view = *input.moved](WindowState& window) { window.large_view() = view; });
+        edits.arrange([view = *input.moved](WindowState& window) { window.views.large() = view; });
     if (input.turned)
         edits.document(
             [turned = input.turned](Document& document) { set_orbit(document, turned); });
@@ -184,7 +184,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     if (!has_pen)
         return;
     follow_pen(input, edits);
-    const PicturePosition at = position_of(scene.window.large_view(), large_extent(scene), room);
+    const PicturePosition at = position_of(scene.window.views.large(), large_extent(scene), room);
     draw_drawing_overlay(scene, input, [&](const PicturePixel& pixel) {
         return ImVec2(low.x + static_cast<float>(at.left + pixel[0] * at.zoom) / scene.density,
                       low.y + static_cast<float>(at.top + pixel[1] * at.zoom) / scene.density);
@@ -196,10 +196,10 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     const float height = std::max(place.height - compare_bar_height(scene), 1.0f);
     const Extent room = device_pixels(scene, place.width, height);
     const Extent cell = least_cell(scene);
-    if (room != scene.window.views.picture || cell != scene.window.views.cell)
+    if (room != scene.window.views.sizes.picture || cell != scene.window.views.sizes.cell)
         edits.arrange([room, cell](WindowState& window) {
-            window.views.picture = room;
-            window.views.cell = cell;
+            window.views.sizes.picture = room;
+            window.views.sizes.cell = cell;
         });
     if (!scene.lab.document()) {
         draw_welcome(scene);

@@ -20,8 +20,8 @@ std::string value_text(const std::array<float, 4>& rgba, Format format) {
 
 void remove(std::size_t pin, Edits& edits) {
     edits.arrange([pin](WindowState& window) {
-        if (pin < window.pins.size())
-            window.pins.erase(window.pins.begin() + static_cast<std::ptrdiff_t>(pin));
+        if (pin < window.probes.pins.size())
+            window.probes.pins.erase(window.probes.pins.begin() + static_cast<std::ptrdiff_t>(pin));
     });
 }
 
@@ -29,9 +29,9 @@ void remove(std::size_t pin, Edits& edits) {
 void draw_heads(const Scene& scene, Edits& edits) {
     const Extent picture = scene.lab.work().size.extent();
     ImGui::TableNextRow();
-    for (std::size_t i = 0; i < scene.window.pins.size(); ++i) {
+    for (std::size_t i = 0; i < scene.window.probes.pins.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i) + 1);
-        const auto [x, y] = scene.window.pins[i].texel(picture);
+        const auto [x, y] = scene.window.probes.pins[i].texel(picture);
         const ScopedId id(static_cast<int>(i));
         ImGui::AlignTextToFramePadding();
         dim_text(fmt::format("{:>9}   {}, {}", i + 1, x, y));
@@ -49,13 +49,13 @@ void draw_pin_row(std::size_t index, const Scene& scene) {
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
     dim_text(pass.name);
-    for (std::size_t i = 0; i < scene.window.pins.size(); ++i) {
+    for (std::size_t i = 0; i < scene.window.probes.pins.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i) + 1);
         const std::array<float, 4>* value = scene.views.pins().value(i, index);
         if (!value)
             continue;
         ImGui::TextUnformatted(value_text(*value, pass.format).c_str());
-        const auto [x, y] = scene.window.pins[i].texel(extent);
+        const auto [x, y] = scene.window.probes.pins[i].texel(extent);
         tooltip(fmt::format("{}: pixel ({}, {}) of {}", pass.name, x, y, size_text(extent)));
     }
 }
@@ -64,7 +64,7 @@ void draw_pin_row(std::size_t index, const Scene& scene) {
 void draw_pins_panel(const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
         return;
-    if (scene.window.pins.empty()) {
+    if (scene.window.probes.pins.empty()) {
         dim_text(fmt::format(
             "Press {} over the picture to pin a pixel. Its value in every pass is listed here.",
             scene.actions.key(ActionId::pin)));
@@ -72,7 +72,7 @@ void draw_pins_panel(const Scene& scene, Edits& edits) {
     }
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_CellPadding, ImVec2(4.0f * scene.scale, 1.0f));
-    const int columns = static_cast<int>(scene.window.pins.size()) + 1;
+    const int columns = static_cast<int>(scene.window.probes.pins.size()) + 1;
     if (!ImGui::BeginTable("##pins", columns, ImGuiTableFlags_SizingFixedFit))
         return;
     draw_heads(scene, edits);
@@ -94,8 +94,8 @@ void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const
     const PicturePosition place = position_of(view, picture, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = 4.0f * scene.scale;
-    for (std::size_t i = 0; i < scene.window.pins.size(); ++i) {
-        const Pin& pin = scene.window.pins[i];
+    for (std::size_t i = 0; i < scene.window.probes.pins.size(); ++i) {
+        const Pin& pin = scene.window.probes.pins[i];
         const ImVec2 at(
             low.x +
                 static_cast<float>(place.left + pin.x * picture.width * place.zoom) / scene.density,

@@ -37,11 +37,11 @@ struct Ground {
 Ground ground_at(const ImVec2& low, const ImVec2& size, const Scene& scene) {
     const Extent picture = large_extent(scene);
     const Extent room = device_pixels(scene, size.x, size.y);
-    return {low, position_of(scene.window.large_view(), picture, room), picture, scene.density};
+    return {low, position_of(scene.window.views.large(), picture, room), picture, scene.density};
 }
 
 void set_line(const ScanLine& line, Edits& edits) {
-    edits.arrange([line](WindowState& window) { window.scan_line = line; });
+    edits.arrange([line](WindowState& window) { window.probes.scan_line = line; });
 }
 
 // AutomationPoints the whole line with the pointer, limited to the picture.
@@ -90,7 +90,7 @@ void drag_scan_line(const ImVec2& size, const Scene& scene, Edits& edits) {
     const ImVec2 start = ImGui::GetCursorPos();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const Ground ground = ground_at(low, size, scene);
-    const ScanLine& line = scene.window.scan_line;
+    const ScanLine& line = scene.window.probes.scan_line;
     const ImVec2 from = ground.at(line.start);
     const ImVec2 to = ground.at(line.end);
     const Pin pointer = ground.pin(ImGui::GetIO().MousePos);
@@ -112,8 +112,8 @@ void draw_scan_line(const ImVec2& low, const ImVec2& size, const Scene& scene) {
     if (!has_scan_line(scene))
         return;
     const Ground ground = ground_at(low, size, scene);
-    const ImVec2 from = ground.at(scene.window.scan_line.start);
-    const ImVec2 to = ground.at(scene.window.scan_line.end);
+    const ImVec2 from = ground.at(scene.window.probes.scan_line.start);
+    const ImVec2 to = ground.at(scene.window.probes.scan_line.end);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
     const float radius = 4.0f * scene.scale;
@@ -128,7 +128,7 @@ void draw_scan_line(const ImVec2& low, const ImVec2& size, const Scene& scene) {
         const ImVec2 middle = between(a, b, 0.5);
         list.AddRectFilled({middle.x - radius, middle.y - 0.5f * radius},
                            {middle.x + radius, middle.y + 0.5f * radius}, ink);
-        if (const auto& place = scene.window.scan_place)
+        if (const auto& place = scene.window.probes.scan_place)
             list.AddCircle(between(a, b, *place), 1.5f * radius, ink, 16, 1.5f);
     }
     list.PopClipRect();

@@ -116,9 +116,9 @@ void draw_cost(const Scene& scene, Edits& edits) {
 }
 
 std::string pointer_text(const Scene& scene) {
-    if (!scene.window.probe || !scene.views.probed())
+    if (!scene.window.probes.pointer || !scene.views.probed())
         return {};
-    const Probe& probe = *scene.window.probe;
+    const Probe& probe = *scene.window.probes.pointer;
     const auto& rgba = *scene.views.probed();
     return fmt::format("{}  {}, {}   {}  {}  {}  {}", probe.pass, probe.x, probe.y, rgba[0],
                        rgba[1], rgba[2], rgba[3]);  // all stored digits

@@ -82,7 +82,7 @@ float budget_width(double budget) {
 
 void draw_budget_text(const Scene& scene, Edits& edits) {
     const double present = scene.lab.renderer()->times().passes().present_total();
-    double budget = scene.window.budget_milliseconds;
+    double budget = scene.window.frame_rate.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
     ImGui::AlignTextToFramePadding();
     const ScopedColor color(ImGuiCol_Text, is_over_budget(scene) ? theme::problem : theme::dim);
@@ -90,7 +90,8 @@ void draw_budget_text(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     const NumberFacts facts{.is_changed = false, .unit = "ms", .limit = Limit{0.1, 1000.0}};
     if (draw_number("##budget", budget, budget_width(budget), facts).is_changed)
-        edits.arrange([budget](WindowState& window) { window.budget_milliseconds = budget; });
+        edits.arrange(
+            [budget](WindowState& window) { window.frame_rate.budget_milliseconds = budget; });
     edits.mark("budget");
     tooltip("GPU time budget for all passes of a frame. Click to type it.");
 }
@@ -161,7 +162,8 @@ bool is_over_budget(const Scene& scene) {
     const Lab& lab = scene.lab;
     return lab.renderer() && lab.player().transport().is_playing() &&
            !lab.frames().has_converged() &&
-           lab.renderer()->times().passes().present_total() > scene.window.budget_milliseconds;
+           lab.renderer()->times().passes().present_total() >
+               scene.window.frame_rate.budget_milliseconds;
 }
 
 void draw_timings_panel(const Scene& scene, Edits& edits) {
@@ -182,8 +184,8 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();
-    draw_budget(scene.lab.renderer()->times().passes(), scene.window.budget_milliseconds, width,
-                height, scene.scale);
+    draw_budget(scene.lab.renderer()->times().passes(), scene.window.frame_rate.budget_milliseconds,
+                width, height, scene.scale);
     draw_budget_text(scene, edits);
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);

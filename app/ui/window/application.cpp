@@ -171,7 +171,7 @@ bool Application::wait() {
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // measurements of the last frame follow later
     const bool is_incomplete =
-        is_pending(m_lab, m_views) || m_views.is_specializing() || m_state.pending.is_any();
+        is_pending(m_lab, m_views) || m_views.is_specializing() || m_state.views.pending.is_any();
     const auto longer = std::chrono::seconds(is_incomplete ? 10 : 0);
     if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
         gpu::WindowEvents::wait(rest_seconds);
@@ -198,7 +198,8 @@ bool Application::has_lost_context() const {
 // The size in pixels of a picture that follows the view: that of the output window if it is open.
 // Empty before the first panels.
 Extent Application::view() const {
-    return m_state.views.output.is_empty() ? m_state.views.picture : m_state.views.output;
+    return m_state.views.sizes.output.is_empty() ? m_state.views.sizes.picture
+                                                 : m_state.views.sizes.output;
 }
 
 void Application::update() {
@@ -234,10 +235,11 @@ void Application::update() {
 
 void Application::follow_output() {
     const bool was_open = m_output.is_open();
-    if (std::string problem = m_output.follow(m_state, m_window); !problem.empty())
+    if (std::string problem = m_output.follow(m_state.output, m_window); !problem.empty())
         m_lab.messages().say(std::move(problem), true);
+    m_state.views.sizes.output = m_output.extent();
     if (!was_open && m_output.is_open())
-        offer_display_size(m_lab, m_state.views.output);
+        offer_display_size(m_lab, m_state.views.sizes.output);
 }
 
 void Application::list_looks(double wall_seconds) {
@@ -249,7 +251,7 @@ void Application::list_looks(double wall_seconds) {
 void Application::make_panels_ready(double wall_seconds) {
     if (!m_toolkit.is_ready()) {
         gpu::bind_screen(m_window.framebuffer_size());
-        m_toolkit.make_ready(static_cast<float>(m_state.scale));
+        m_toolkit.make_ready(static_cast<float>(m_state.geometry.scale));
         m_toolkit.draw_first();
     }
     list_looks(wall_seconds);
@@ -277,7 +279,7 @@ bool Application::awaits_picture() {
 // The panels wait briefly, so that a fast first picture is displayed with them. Without stored
 // panel sizes, the size of the picture is unknown.
 bool Application::is_before_panels(Clock::time_point now) {
-    return m_frame_number == 0 && awaits_picture() && !m_state.views.picture.is_empty() &&
+    return m_frame_number == 0 && awaits_picture() && !m_state.views.sizes.picture.is_empty() &&
            seconds_between(m_drawn, now) < picture_patience_seconds;
 }
 
@@ -303,7 +305,7 @@ void Application::draw() {
     const theme::Color back = theme::surround;
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
     m_toolkit.also_take(m_output.take_keys());
-    m_toolkit.begin(static_cast<float>(m_state.scale));
+    m_toolkit.begin(static_cast<float>(m_state.geometry.scale));
     Edits edits;
     const Scene scene{m_lab,
                       m_state,
@@ -324,9 +326,9 @@ void Application::draw() {
                       m_toolkit.pointer_path(),
                       m_toolkit.panel_milliseconds()};
     edits.arrange([](WindowState& state) {  // panels set them again
-        state.probe.reset();
-        state.pointed.reset();
-        state.scan_place.reset();
+        state.probes.pointer.reset();
+        state.parameters.pointed.reset();
+        state.probes.scan_place.reset();
     });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.events().take_dropped_files())
@@ -345,7 +347,7 @@ void Application::draw() {
 void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
     for (const std::filesystem::path& file : m_lab.work().opened_files.take())
-        note_use(m_state.recent_files, std::filesystem::absolute(file).lexically_normal().string());
+        note_use(m_state.recent.files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab, m_state);
     if (edits.has_verbs() || m_toolkit.has_input())  // changes are displayed one frame later
         m_attended_until = m_awake_until = Clock::now() + awake;
@@ -363,19 +365,19 @@ void Application::apply(const Edits& edits) {
 }
 
 void Application::offer_move() {
-    if (m_state.has_offered_move || !m_lab.renderer() || !m_lab.renderer()->has_drawn() ||
+    if (m_state.presets.has_offered_move || !m_lab.renderer() || !m_lab.renderer()->has_drawn() ||
         m_lab.messages().notice())
         return;
-    m_state.has_offered_move = true;
+    m_state.presets.has_offered_move = true;
     m_lab.presets().offer_move();
 }
 
 void Application::note_geometry() {
-    m_state.is_maximised = m_window.is_maximised();
-    if (m_state.is_maximised)
+    m_state.geometry.is_maximised = m_window.is_maximised();
+    if (m_state.geometry.is_maximised)
         return;
-    m_state.size = m_window.size();
-    m_state.position = m_window.position();
+    m_state.geometry.size = m_window.size();
+    m_state.geometry.position = m_window.position();
 }
 
 void Application::update_title() {
@@ -387,9 +389,9 @@ void Application::update_title() {
 
 gpu::WindowOptions geometry_of(const WindowState& state) {
     return {.title = "Afterglow",
-            .size = state.size,
-            .position = state.position,
-            .is_maximised = state.is_maximised};
+            .size = state.geometry.size,
+            .position = state.geometry.position,
+            .is_maximised = state.geometry.is_maximised};
 }
 }  // namespace
 
@@ -399,15 +401,15 @@ Result<bool> run_once(const WindowOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
     Start start{restored_window(session.window)};
-    auto fonts = build_fonts_async(fitted_scale(static_cast<float>(start.state.scale)));
+    auto fonts = build_fonts_async(fitted_scale(static_cast<float>(start.state.geometry.scale)));
     auto window = gpu::Window::open(geometry_of(start.state));
     if (!window)
         return fail(window.error());
     Lab lab(Library(options.roots), (*window)->context(), nullptr);
     lab.loader().worker().set_wake([] { gpu::WindowEvents::wake(); });
-    if (!start.state.views.picture.is_empty())
+    if (!start.state.views.sizes.picture.is_empty())
         lab.work().size.set_view(
-            start.state.views.picture);  // the last size, until the panels report theirs
+            start.state.views.sizes.picture);  // the last size, until the panels report theirs
     if (!warnings.empty())
         lab.messages().say(warnings.front());
     lab.frames().set_displayed(displayed_passes(lab, start.state));

@@ -25,7 +25,7 @@ void let_keys_walk(bool are_let) {
 }  // namespace
 
 void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
-    const bool is_asked = ImGui::IsKeyPressed(f10, false) && !scene.window.walks_menus &&
+    const bool is_asked = ImGui::IsKeyPressed(f10, false) && !scene.window.keyboard.is_in_menus &&
                           scene.window.dialog.kind == Dialog::Kind::none;
     if (is_asked) {
         ImGui::OpenPopup(first);
@@ -33,10 +33,10 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
         // The stationary pointer must not select an item of the new menu.
         ImGui::GetCurrentContext()->NavDisableMouseHover = true;
         ImGui::GetCurrentContext()->NavDisableHighlight = false;
-        edits.arrange([](WindowState& window) { window.walks_menus = true; });
-    } else if (scene.window.walks_menus && !is_in_menus()) {
+        edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = true; });
+    } else if (scene.window.keyboard.is_in_menus && !is_in_menus()) {
         let_keys_walk(false);
         ImGui::SetWindowFocus(nullptr);
-        edits.arrange([](WindowState& window) { window.walks_menus = false; });
+        edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = false; });
     }
 }

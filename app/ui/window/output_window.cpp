@@ -4,31 +4,30 @@
 
 #include <algorithm>
 
-std::string OutputWindow::follow(WindowState& state, gpu::Window& panels) {
+std::string OutputWindow::follow(OutputState& state, gpu::Window& panels) {
     if (m_window && (m_is_left || m_window->is_close_requested()))
-        state.output.is_open = false;
+        state.is_open = false;
     m_is_left = false;
     const std::size_t own = panels.display();
-    const std::size_t wanted = state.output.monitor_for(panels.displays().count(), own);
-    if (m_window && (!state.output.is_open || wanted != m_monitor)) {
+    const std::size_t wanted = state.monitor_for(panels.displays().count(), own);
+    if (m_window && (!state.is_open || wanted != m_monitor)) {
         m_window.reset();
         panels.context().make_current();
         panels.focus();
     }
     std::string problem;
-    if (state.output.is_open && !m_window) {
+    if (state.is_open && !m_window) {
         auto opened = panels.open_full_screen(wanted);
         if (opened) {
             m_window = std::move(*opened);
             (wanted == own ? *m_window : panels).focus();
         } else {
-            state.output.is_open = false;
+            state.is_open = false;
             problem = fmt::format("Can't open the output window: {}", to_string(opened.error()));
         }
     }
     m_monitor = wanted;
     m_covers_panels = m_window && wanted == own;
-    state.views.output = m_window ? m_window->framebuffer_size() : Extent{};
     return problem;
 }
 

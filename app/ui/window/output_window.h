@@ -1,7 +1,7 @@
 #pragma once
 
 #include "gpu/window.h"
-#include "lab/window/window_state.h"
+#include "lab/window/output_state.h"
 
 #include <memory>
 #include <string>
@@ -11,7 +11,7 @@ class OutputWindow {
 public:
     /// Opens, closes or moves the window as `state` requires. If the desktop or Escape closed it,
     /// `state` is updated. Returns the error; "": no error.
-    std::string follow(WindowState& state, gpu::Window& panels);
+    std::string follow(OutputState& state, gpu::Window& panels);
     /// Shows the picture; null: black. Afterwards the panels' context is current.
     void show(const gpu::Texture* picture, gpu::Window& panels);
     /// The key presses in this window, for the panels.
@@ -21,6 +21,8 @@ public:
     /// Whether it hides the panels.
     bool covers_panels() const { return m_covers_panels; }
     bool is_open() const { return m_window != nullptr; }
+    /// In pixels; empty: closed.
+    Extent extent() const { return m_window ? m_window->framebuffer_size() : Extent{}; }
 
 private:
     std::unique_ptr<gpu::Window> m_window;

@@ -79,7 +79,7 @@ std::string widget_rects_text(const Edits& edits) {
 }
 
 std::string probe_text(const Scene& scene) {
-    const auto& probe = scene.window.probe;
+    const auto& probe = scene.window.probes.pointer;
     const auto& rgba = scene.views.probed();
     if (!probe || !rgba)
         return "null";
@@ -91,7 +91,7 @@ std::string probe_text(const Scene& scene) {
 
 // The target, levels and statistics of the inspector.
 std::string inspection_text(const Scene& scene) {
-    const PassView& view = scene.window.inspected;
+    const PassView& view = scene.window.views.inspected;
     const auto all = scene.views.inspector().statistics();
     const std::string measured =
         all ? fmt::format(R"({{"minimum":{},"maximum":{},"mean":{},"finite":{},"flaws":{}}})",
@@ -108,7 +108,7 @@ std::string texels_text(const Scene& scene) {
     const auto count = [](const CellNumbers& cells) {
         return cells.block() ? cells.block()->numbers.size() : 0;
     };
-    const ScanLine& line = scene.window.scan_line;
+    const ScanLine& line = scene.window.probes.scan_line;
     return fmt::format(
         R"(,"cells":[{},{}],"scan_line":[{:.3f},{:.3f},{:.3f},{:.3f}],"waveform":{})",
         count(texels.picture()), count(texels.inspected()), line.start.x, line.start.y, line.end.x,
@@ -120,7 +120,7 @@ std::string pins_text(const Scene& scene) {
     std::vector<std::string> pins;
     const std::size_t passes =
         scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
-    for (std::size_t pin = 0; pin < scene.window.pins.size(); ++pin) {
+    for (std::size_t pin = 0; pin < scene.window.probes.pins.size(); ++pin) {
         std::vector<std::string> values;
         for (std::size_t pass = 0; pass < passes; ++pass) {
             const auto* value = scene.views.pins().value(pin, pass);
@@ -177,7 +177,7 @@ std::string non_finite_text(const Lab& lab) {
 std::string flashes_text(const Scene& scene) {
     const Flashes flashes = scene.views.main().flashes();
     return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
-                       scene.window.comfort.is_on);
+                       scene.window.flashes.limit.is_on);
 }
 
 std::string switches_text(const Lab& lab) {
@@ -204,7 +204,8 @@ std::string tryouts_text(const Scene& scene) {
     const auto present = lab.document() ? sheet.present(*lab.document()) : std::nullopt;
     return fmt::format(
         R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
-        json_string(scene.window.pointed ? scene.window.pointed->parameter : std::string()),
+        json_string(scene.window.parameters.pointed ? scene.window.parameters.pointed->parameter
+                                                    : std::string()),
         json_string(probe.text()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
         sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
         lab.presets().navigation().morphing()
@@ -275,10 +276,10 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         transport.shown_share(), picture.width, picture.height,
         lab.work().size.chosen().fixed.width, lab.work().size.chosen().fixed.height,
         json_string(lab.messages().notice() ? lab.messages().notice()->text : std::string()),
-        static_cast<int>(scene.window.dialog.kind), json_string(scene.window.inspected.pass),
-        static_cast<int>(scene.window.inspected.channels),
+        static_cast<int>(scene.window.dialog.kind), json_string(scene.window.views.inspected.pass),
+        static_cast<int>(scene.window.views.inspected.channels),
         lab.frames().comparison().mode() == CompareMode::wipe
-            ? fmt::format("{:.3f}", scene.window.wipe_share)
+            ? fmt::format("{:.3f}", scene.window.views.wipe_share)
             : "null",
         json_string(!scene.window.output.is_open   ? "off"
                     : scene.window.output.is_black ? "black"

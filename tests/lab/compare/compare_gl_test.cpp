@@ -28,7 +28,7 @@ public:
         auto made = Views::make();
         REQUIRE(made.has_value());
         m_views = std::make_unique<Views>(std::move(*made));
-        window.views.picture = {8, 8};
+        window.views.sizes.picture = {8, 8};
     }
     void set(const char* name, double value) {
         lab().edit([&](Document& document) {
@@ -159,7 +159,7 @@ TEST_CASE("side-by-side pictures get half the view each") {
     Grey small;
     small.lab().frames().comparison().store(0);
     small.set("level", 1.0);
-    small.window.views.picture = {18, 8};
+    small.window.views.sizes.picture = {18, 8};
     small.lab().frames().comparison().compare_with({Other::Kind::slot, 0});
     small.lab().frames().comparison().set_mode(CompareMode::side_by_side);
     small.rest();

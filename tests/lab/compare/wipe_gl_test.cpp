@@ -206,7 +206,7 @@ public:
         auto views = Views::make();
         REQUIRE(views.has_value());
         m_views = std::make_unique<Views>(std::move(*views));
-        m_window.views.picture = {48, 36};
+        m_window.views.sizes.picture = {48, 36};
     }
     RealLab(const RealLab&) = delete;
     RealLab& operator=(const RealLab&) = delete;
@@ -276,7 +276,7 @@ TEST_CASE("left of the line is the exact article picture, right of it the look's
         CAPTURE(each.look);
         RealLab real(each.look);
         const std::vector<float> ours = real.view();
-        real.window().wipe_share = 0.25;
+        real.window().views.wipe_share = 0.25;
         real.lab().frames().comparison().set_mode(CompareMode::wipe);
         const std::vector<float> wiped = real.view();
         real.lab().frames().comparison().set_mode(CompareMode::off);

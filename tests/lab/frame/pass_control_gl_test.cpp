@@ -7,7 +7,7 @@ namespace {
 // Red in the middle of the view, in 8-bit levels; -1 without a picture.
 int displayed_value(const Lab& lab, Views& views) {
     WindowState window;
-    window.views.picture = {8, 8};
+    window.views.sizes.picture = {8, 8};
     window.layout.is_picture_only = true;
     views.update(lab, window);
     const Picture picture = views.main().read_picture();

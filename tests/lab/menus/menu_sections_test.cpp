@@ -212,18 +212,18 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
                                3,
                                2};
     WindowState window;
-    window.inspected.look_into(past);
-    const auto sections = inspector_sections(parts, window.inspected);
+    window.views.inspected.look_into(past);
+    const auto sections = inspector_sections(parts, window.views.inspected);
     CHECK(menu_entry_of(sections, "Inspect: beam, 1 frame ago").is_present);
     CHECK(find_menu_entry(sections, "Inspect: beam, 2 frames ago"));
     CHECK_FALSE(find_menu_entry(sections, "Inspect: beam, 3 frames ago"));
     take(menu_entry_of(sections, "Inspect: noise").commands, window);
-    CHECK(window.inspected.label() == "noise");
+    CHECK(window.views.inspected.label() == "noise");
     take(menu_entry_of(sections, "Channels: Red as grey").commands, window);
-    CHECK(window.inspected.channels == Channels::red);
+    CHECK(window.views.inspected.channels == Channels::red);
     take(menu_entry_of(sections, "Inspect: White point…").number->answer(4.0), window);
     take(menu_entry_of(sections, "Inspect: Black point…").number->answer(0.5), window);
-    CHECK(window.inspected.levels == Levels{0.5, 4.0});
+    CHECK(window.views.inspected.levels == Levels{0.5, 4.0});
 }
 
 TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
@@ -257,10 +257,10 @@ TEST_CASE("panes are resized by name, within their limits") {
         take(menu_entry_of(sections, "Pane: Widen left pane").commands, window);
     CHECK(window.layout.sizes.left == 520.0);
     take(menu_entry_of(sections, "Waveform: Row…").number->answer(20.0), window);
-    CHECK(window.scan_line.row({320, 180}) == 20);
+    CHECK(window.probes.scan_line.row({320, 180}) == 20);
     CHECK(window.layout.sees(PanelId::waveform));
     take(menu_entry_of(sections, "Pins: Pin picture centre").commands, window);
-    CHECK(window.pins == std::vector<Pin>{{0.5, 0.5}});
+    CHECK(window.probes.pins == std::vector<Pin>{{0.5, 0.5}});
 }
 
 TEST_CASE("two words find a menu entry, and actions rank first among equal matches") {
@@ -269,7 +269,7 @@ TEST_CASE("two words find a menu entry, and actions rank first among equal match
     std::vector<MenuSection> sections = signal_sections(document);
     sections.push_back(stack_section(document.state().stack, {listed_look("mask", "Shadow mask")}));
     for (const MenuSection& section :
-         inspector_sections({{{Input::From::source, "source"}}, {}, 1, 1}, window.inspected))
+         inspector_sections({{{Input::From::source, "source"}}, {}, 1, 1}, window.views.inspected))
         sections.push_back(section);
     for (const MenuSection& section : window_sections(window, {{}, ViewShape::view, {320, 180}}))
         sections.push_back(section);

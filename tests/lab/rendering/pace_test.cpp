@@ -1,6 +1,6 @@
 #include "lab/rendering/pace.h"
 
-#include "lab/window/window_state.h"
+#include "lab/window/frame_rate.h"
 
 #include <doctest/doctest.h>
 

@@ -111,21 +111,21 @@ TEST_CASE("the picture, inspected and probed passes are displayed, but not the s
     WindowState window;
     CHECK(window.layout.panels.shows(PanelId::strip));
     CHECK(seen(window) == last);
-    window.inspected.pass = "light";
+    window.views.inspected.pass = "light";
     CHECK(seen(window) == std::vector<bool>{true, false, true});
-    window.inspected.other = TextureChoice{Input::From::pass, "glow", 1};
+    window.views.inspected.other = TextureChoice{Input::From::pass, "glow", 1};
     CHECK(seen(window) == std::vector<bool>{true, true, true});
     window.layout.panels.hide(PanelId::inspector);
     CHECK(seen(window) == last);
-    window.shows_pass_large = true;
+    window.views.shows_pass_large = true;
     CHECK(seen(window) == std::vector<bool>{true, true, true});
-    window.shows_pass_large = false;
+    window.views.shows_pass_large = false;
     window.layout.panels.show(PanelId::inspector);
     window.layout.is_picture_only = true;
     CHECK(seen(window) == last);
-    window.probe = Probe{.pass = "glow"};
+    window.probes.pointer = Probe{.pass = "glow"};
     CHECK(seen(window) == std::vector<bool>{false, true, true});
-    window.probe.reset();
+    window.probes.pointer.reset();
     small.lab().frames().passes().toggle(PassSwitch::solo, "light");
     CHECK(seen(window) == std::vector<bool>{true, false, true});
 }

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "lab/document/changes.h"
+#include "lab/storage/folder.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The open modal dialog.
+struct Dialog {
+    enum class Kind {
+        none,
+        open_file,
+        choose_file,  // for the parameter or signal in `subject`
+        choose_reference,
+        save_picture,
+        save_pass,  // of the pass in `subject`
+        load_drawing,
+        save_drawing,
+        save_automation,
+        save_slangp,
+        save_preset_as,
+        rename_preset,
+        new_look,
+        duplicate_look,
+        palette,
+        compare_preset,  // with the current values; `changes` has the differences
+        remote,
+        impulse,  // impulse response of every pass
+        rates,    // comparison of frame rates
+        keys,
+        about,
+        asked,          // a number or text for the choice with the id in `subject`
+        export_frames,  // destination and duration
+        exporting,
+    };
+
+    Kind kind = Kind::none;
+    std::string text = {};              // the typed name or path
+    std::filesystem::path folder = {};  // the listed folder
+    std::vector<FolderEntry> entries = {};
+    std::string subject = {};  // the object of the dialog
+    int chosen = 0;            // selected row of a list
+    std::vector<Change> changes = {};
+    bool is_new = true;  // not drawn yet
+
+    bool operator==(const Dialog&) const = default;
+};
