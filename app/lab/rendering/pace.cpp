@@ -1,6 +1,7 @@
 #include "lab/rendering/pace.h"
 
 #include <algorithm>
+#include <utility>
 
 void Pace::add(double wall_seconds, bool was_busy) {
     if (wall_seconds <= 0.0 || (wall_seconds > 1.0 && !was_busy))
@@ -26,4 +27,14 @@ void Pace::expect(double wall_seconds, bool is_due) {
             ? milliseconds
             : m_slow_milliseconds + smoothing * (milliseconds - m_slow_milliseconds);
     m_slow_seconds += std::min(wall_seconds, most);
+}
+
+void Pace::update(double wall_seconds, bool is_amid_frame, bool is_due) {
+    const bool was_amid = m_frame_seconds > 0.0;
+    m_frame_seconds += wall_seconds;
+    if (is_amid_frame)
+        return;
+    const double seconds = std::exchange(m_frame_seconds, 0.0);
+    add(seconds, was_amid);
+    expect(seconds, is_due);
 }

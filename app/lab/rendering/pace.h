@@ -13,6 +13,8 @@ public:
     void add(double wall_seconds, bool was_busy = false);
     /// For the same frame: whether it was due within 1/30 s.
     void expect(double wall_seconds, bool is_due);
+    /// Both for each update of the window. A slow frame spans many updates.
+    void update(double wall_seconds, bool is_amid_frame, bool is_due);
 
     /// Milliseconds, oldest first from start(), wrapping round.
     const std::array<float, length>& milliseconds() const { return m_milliseconds; }
@@ -33,4 +35,5 @@ private:
     double m_seconds = 0.0;            // smoothed
     double m_slow_seconds = 0.0;       // since the last frame in time
     double m_slow_milliseconds = 0.0;  // of a slow frame, smoothed
+    double m_frame_seconds = 0.0;      // since the last complete frame
 };

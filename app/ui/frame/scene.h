@@ -4,9 +4,7 @@
 #include "lab/lab.h"
 #include "lab/library/library_view.h"
 #include "lab/rendering/pace.h"
-#include "lab/views/history_pictures.h"
-#include "lab/views/kept_pictures.h"
-#include "lab/views/preset_pictures.h"
+#include "lab/views/list_pictures.h"
 #include "lab/views/views.h"
 #include "lab/window/window_state.h"
 #include "ui/frame/action.h"
@@ -17,9 +15,7 @@ struct Scene {
     const Lab& lab;
     const WindowState& window;
     const Views& views;
-    const HistoryPictures& history_pictures;
-    const PresetPictures& preset_pictures;
-    const KeptPictures& kept_pictures;
+    const ListPictures& pictures;
     const LibraryView& library_view;
     const Pace& pace;
     std::size_t output_monitor;     // of the output window, or where it would open

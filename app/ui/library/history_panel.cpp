@@ -106,7 +106,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
             const auto place = static_cast<std::size_t>(i);
             const HistoryStep step = history_step(*document, place);
             const int distance = step.distance;
-            const ViewImage image = scene.history_pictures.picture(*document, place);
+            const ViewImage image = scene.pictures.history.picture(*document, place);
             if (draw_history_row({step, image, height, distance == 0}) && distance != 0)
                 edits.document([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));

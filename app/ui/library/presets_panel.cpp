@@ -104,7 +104,7 @@ void draw_content_choice(const Scene& scene, Edits& edits) {
 
 void draw_count(const Scene& scene, const std::vector<ListedPreset>& listed) {
     const auto due = std::ranges::count_if(listed, [&](const ListedPreset& preset) {
-        return scene.preset_pictures.of(preset.preset.entry.file).is_due;
+        return scene.pictures.presets.of(preset.preset.entry.file).is_due;
     });
     if (due == 0)
         return;
@@ -159,7 +159,7 @@ void draw_picture(const ListedPreset& preset, const Scene& scene, const ImVec2& 
     const ImVec2 high(low.x + cell.width, low.y + cell.height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::packed(theme::surround));
-    const PresetPictures::Shown shown = scene.preset_pictures.of(preset.preset.entry.file);
+    const PresetPictures::Shown shown = scene.pictures.presets.of(preset.preset.entry.file);
     if (shown.image.handle != 0)
         draw_image(shown.image, low, cell);
     else

@@ -42,7 +42,7 @@ void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end(low.x + picture_width, low.y + size.y);
     list.AddRectFilled(low, end, theme::packed(theme::surround));
-    if (const ViewImage image = scene.kept_pictures.of(kept.picture); image.handle != 0) {
+    if (const ViewImage image = scene.pictures.kept.of(kept.picture); image.handle != 0) {
         const float factor = std::min(picture_width / static_cast<float>(image.extent.width),
                                       size.y / static_cast<float>(image.extent.height));
         const ImVec2 half(static_cast<float>(image.extent.width) * factor * 0.5f,

@@ -224,7 +224,7 @@ std::string presets_text(const Scene& scene) {
     for (const ListedPreset& preset :
          listed_presets(*lab.document(), scene.library_view.looks(),
                         lab.presets().navigation().stars(), scene.window.presets)) {
-        const auto shown = scene.preset_pictures.of(preset.preset.entry.file);
+        const auto shown = scene.pictures.presets.of(preset.preset.entry.file);
         names.push_back(json_string(preset.preset.entry.id));
         pictures += shown.image.handle != 0 ? 1 : 0;
         if (!shown.problem.empty())
@@ -232,7 +232,7 @@ std::string presets_text(const Scene& scene) {
     }
     return fmt::format(
         R"(,"presets":{{"listed":[{}],"pictures":{},"drawn":{},"problems":[{}],"only_starred":{}}})",
-        fmt::join(names, ","), pictures, scene.preset_pictures.drawn(), fmt::join(problems, ","),
+        fmt::join(names, ","), pictures, scene.pictures.presets.drawn(), fmt::join(problems, ","),
         scene.window.presets.only_starred);
 }
 

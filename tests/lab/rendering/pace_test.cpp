@@ -53,3 +53,11 @@ TEST_CASE("a gap above one second counts only if it was spent drawing") {
     pace.add(1.8, true);
     CHECK(pace.frames_a_second() == doctest::Approx(1.0 / 1.8));
 }
+
+TEST_CASE("a frame that spans several updates counts once, with their whole time") {
+    Pace pace;
+    for (int update = 0; update < 4; ++update)
+        pace.update(0.5, update < 3, true);
+    CHECK(pace.frames_a_second() == doctest::Approx(0.5));
+    CHECK(pace.start() == 1);
+}

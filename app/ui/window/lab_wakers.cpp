@@ -1,0 +1,14 @@
+#include "ui/window/lab_wakers.h"
+
+#include "gpu/window_events.h"
+
+LabWakers::LabWakers(Lab& lab)
+    : m_files(lab.loader().files().descriptor(), gpu::WindowEvents::wake),
+      m_midi(lab.remote().midi().descriptor(), gpu::WindowEvents::wake) {}
+
+void LabWakers::update(const OscControl& osc) {
+    if (osc.port() == m_osc_port)
+        return;
+    m_osc_port = osc.port();  // another port can have the same descriptor
+    m_osc.emplace(osc.descriptor(), gpu::WindowEvents::wake);
+}

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "lab/lab.h"
+#include "lab/storage/event_waker.h"
+
+/// Wakes the window when a watched file changes, or a MIDI or OSC message arrives.
+class LabWakers {
+public:
+    explicit LabWakers(Lab& lab);
+
+    /// Follows a change of the OSC port. Call it in every update.
+    void update(const OscControl& osc);
+
+private:
+    EventWaker m_files;
+    EventWaker m_midi;
+    std::optional<EventWaker> m_osc;  // while other programs can set parameters
+    int m_osc_port = 0;
+};
