@@ -1,36 +1,76 @@
 #include "graph/warm_up/warm_up.h"
 
-#include "gpu/objects/draw.h"
+#include "gpu/context.h"
 
-WarmUp::WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas)
-    : m_first(std::move(first)), m_last(std::move(last)), m_canvas(std::move(canvas)) {}
-
-Result<WarmUp> WarmUp::make() {
-    auto first = idle_program();
-    auto last = idle_program();
-    auto canvas = gpu::Canvas::make({1, 1}, Format::rgba8);
-    for (const auto* program : {&first, &last})
-        if (!*program)
-            return fail(program->error());
-    if (!canvas)
-        return fail(canvas.error());
-    return WarmUp(std::move(*first), std::move(*last), std::move(*canvas));
+WarmUp::~WarmUp() {
+    const gpu::ContextScope scope(m_context.get());
+    m_draws.clear();
 }
 
-void WarmUp::draw_with(const PassProgram& program) const {
-    const gpu::DrawScope scope;
-    m_canvas.bind();
-    program.program->use();
-    m_vertices.bind();
-    gpu::draw_triangle();
-}
-
-void WarmUp::draw(const FirstDrawsOf& of, PassProgress& progress) const {
-    FirstDraws draws(of, m_first);
-    if (draws.is_done())
+void WarmUp::add_draws(const FirstDrawsOf& of) {
+    if (!has_new(of.programs, of.known))
         return;
-    draw_with(m_first);
-    draws.draw_all(progress);
-    draw_with(m_last);
-    gpu::finish();
+    const gpu::ContextScope scope(m_context.get());
+    PassProgram idle;
+    if (of.known) {
+        auto made = idle_program();
+        if (!made)
+            return;
+        idle = std::move(*made);
+    }
+    m_draws.push_back(std::make_unique<FirstDraws>(of, idle));
+}
+
+void WarmUp::add_views(const Look& look, const Programs& programs, Extent viewport,
+                       const Values& values) {
+    const auto plan = plan_targets(look, viewport, expected_source, values);
+    if (!plan || !programs.first_views)
+        return;  // the look itself reports what is wrong with the plan
+    m_views = programs.first_views;
+    m_views->expect(look, *plan);
+}
+
+std::size_t WarmUp::total() const {
+    std::size_t total = 0;
+    for (const auto& draws : m_draws)
+        total += draws->total();
+    return total;
+}
+
+FirstDraws* WarmUp::unfinished_draws() {
+    for (const auto& draws : m_draws)
+        if (!draws->is_done())
+            return draws.get();
+    return nullptr;
+}
+
+bool WarmUp::is_done() const {
+    for (const auto& draws : m_draws)
+        if (!draws->is_done())
+            return false;
+    return !m_views || m_views->pending() == 0;
+}
+
+bool WarmUp::draw_next(PassProgress& progress) {
+    const gpu::ContextScope scope(m_context.get());
+    FirstDraws* draws = unfinished_draws();
+    if (!draws) {
+        m_views->draw_next();
+        return !progress.is_cancelled();
+    }
+    if (!progress.next(draws->next_pass()))
+        return false;
+    draws->draw_next();
+    return true;
+}
+
+void WarmUp::draw_all(PassProgress& progress) {
+    if (total() > 0)
+        progress.begin(PassProgress::Step::drawing, total());
+    while (!is_done() && !progress.is_cancelled() && draw_next(progress)) {
+    }
+}
+
+std::unique_ptr<Executor> WarmUp::take_executor() {
+    return m_draws.empty() ? nullptr : m_draws.back()->take_executor();
 }

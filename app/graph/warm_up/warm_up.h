@@ -1,30 +1,47 @@
 #pragma once
 
 #include "base/pass_progress.h"
-#include "gpu/objects/canvas.h"
-#include "gpu/objects/vertex_array.h"
 #include "graph/warm_up/first_draws.h"
+#include "graph/warm_up/first_views.h"
 
-/// Warms up programs on a worker thread whose context shares with the drawing context.
-///
-/// A Mesa context (22.3) keeps the program that it drew with last. If the drawing context deletes
-/// that program, the worker's next draw frees it. At its next flush, the drawing context then loses
-/// its bound stages. Its next draw with the same program crashes in the driver. Therefore the first
-/// and last draws here use two programs of our own.
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+/// Warms up looks in the context that will draw them, a few draws at a time: draws once with each
+/// new program, then displays each kind of picture. A driver compiles a program at these draws, so
+/// that no visible frame waits for it.
 class WarmUp {
 public:
-    /// On the worker thread, whose context must be current when it is destroyed.
-    static Result<WarmUp> make();
+    /// `context` will draw the looks; null: the current one.
+    explicit WarmUp(std::shared_ptr<gpu::Context> context) : m_context(std::move(context)) {}
+    ~WarmUp();
+    WarmUp(const WarmUp&) = delete;
+    WarmUp& operator=(const WarmUp&) = delete;
 
-    /// Draws all first draws unless cancelled.
-    void draw(const FirstDrawsOf& of, PassProgress& progress) const;
+    /// Adds the new programs of a look. Without memory they are left out, and the first frame is
+    /// slower.
+    void add_draws(const FirstDrawsOf& of);
+    /// Adds the kinds of pictures of a look that were not displayed yet in this context. `viewport`
+    /// is the size of the picture, px; `values` are those that sizes depend on.
+    void add_views(const Look& look, const Programs& programs, Extent viewport,
+                   const Values& values);
+
+    /// Programs to draw with.
+    std::size_t total() const;
+    bool is_done() const;
+    /// Draws once and waits for it. Notes the pass of a program in `progress`. False if that was
+    /// cancelled.
+    bool draw_next(PassProgress& progress);
+    /// Draws everything unless cancelled.
+    void draw_all(PassProgress& progress);
+    /// The executor of the draws that were added last; see FirstDraws. Null without memory.
+    std::unique_ptr<Executor> take_executor();
 
 private:
-    WarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas);
-    void draw_with(const PassProgram& program) const;
+    FirstDraws* unfinished_draws();
 
-    PassProgram m_first;  // two: a flush in between could drop the stages of a single one
-    PassProgram m_last;
-    gpu::Canvas m_canvas;
-    gpu::VertexArray m_vertices;
+    std::shared_ptr<gpu::Context> m_context;
+    std::vector<std::unique_ptr<FirstDraws>> m_draws;
+    std::shared_ptr<FirstViews> m_views;  // null: no views
 };

@@ -2,6 +2,7 @@
 
 #include "lab/document/stack_edits.h"
 #include "lab/menus/window_menu.h"
+#include "lab/window/window_state.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,7 @@
 #include "lab/menus/preset_menu.h"
 
 #include "lab/lab.h"
+#include "lab/window/window_state.h"
 
 #include <fmt/format.h>
 

@@ -1,18 +1,10 @@
 #include "lab/offline/offline.h"
 
 #include "base/text.h"
-#include "formats/look/describe.h"
-#include "formats/preset/modulation_format.h"
-#include "formats/preset/preset_format.h"
-#include "formats/stack/stack_format.h"
-#include "glsl/cache/check_cache.h"
 #include "gpu/headless_context.h"
 #include "gpu/objects/readback.h"
 #include "graph/programs/specialized_look.h"
-#include "lab/document/automation_file.h"
 #include "lab/document/content_edits.h"
-#include "lab/document/naming.h"
-#include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/media/image_budget.h"
@@ -23,192 +15,12 @@
 #include "lab/storage/shader_cache.h"
 #include "model/picture/placing.h"
 #include "model/plan/parameter_use.h"
-#include "model/plan/plan_memory.h"
 #include "signals/signal_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
-
-namespace fs = std::filesystem;
-
-namespace {
-Result<void> apply_values(const RenderRequest& request, Document& document) {
-    Diagnostics problems;
-    for (const auto& [name, text] : request.values) {
-        const auto parameter = meant_parameter(name, document.look());
-        auto value = parameter ? parse_value(**parameter, text) : fail(parameter.error());
-        if (value)
-            document.set_value((*parameter)->name, std::move(*value));
-        else
-            problems.insert(problems.end(), value.error().begin(), value.error().end());
-    }
-    if (!problems.empty())
-        return fail(std::move(problems));
-    return {};
-}
-
-Result<void> apply_drive(const RenderRequest& request, Document& document) {
-    if (!request.signal.empty()) {
-        if (document.look().driven_by != Driver::signal)
-            return fail({{}, 0, fmt::format("'{}' doesn't use a signal", document.look().id)});
-        auto signal = parse_signal(request.signal);
-        if (!signal)
-            return fail(signal.error());
-        set_signal(document, with_round_circles(std::move(*signal)));
-    }
-    if (!request.source.empty()) {
-        if (document.look().driven_by != Driver::picture)
-            return fail({{}, 0, fmt::format("'{}' doesn't use a picture", document.look().id)});
-        set_source(document, with_users_defaults(request.source, document.look()));
-    }
-    return {};
-}
-}  // namespace
-
-Result<void> turn_texts(Document& document, const ReadingHelp& help) {
-    if (constants_of(document.look(), document.values()) == document.look().constants)
-        return {};
-    const Values& values = document.values();
-    LoadedLook loaded = load_again(document.look(), {help.cache, help.progress, &values});
-    if (!loaded.look)
-        return fail(std::move(loaded.look.error()));
-    document.replace_look(std::move(*loaded.look));
-    return {};
-}
-
-Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
-    Preset& preset = *request.preset;
-    const fs::path& file = request.preset_file;
-    const Look& look = prepared.document.look();
-    if (preset.look != look.id)
-        return fail(
-            {file, 0, fmt::format("this preset is for '{}', not for '{}'", preset.look, look.id)});
-    const auto odd = compare_with_look(preset, look, file);
-    prepared.warnings.insert(prepared.warnings.end(), odd.begin(), odd.end());
-    auto values = fitted_values(look, preset, file);
-    if (!values)
-        return fail(values.error());
-    preset.values = std::move(*values);
-    auto modulations = fitted_modulations(look, preset, file);
-    if (!modulations)
-        return fail(modulations.error());
-    preset.modulations = std::move(*modulations);
-    CheckedPreset checked =
-        with_checked_media(preset, look, media_folder(file), RecentMedia(library.roots()));
-    preset = std::move(checked.preset);
-    prepared.outside = std::move(checked.outside);
-    const auto notes = compare_with_media(preset);
-    prepared.warnings.insert(prepared.warnings.end(), notes.begin(), notes.end());
-    open_preset(prepared.document, preset, file);
-    return {};
-}
-
-namespace {
-// The request, including the preset to apply. The preset also sets the bypassed looks of a stack.
-Result<OpenRequest> requested(const RenderRequest& request, const Library& library) {
-    auto found = resolve(request.look, library);
-    if (!found || request.preset.empty())
-        return found;
-    found->stack = stack_of(*found);
-    for (StackPart& part : found->stack)
-        if (part.look.empty())
-            part.look = look_id_at(part.path);
-    auto named = resolve_preset(request.preset, stack_id(found->stack), library);
-    if (!named)
-        return named;
-    found->preset = std::move(named->preset);
-    found->preset_file = std::move(named->preset_file);
-    found->stack = with_bypass(std::move(found->stack), found->preset->bypass);
-    return found;
-}
-}  // namespace
-
-namespace {
-// Refuses outside content of a preset, unless options of the user replace it.
-std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
-                                               const RenderRequest& request,
-                                               const fs::path& preset_file) {
-    if (!prepared.outside)
-        return std::nullopt;
-    OutsideContent unnamed = *prepared.outside;
-    if (!request.signal.empty() || !request.source.empty())
-        unnamed = {.files = std::move(unnamed.files)};
-    for (const auto& [name, text] : request.values)
-        if (const auto parameter = meant_parameter(name, prepared.document.look()))
-            unnamed.files.erase((*parameter)->name);
-    if (unnamed.count() == 0)
-        return std::nullopt;
-    return Diagnostic{preset_file, 0, unnamed.refusal()};
-}
-}  // namespace
-
-Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
-    auto preset = requested(request, library);
-    if (!preset)
-        return fail(preset.error());
-    auto cache = shader_cache(library.roots());
-    CheckCache checks(cache.get(), library.roots().shader_limits);
-    LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
-    if (!loaded.look)
-        return fail(std::move(loaded.look.error()));
-    Prepared prepared{.document = Document(std::move(*loaded.look)),
-                      .warnings = std::move(loaded.warnings),
-                      .shader_cache = std::move(cache),
-                      .progress = request.progress,
-                      .sender_seconds = request.sender_seconds};
-    const fs::path preset_file = preset->preset_file;
-    if (preset->preset)
-        if (auto done = open_preset(std::move(*preset), library, prepared); !done)
-            return fail(done.error());
-    if (auto problem = problem_with_outside(prepared, request, preset_file))
-        return fail(std::move(*problem));
-    if (auto done = apply_values(request, prepared.document); !done)
-        return fail(done.error());
-    if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)
-        return fail(done.error());
-    if (auto done = apply_drive(request, prepared.document); !done)
-        return fail(done.error());
-    if (!request.automation.empty()) {
-        auto automation = load_automation(request.automation, prepared.document.look());
-        if (!automation)
-            return fail(automation.error());
-        prepared.automation = std::move(*automation);
-    }
-    return prepared;
-}
-
-Result<Plan> plan_of(const Prepared& prepared, Extent size) {
-    return plan_targets(prepared.document.drawn_look(), size, size, prepared.document.values());
-}
-
-Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory) {
-    const auto plan = plan_of(prepared, size);
-    if (!plan)
-        return fail(plan.error());
-    constexpr double gigabyte = 1e9;
-    const std::uint64_t bytes = estimated_bytes(*plan, size);
-    if (bytes <= memory / 4)
-        return {};
-    return fail(
-        {{},
-         0,
-         fmt::format("'{}' at {}x{} needs about {:.1f} GB of memory, more than a quarter of the "
-                     "{:.1f} GB of this machine. Choose a smaller --size.",
-                     prepared.document.look().id, size.width, size.height,
-                     static_cast<double>(bytes) / gigabyte,
-                     static_cast<double>(memory) / gigabyte)});
-}
-
-Result<std::string> describe(const Prepared& prepared, Extent size) {
-    const auto plan = plan_of(prepared, size);
-    if (!plan)
-        return fail(plan.error());
-    const Document& document = prepared.document;
-    return describe_json(document.drawn_look(), *plan, document.values(),
-                         document.state().modulations);
-}
 
 Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
                  Extent size, double fps)

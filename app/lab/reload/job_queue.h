@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/pass_progress.h"
+#include "graph/warm_up/look_contexts.h"
 #include "lab/reload/built_look.h"
-#include "lab/reload/look_contexts.h"
 #include "lab/reload/pass_selection.h"
 
 #include <array>

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "base/pass_progress.h"
-#include "graph/warm_up/first_views.h"
+#include "graph/warm_up/warm_up.h"
 #include "lab/reload/built_look.h"
 
 #include <memory>
-#include <vector>
 
 /// A built look that is warmed up in the context that will draw it, a few draws per update. The
 /// open look continues meanwhile.
@@ -26,13 +24,8 @@ public:
 
 private:
     void start(const Beside& beside);
-    void start_draws(const Look& look, const Programs& programs, const Beside& beside);
-    bool is_ready() const;
-    void draw_next();
 
     BuiltLook m_built;
     PassProgress m_progress;
-    bool m_has_started = false;
-    std::vector<std::unique_ptr<FirstDraws>> m_draws;  // the last one is in progress
-    std::shared_ptr<FirstViews> m_views;               // draws of the views
+    std::unique_ptr<WarmUp> m_warm_up;  // null: not started
 };

@@ -4,7 +4,7 @@
 #include "gpu/driver_cache.h"
 #include "gpu/objects/draw.h"
 #include "graph/inspect/nan_detector.h"
-#include "graph/warm_up/first_views.h"
+#include "graph/warm_up/warm_up.h"
 #include "io/pictures/picture_codec.h"
 #include "lab/storage/injected_fault.h"
 
@@ -176,16 +176,16 @@ void ProgramBuilder::draw_first_in_look_context(const Job& job, Programs& progra
     const gpu::ContextScope scope(job.context.get());
     if (auto made = build_nan_detector(job.context))
         programs.nan_detector = std::move(*made);
-    FirstDraws draws({.look = *built.look,
-                      .programs = programs,
-                      .images = built.images,
-                      .viewport = m_picture,
-                      .size = FirstDrawsOf::Size::own,
-                      .values = values_of(job.request),
-                      .seen = job.seen.of(*built.look)},
-                     PassProgram{});
-    draws.draw_all(*job.progress);
-    built.executor = draws.take_executor();
+    WarmUp warm_up(job.context);
+    warm_up.add_draws({.look = *built.look,
+                       .programs = programs,
+                       .images = built.images,
+                       .viewport = m_picture,
+                       .size = FirstDrawsOf::Size::own,
+                       .values = values_of(job.request),
+                       .seen = job.seen.of(*built.look)});
+    warm_up.draw_all(*job.progress);
+    built.executor = warm_up.take_executor();
     gpu::finish();
 }
 
@@ -214,20 +214,15 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
 void ProgramBuilder::view_first(const Job& job, const BuiltLook& built) {
     if (!is_prepared() || !job.look_context || built.programs->home != job.context)
         return;
-    const auto plan = plan_targets(*built.look, m_picture, expected_source, values_of(job.request));
-    if (!plan)
-        return;  // the look itself reports that
-    const gpu::ContextScope scope(job.context.get());
-    FirstViews& views = *built.programs->first_views;
-    views.expect(*built.look, *plan);
-    while (views.pending() > 0 && !job.progress->is_cancelled())
-        views.draw_next();
+    WarmUp warm_up(job.context);
+    warm_up.add_views(*built.look, *built.programs, m_picture, values_of(job.request));
+    warm_up.draw_all(*job.progress);
 }
 
 void ProgramBuilder::make_warm_up() {
     if (m_warm_up)
         return;
-    if (auto made = WarmUp::make())
+    if (auto made = WorkerWarmUp::make())
         m_warm_up.emplace(std::move(*made));
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graph/programs/specialized_look.h"
-#include "graph/warm_up/warm_up.h"
+#include "graph/warm_up/worker_warm_up.h"
 #include "lab/reload/job_queue.h"
 #include "lab/reload/look_images.h"
 #include "lab/reload/worker_context.h"
@@ -53,6 +53,6 @@ private:
     std::atomic<int> m_step = 0;  // completed steps of prepare()
     LookImages m_images;
     SpecializedTexts m_specialized_texts;
-    std::optional<Programs> m_linked;  // that the next look may reuse
-    std::optional<WarmUp> m_warm_up;   // nullopt: the first frame is slower
+    std::optional<Programs> m_linked;       // that the next look may reuse
+    std::optional<WorkerWarmUp> m_warm_up;  // nullopt: the first frame is slower
 };

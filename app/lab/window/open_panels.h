@@ -35,7 +35,7 @@ struct PanelKind {
 };
 
 /// One for each PanelId. The session stores the position of a bottom panel: add new ones last.
-constexpr std::array panel_kinds{
+inline constexpr std::array panel_kinds{
     PanelKind{PanelId::library, PanelPlace::left, "library", true},
     PanelKind{PanelId::history, PanelPlace::left, "history", false, true},
     PanelKind{PanelId::parameters, PanelPlace::right, "parameters", true},

@@ -2,7 +2,7 @@
 #include "graph/looks.h"
 #include "graph/targets/image_texture.h"
 #include "graph/warm_up/first_draws.h"
-#include "graph/warm_up/warm_up.h"
+#include "graph/warm_up/worker_warm_up.h"
 
 namespace {
 Look three_passes() {
@@ -62,7 +62,7 @@ TEST_CASE_FIXTURE(Headless, "cancelled first draws stop, and report their progre
             shared->cancel();
     });
     shared = &progress;
-    WarmUp::make().value().draw({look, programs, nullptr, {}, {64, 64}}, progress);
+    WorkerWarmUp::make().value().draw({look, programs, nullptr, {}, {64, 64}}, progress);
     CHECK(begun == 2);
     CHECK(progress.state().done == 1);
     CHECK(progress.state().total == 3);

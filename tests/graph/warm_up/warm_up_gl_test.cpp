@@ -1,7 +1,7 @@
 #include "gpu/error_log.h"
 #include "gpu/objects/draw.h"
 #include "graph/looks.h"
-#include "graph/warm_up/warm_up.h"
+#include "graph/warm_up/worker_warm_up.h"
 
 namespace {
 const std::string shade_text = "uniform float k = 1.0;\nvoid main() { color = vec4(k); }\n";
@@ -25,7 +25,7 @@ TEST_CASE_FIXTURE(Headless, "warm-up does not affect a program in use") {
     const Programs second = programs_of(edited, &first);
     gpu::ErrorLog errors;
     PassProgress progress;
-    WarmUp::make().value().draw({edited, second, &first, {}, {1280, 720}}, progress);
+    WorkerWarmUp::make().value().draw({edited, second, &first, {}, {1280, 720}}, progress);
     CHECK(errors.take().empty());
     executor.draw(frame(2));
     CHECK(red(executor, 0) == 3.0f);
@@ -49,7 +49,7 @@ TEST_CASE_FIXTURE(Headless, "every kind of pass can be warmed up, and draws the 
     const Programs programs = programs_of(look);
     gpu::ErrorLog errors;
     PassProgress progress;
-    WarmUp::make().value().draw({look, programs, nullptr, {}, {1024, 720}}, progress);
+    WorkerWarmUp::make().value().draw({look, programs, nullptr, {}, {1024, 720}}, progress);
     CHECK(errors.take().empty());
     Executor executor(look, programs);
     REQUIRE(executor.resize({4, 4}, {}).has_value());
@@ -75,11 +75,11 @@ TEST_CASE_FIXTURE(Headless, "a warmed-up program can be deleted while others are
         (*context)->make_current();
     };
 
-    std::optional<WarmUp> warm_up;
+    std::optional<WorkerWarmUp> warm_up;
     PassProgress progress;
     std::optional<Programs> programs;
     on_helper([&] {
-        warm_up.emplace(WarmUp::make().value());
+        warm_up.emplace(WorkerWarmUp::make().value());
         programs = programs_of(gone);
         warm_up->draw({gone, *programs, nullptr, {}, {64, 64}}, progress);
     });

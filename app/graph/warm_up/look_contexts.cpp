@@ -1,4 +1,4 @@
-#include "lab/reload/look_contexts.h"
+#include "graph/warm_up/look_contexts.h"
 
 #include "gpu/objects/draw.h"
 

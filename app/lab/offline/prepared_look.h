@@ -1,0 +1,65 @@
+#pragma once
+
+#include "base/byte_store.h"
+#include "base/pass_progress.h"
+#include "lab/document/document.h"
+#include "lab/library/open.h"
+#include "lab/media/preset_content.h"
+#include "model/tuning/automation.h"
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The options of the command line for drawing.
+struct RenderRequest {
+    std::string look = {};
+    std::string preset = {};                                       // "": no preset
+    std::vector<std::pair<std::string, std::string>> values = {};  // name or key, text
+    std::string signal = {};  // "": the preset's, else the look's
+    std::string source = {};
+    std::string automation = {};  // automation file; "": no automation
+    Extent size{1280, 720};
+    double fps = 60.0;
+    PassProgress* progress = nullptr;  // of reading and linking; null: not reported
+    double sender_seconds = std::numeric_limits<double>::infinity();  // timeout, as in Prepared
+};
+
+/// A look with its values and its input, ready to draw or describe; needs no GL.
+struct Prepared {
+    Document document;
+    Diagnostics warnings = {};
+    AutomationPoints automation = {};
+    std::shared_ptr<ByteStore> shader_cache = {};  // null: not cached
+    PassProgress* progress = nullptr;
+    // Timeout for the first point of another program's beam.
+    double sender_seconds = std::numeric_limits<double>::infinity();
+    // Content of the preset that was not used.
+    std::optional<OutsideContent> outside = {};
+    // For programs that are specialised before the first frame: the displayed passes besides the
+    // picture. Others then need no memory. nullopt: all passes can be displayed.
+    std::optional<std::vector<std::string>> displayed = {};
+};
+Result<Prepared> prepare(const RenderRequest& request, const Library& library);
+
+/// Reads the look of a document again if the constants in its texts have other values than when it
+/// was read.
+Result<void> turn_texts(Document& document, const ReadingHelp& help = {});
+
+/// Opens `request.preset` in the document of its look, with warnings about it. Fails if it is for
+/// another look or its values are invalid.
+Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared);
+
+/// Fails if drawing would need more than a quarter of the machine's memory, with the amount in the
+/// message. `memory`: the machine's memory in bytes.
+Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory);
+
+/// The targets of a prepared look; needs no GL.
+Result<Plan> plan_of(const Prepared& prepared, Extent size);
+
+/// The JSON of `describe`.
+Result<std::string> describe(const Prepared& prepared, Extent size);
