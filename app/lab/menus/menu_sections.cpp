@@ -12,6 +12,7 @@
 #include "lab/previews/previews.h"
 #include "lab/session.h"
 #include "lab/storage/include_store.h"
+#include "lab/window/window_state.h"
 
 #include <fmt/format.h>
 

@@ -3,6 +3,7 @@
 #include "lab/document/parameter_edits.h"
 #include "lab/lab.h"
 #include "lab/window/parameter_list.h"
+#include "lab/window/window_state.h"
 #include "model/look/value_text.h"
 #include "model/tuning/slider_share.h"
 

@@ -1,6 +1,7 @@
 #include "lab/menus/window_menu.h"
 
 #include "lab/window/pane_sizes.h"
+#include "lab/window/window_state.h"
 
 #include <fmt/format.h>
 
