@@ -16,11 +16,10 @@ NanWatch::~NanWatch() {
     m_detector.reset();
 }
 
-Result<void> NanWatch::set_policy(const std::shared_ptr<NanWatch>& watch, NanPolicy policy,
-                                  Executor& executor) {
-    watch->m_context = executor.programs().context();
-    const gpu::ContextScope context(watch->m_context.get());
-    if (policy != NanPolicy::off && !watch->m_detector &&
+Result<void> NanWatch::set_policy(NanPolicy policy, Executor& executor) {
+    m_context = executor.programs().context();
+    const gpu::ContextScope context(m_context.get());
+    if (policy != NanPolicy::off && !m_detector &&
         std::ranges::any_of(executor.plan().targets, holds_floats)) {
         auto programs = executor.programs().generic().nan_detector;
         if (!programs) {
@@ -29,12 +28,12 @@ Result<void> NanWatch::set_policy(const std::shared_ptr<NanWatch>& watch, NanPol
                 return fail(built.error());
             programs = std::move(*built);
         }
-        watch->m_detector.emplace(std::move(programs));
+        m_detector.emplace(std::move(programs));
     }
-    if (policy != watch->m_policy)
-        watch->look_replaced();
-    watch->m_policy = policy;
-    executor.drawer().set_observer(watch);
+    if (policy != m_policy)
+        look_replaced();
+    m_policy = policy;
+    executor.drawer().set_observer(shared_from_this());
     return {};
 }
 

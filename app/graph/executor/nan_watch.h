@@ -12,16 +12,15 @@
 /// read. Targets whose format has no such numbers are skipped.
 enum class NanPolicy { off, watch, search, clamp };
 
-/// Handles NaN and infinity in the targets of an executor.
-class NanWatch : public FrameObserver {
+/// Handles NaN and infinity in the targets of an executor. Owned by std::shared_ptr.
+class NanWatch : public FrameObserver, public std::enable_shared_from_this<NanWatch> {
 public:
     NanWatch() = default;
     ~NanWatch() override;
 
     /// Sets what is done in the next frames of `executor`, whose observer this becomes. Fails if
     /// the driver refuses the programs of the detector.
-    static Result<void> set_policy(const std::shared_ptr<NanWatch>& watch, NanPolicy policy,
-                                   Executor& executor);
+    Result<void> set_policy(NanPolicy policy, Executor& executor);
     NanPolicy policy() const { return m_policy; }
 
     /// The first such number since the last call; see NanDetector::take.

@@ -95,7 +95,7 @@ bool FirstDraws::make_ready(const FirstDrawsOf& of) {
     return m_executor->set_displayed(of.seen).has_value() &&
            m_executor->resize(sizes.viewport, sizes.source).has_value() &&
            (!has_source || m_executor->set_source(black(sizes.source)).has_value()) &&
-           NanWatch::set_policy(std::make_shared<NanWatch>(), policy, *m_executor).has_value();
+           std::make_shared<NanWatch>()->set_policy(policy, *m_executor).has_value();
 }
 
 const std::string& FirstDraws::next_pass() const {

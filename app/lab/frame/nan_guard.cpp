@@ -24,8 +24,7 @@ void NanGuard::prepare() {
         m_found.reset();
         m_watch->sanitize(m_work.renderer->executor());
     }
-    m_work.messages.succeeded(
-        NanWatch::set_policy(m_watch, policy, m_work.renderer->executors().picture()));
+    m_work.messages.succeeded(m_watch->set_policy(policy, m_work.renderer->executors().picture()));
 }
 
 // While the clock is paused, the replay shows which pass wrote the first one.

@@ -46,8 +46,8 @@ public:
     Result<void> specialize(const std::vector<std::string>& displayed = {});
     /// How NaN and infinity are handled. By default they are clamped, and the first one is reported
     /// with the problems.
-    Result<void> set_nan_policy(NanPolicy guard) {
-        return NanWatch::set_policy(m_nan_watch, guard, m_executors.picture());
+    Result<void> set_nan_policy(NanPolicy policy) {
+        return m_nan_watch->set_policy(policy, m_executors.picture());
     }
     /// Replaces the signal's beam in all later frames.
     void drive_by(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }

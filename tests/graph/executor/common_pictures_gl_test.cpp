@@ -121,7 +121,7 @@ TEST_CASE_FIXTURE(Headless,
         "void main() { color = u_frame == 3 ? vec4(1.0 / 0.0) : texture(image, uv); }\n");
     Executor common = drawing_once(look);
     const auto nan_watch = std::make_shared<NanWatch>();
-    REQUIRE(NanWatch::set_policy(nan_watch, NanPolicy::clamp, common).has_value());
+    REQUIRE(nan_watch->set_policy(NanPolicy::clamp, common).has_value());
     const std::vector<bool> carried = carried_passes(look);
     for (int n = 1; n <= 3; ++n)
         common.draw(frame(n), &carried);

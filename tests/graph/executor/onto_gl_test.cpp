@@ -143,7 +143,7 @@ TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they
         "}\n");
     Executor executor = sharing(look);
     const auto nan_watch = std::make_shared<NanWatch>();
-    REQUIRE(NanWatch::set_policy(nan_watch, NanPolicy::clamp, executor).has_value());
+    REQUIRE(nan_watch->set_policy(NanPolicy::clamp, executor).has_value());
     executor.draw(frame(1));
     CHECK_FALSE(nan_watch->take(executor, true).has_value());
     executor.draw(frame(2));

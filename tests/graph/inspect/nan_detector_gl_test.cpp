@@ -40,7 +40,7 @@ struct DetectingHeadless : Headless {
         set_policy(guard);
     }
     void set_policy(NanPolicy policy) {
-        REQUIRE(NanWatch::set_policy(nan_watch, policy, *executor).has_value());
+        REQUIRE(nan_watch->set_policy(policy, *executor).has_value());
     }
     auto found(bool waits = true) { return nan_watch->take(*executor, waits); }
     void draw(int from, int to) {
