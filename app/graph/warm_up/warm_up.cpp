@@ -61,6 +61,8 @@ bool WarmUp::draw_next(PassProgress& progress) {
     if (!progress.next(draws->next_pass()))
         return false;
     draws->draw_next();
+    if (draws->is_done() && m_draws.size() > 1)
+        m_draws.erase(m_draws.begin());  // frees its targets
     return true;
 }
 
