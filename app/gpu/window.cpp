@@ -30,7 +30,10 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
 Result<std::unique_ptr<Window>> Window::open_full_screen(std::size_t display) {
     GLFWmonitor* monitor = Displays::find(display);
     if (!monitor)
-        return fail({{}, 0, "this display is no longer connected"});
+        return fail(
+            {{},
+             0,
+             "The display is no longer connected. Choose another display for the output window."});
     const GLFWvidmode* mode = glfwGetVideoMode(monitor);
     auto context = GlfwContext::create({"Afterglow output", {mode->width, mode->height}},
                                        m_context.get(), monitor);

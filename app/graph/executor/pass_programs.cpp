@@ -43,14 +43,14 @@ BoundPass PassPrograms::bound(std::size_t pass,
     return made;
 }
 
-// Reuses former passes with the same program.
-PassPrograms::Bound PassPrograms::bound(Programs programs, std::vector<BoundPass> former) const {
+// Reuses previous passes with the same program.
+PassPrograms::Bound PassPrograms::bound(Programs programs, std::vector<BoundPass> previous) const {
     assert(programs.passes.size() == m_graph.look().passes.size());
     Bound made{std::move(programs)};
     for (std::size_t i = 0; i < made.programs.passes.size(); ++i) {
         const auto& program = made.programs.passes[i].program;
-        const bool serves = i < former.size() && former[i].program == program;
-        made.passes.push_back(serves ? std::move(former[i]) : bound(i, program));
+        const bool serves = i < previous.size() && previous[i].program == program;
+        made.passes.push_back(serves ? std::move(previous[i]) : bound(i, program));
     }
     made.uniforms = ParameterUniforms(m_graph.look(), made.programs);
     return made;
@@ -77,10 +77,10 @@ std::vector<std::vector<bool>> PassPrograms::read_inputs() const {
 
 std::vector<bool> PassPrograms::replace(Programs programs, bool are_bound_alike) {
     if (m_specialized)
-        m_former = std::move(std::exchange(m_specialized, std::nullopt)->passes);
+        m_previous = std::move(std::exchange(m_specialized, std::nullopt)->passes);
     if (!are_bound_alike) {
         m_generic.passes.clear();
-        m_former.clear();
+        m_previous.clear();
     }
     std::vector<bool> changed;
     for (std::size_t i = 0; i < programs.passes.size(); ++i)
@@ -93,7 +93,7 @@ std::vector<bool> PassPrograms::replace(Programs programs, bool are_bound_alike)
 
 void PassPrograms::specialize(Programs programs, std::set<std::string> moving) {
     end_specialized();
-    m_specialized = bound(std::move(programs), std::exchange(m_former, {}));
+    m_specialized = bound(std::move(programs), std::exchange(m_previous, {}));
     m_moving = std::move(moving);
     write_all();
 }
@@ -101,7 +101,7 @@ void PassPrograms::specialize(Programs programs, std::set<std::string> moving) {
 void PassPrograms::end_specialized() {
     if (!m_specialized)
         return;
-    m_former = std::move(std::exchange(m_specialized, std::nullopt)->passes);
+    m_previous = std::move(std::exchange(m_specialized, std::nullopt)->passes);
     write_all();
 }
 

@@ -71,7 +71,7 @@ private:
     };
 
     BoundPass bound(std::size_t pass, const std::shared_ptr<const gpu::Program>& program) const;
-    Bound bound(Programs programs, std::vector<BoundPass> former) const;
+    Bound bound(Programs programs, std::vector<BoundPass> previous) const;
     Bound& active() { return m_specialized ? *m_specialized : m_generic; }
     const Bound& active() const { return m_specialized ? *m_specialized : m_generic; }
     void write_all();
@@ -84,5 +84,5 @@ private:
     Bound m_generic;
     std::optional<Bound> m_specialized;
     std::set<std::string> m_moving;
-    std::vector<BoundPass> m_former;  // the last specialised ones, which may return
+    std::vector<BoundPass> m_previous;  // the last specialised ones, which may return
 };

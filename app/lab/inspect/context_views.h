@@ -32,7 +32,7 @@ struct ContextViews {
     GainMeters gains;
     FlashMeter flash_meter;
     std::optional<gpu::Canvas> picture;
-    std::optional<gpu::Canvas> beside;
+    std::optional<gpu::Canvas> reference;
     std::optional<gpu::Canvas> output;
     std::optional<gpu::Canvas> inspected;
 };

@@ -79,7 +79,8 @@ Diagnostics amiss_with(const Result<Picture>& picture, const Result<void>& shown
 
 Result<void> ChosenImages::show(const Look& look, const Values& values, Executor& executor,
                                 Reading reading) {
-    const bool reads_beside = reading == Reading::beside && std::exchange(m_has_shown, true);
+    const bool reads_in_background =
+        reading == Reading::in_background && std::exchange(m_has_shown, true);
     Diagnostics problems;
     std::map<std::string, Shown> shown;
     for (const Parameter& parameter : look.parameters) {
@@ -96,7 +97,7 @@ Result<void> ChosenImages::show(const Look& look, const Values& values, Executor
             continue;
         }
         drop_reading(parameter.name);
-        if (reads_beside && written) {
+        if (reads_in_background && written) {
             read_async(look, parameter, file);
             shown[parameter.name] = {file, written, {}};
             continue;

@@ -15,7 +15,7 @@ class ChosenImages {
 public:
     /// How show() reads files: before it returns, or on background threads for take_read(). The
     /// first call for an executor always reads immediately.
-    enum class Reading { at_once, beside };
+    enum class Reading { at_once, in_background };
 
     /// Updates the executor to the chosen files. A sampler that was never given a file keeps its
     /// default image. If its file is removed or not readable, it is black. Errors are those of the

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-/// The source of a look, fitted into the render size, and the picture of it that the renderer has.
+/// The source of a look, fitted into the render size, and the picture of it that the executors
+/// have.
 class FittedSource {
 public:
     /// Null: no source.
@@ -20,15 +21,15 @@ public:
     /// Whether show() used an outdated picture.
     bool is_late() const { return m_source && m_source->is_late(); }
 
-    /// Sets the renderer's source for the end time of a frame; true if the picture changed. A
+    /// Sets the source for the end time of a frame; true if the picture changed. A
     /// picture that is still being read is late.
     Result<bool> show(double seconds, Executors& executors);
     /// The same for a replayed frame. A film keeps its current picture.
     Result<void> show_past(double seconds, Executors& executors);
-    /// As show(), for a renderer that has lost its source.
+    /// As show(), for executors that have lost their source.
     Result<void> show_again(double seconds, Executors& executors);
 
-    /// Another renderer, such as for previews: its picture size and its current source picture.
+    /// Other executors, such as those of previews: their picture size and current source picture.
     struct Other {
         Executors& executors;
         Extent viewport;
@@ -41,6 +42,6 @@ public:
 private:
     std::optional<Source> m_source;
     Extent m_viewport;
-    SharedPicture m_shown;  // the renderer's source picture
+    SharedPicture m_shown;  // the source picture of the executors
     Extent m_shown_extent;
 };

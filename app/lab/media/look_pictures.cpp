@@ -12,7 +12,7 @@ void LookPictures::show_look_images(const ImageTextures& images, Executors& exec
 
 Result<void> LookPictures::show_chosen(const Look& look, const Values& values,
                                        Executors& executors) {
-    return m_chosen.show(look, values, executors.picture(), ChosenImages::Reading::beside);
+    return m_chosen.show(look, values, executors.picture(), ChosenImages::Reading::in_background);
 }
 
 Result<void> LookPictures::show_variant(const Look& look, const Values& values,

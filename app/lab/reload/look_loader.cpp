@@ -151,7 +151,7 @@ void LookLoader::take_built() {
         }
 }
 
-std::optional<BuiltLook> LookLoader::update(const Beside& beside, double wall_seconds) {
+std::optional<BuiltLook> LookLoader::update(const OpenLook& open_look, double wall_seconds) {
     constexpr double longest_update = 0.1;  // idle time before an update does not count
     m_reading_seconds =
         is_reading() ? m_reading_seconds + std::min(wall_seconds, longest_update) : 0.0;
@@ -160,8 +160,9 @@ std::optional<BuiltLook> LookLoader::update(const Beside& beside, double wall_se
     take_built();
     if (!m_pending)
         return std::nullopt;
-    const bool waits = m_pending->built().kind != JobKind::look && beside.is_amid_frame;
-    if (waits || !m_pending->update({m_programs.shown().get(), beside.picture}, seconds_per_update))
+    const bool waits = m_pending->built().kind != JobKind::look && open_look.is_amid_frame;
+    if (waits ||
+        !m_pending->update({m_programs.shown().get(), open_look.picture}, seconds_per_update))
         return std::nullopt;
     BuiltLook built = std::exchange(m_pending, nullptr)->take();
     if (!accept(built))

@@ -50,13 +50,13 @@ public:
     bool is_reading() const;
 
     /// What the open look draws meanwhile.
-    struct Beside {
+    struct OpenLook {
         Extent picture;              // px
         bool is_amid_frame = false;  // constants wait, which would drop the unfinished frame
     };
     /// Warms up a built look. Returns it when it can be drawn, with look and programs. Shows the
     /// problems of looks that could not be built.
-    std::optional<BuiltLook> update(const Beside& beside, double wall_seconds);
+    std::optional<BuiltLook> update(const OpenLook& open_look, double wall_seconds);
     /// Call once per update. `is_quiet`: nothing is loaded and the picture is complete. After a few
     /// such updates the look counts as opened, and the worker prepares for edits.
     void note_update(bool is_quiet);

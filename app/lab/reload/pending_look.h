@@ -12,18 +12,18 @@ public:
     explicit PendingLook(BuiltLook built) : m_built(std::move(built)) {}
 
     /// What is drawn meanwhile.
-    struct Beside {
+    struct OpenLook {
         const Programs* shown;  // of the open look; null: none is open
         Extent picture;
     };
     /// Draws for about `seconds`; true when the look is ready to be shown.
-    bool update(const Beside& beside, double seconds);
+    bool update(const OpenLook& open_look, double seconds);
     PassProgress::State progress() const { return m_progress.state(); }
     const BuiltLook& built() const { return m_built; }
     BuiltLook take() { return std::move(m_built); }
 
 private:
-    void start(const Beside& beside);
+    void start(const OpenLook& open_look);
 
     BuiltLook m_built;
     PassProgress m_progress;

@@ -84,7 +84,7 @@ void MainView::limit_flashes(const Subject& subject, bool is_moving) {
     const FlashLimit& limit = subject.window.flashes.limit;
     if (is_moving || !limit.is_on)
         m_limiter.note_moving(limit, subject.seconds);
-    const std::array views{&m_context->picture, &m_context->beside, &m_context->output};
+    const std::array views{&m_context->picture, &m_context->reference, &m_context->output};
     for (std::size_t i = 0; i < views.size(); ++i) {
         const gpu::Texture* own = *views[i] ? &(*views[i])->texture() : nullptr;
         m_shown[i] = own ? &m_limiter.shown(i, *own, limit, subject.seconds) : nullptr;
@@ -161,7 +161,7 @@ bool MainView::draw_step(const Subject& subject) {
                .whole = step->extent(),
                .view = subject.window.views.picture,
                .options = {.encoding = Encoding::display}});
-    m_context->beside.reset();
+    m_context->reference.reset();
     return true;
 }
 
@@ -177,9 +177,9 @@ void MainView::draw_picture(const Subject& subject) {
     const bool is_flashing = other && comparison.selection().is_flashing();
     draw_view(*m_context, is_flashing ? *other : *shown.texture, m_context->picture, size, shown);
     if (other && mode == CompareMode::side_by_side)
-        draw_view(*m_context, *other, m_context->beside, size, shown);
+        draw_view(*m_context, *other, m_context->reference, size, shown);
     else
-        m_context->beside.reset();
+        m_context->reference.reset();
     if (other && !is_flashing && mode == CompareMode::wipe)
         draw_wiped(subject, shown);
     if (other && !is_flashing && mode == CompareMode::difference)

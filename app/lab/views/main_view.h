@@ -32,7 +32,7 @@ public:
 
     ViewImage picture() const { return image_of(m_shown[0]); }
     /// The reference in a side-by-side comparison; both pictures have the size of room_of_one().
-    ViewImage beside() const { return image_of(m_shown[1]); }
+    ViewImage reference() const { return image_of(m_shown[1]); }
     /// The picture in the size of the output window; null: not drawn.
     const gpu::Texture* output() const { return m_shown[2]; }
     /// The content of picture() in memory, without the flash limiter; empty: not drawn. Waits for
@@ -63,5 +63,5 @@ private:
     ComparedPictures m_compared;
     FlashLimiter m_limiter;
     std::array<const gpu::Texture*, 3>
-        m_shown{};  // limited picture, beside and output; null: not drawn
+        m_shown{};  // limited picture, reference and output; null: not drawn
 };

@@ -59,7 +59,7 @@ Extent large_extent(const Scene& scene) {
 }
 
 Extent large_room(const Scene& scene) {
-    const bool is_half = scene.views.main().beside().handle != 0;
+    const bool is_half = scene.views.main().reference().handle != 0;
     return room_of_one(scene.window.views.sizes.picture,
                        is_half ? CompareMode::side_by_side : CompareMode::off);
 }

@@ -121,13 +121,13 @@ std::vector<Shown> shown_pictures(const Scene& scene) {
     const auto sides = scene.lab.frames().comparison().sides();
     Shown ours{.image = scene.views.main().picture(),
                .is_other = sides && scene.lab.frames().comparison().selection().is_flashing()};
-    if (scene.views.main().beside().handle == 0)
+    if (scene.views.main().reference().handle == 0)
         return {ours};
     const Extent whole = scene.window.views.sizes.picture;
     const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
-    Shown beside{"beside", scene.views.main().beside(), 0.0f, true};
-    (sides && !sides->is_other_left ? beside : ours).left = right;
-    return {ours, beside};
+    Shown reference{"beside", scene.views.main().reference(), 0.0f, true};
+    (sides && !sides->is_other_left ? reference : ours).left = right;
+    return {ours, reference};
 }
 
 // Overlays that show texel values of the current picture.

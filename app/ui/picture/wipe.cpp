@@ -72,7 +72,7 @@ void draw_halves_names(const ImVec2& low, float middle, const Scene& scene) {
     const float top = low.y + ImGui::GetFontSize() * 0.5f;
     if (scene.lab.frames().comparison().selection().is_flashing())
         return draw_name(sides->other, low.x, top, false, scene);
-    if (scene.views.main().beside().handle == 0)
+    if (scene.views.main().reference().handle == 0)
         return;
     draw_name(sides->left_name(), low.x, top, false, scene);
     draw_name(sides->right_name(), middle, top, false, scene);

@@ -164,12 +164,12 @@ TEST_CASE("side-by-side pictures get half the view each") {
     small.lab().frames().comparison().set_mode(CompareMode::side_by_side);
     small.rest();
     CHECK(small.views().main().picture().extent == Extent{8, 8});
-    CHECK(small.views().main().beside().extent == Extent{8, 8});
+    CHECK(small.views().main().reference().extent == Extent{8, 8});
     CHECK(small.seen() == 1.0);
     small.lab().frames().comparison().set_mode(CompareMode::off);
     small.rest();
     CHECK(small.views().main().picture().extent == Extent{18, 8});
-    CHECK(small.views().main().beside().handle == 0);
+    CHECK(small.views().main().reference().handle == 0);
 }
 
 TEST_CASE("a comparison with a picture file follows the file on disk") {
