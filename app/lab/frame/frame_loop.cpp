@@ -179,8 +179,11 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
     m_heavy_pass.update();
 }
 
-// NaN detection and a variant need the own picture of each pass.
+// NaN detection and a variant need the own picture of each pass. A change of the plan drops the
+// frame that is being drawn, with its light. Therefore the change waits until that frame is drawn.
 void FrameLoop::update_displayed() {
+    if (is_amid_frame())
+        return;
     const Executor& executor = m_work.renderer->executor();
     const std::vector<bool> displayed = m_guard.found() || m_work.renderer->executors().variant()
                                             ? std::vector<bool>()
