@@ -20,8 +20,7 @@ MOST_MEMBERS = 15
 
 # Types beyond a limit: {type: (the limits, reason)}. The limits are "functions", "members", "files" for
 # functions in more than one .cpp, and "headers" for definitions in more than one .h.
-EXCEPTIONS = {
-}
+EXCEPTIONS = {}
 
 
 class Tree:

@@ -15,12 +15,13 @@ MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size) {
              }}});
     if (const auto half = size.halved())
         section.entries.push_back(
-            {.name = "Halve render size",
-             .commands = {[half = *half](Lab& lab) { use_half_size(lab, half); }}});
+            {.name = "Halve render size", .commands = {[half = *half](Lab& lab) {
+                                              use_half_size(lab.work().size, lab.messages(), half);
+                                          }}});
     return section;
 }
 
-void use_half_size(Lab& lab, const PictureSize& half) {
-    lab.work().size.choose(half);
-    lab.messages().say("Render size halved. Change it in View > Render size.");
+void use_half_size(RenderSize& size, Messages& messages, const PictureSize& half) {
+    size.choose(half);
+    messages.say("Render size halved. Change it in View > Render size.");
 }

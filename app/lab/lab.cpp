@@ -25,11 +25,6 @@ void Lab::edit(const std::function<void(Document&)>& change) {
         change(*m_work.document);
 }
 
-void Lab::undo() {
-    if (!m_presets.undo_removal())
-        edit([](Document& document) { document.undo(); });
-}
-
 void Lab::update(double wall_seconds) {
     const auto start = std::chrono::steady_clock::now();
     m_work.messages.update(wall_seconds);

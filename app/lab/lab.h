@@ -40,8 +40,6 @@ public:
     const Document* document() const { return m_work.document ? &*m_work.document : nullptr; }
     /// Changes the document, if a look is open.
     void edit(const std::function<void(Document&)>& change);
-    /// Restores the preset that was deleted last, or undoes the document's step: the newer one.
-    void undo();
 
     // Components.
     LookLoader& loader() { return m_loader; }

@@ -101,9 +101,9 @@ TEST_CASE("the render size is chosen once, when the view keeps its size for half
 TEST_CASE("the output window offers its display's size if the fixed render size differs") {
     SmallLab small;  // of 8 x 8 px
     small.lab().work().size.set_view({40, 20});
-    offer_display_size(small.lab(), {8, 8});
+    offer_display_size(small.lab().work().size, small.lab().messages(), {8, 8});
     CHECK_FALSE(small.lab().messages().notice());
-    offer_display_size(small.lab(), {40, 20});
+    offer_display_size(small.lab().work().size, small.lab().messages(), {40, 20});
     REQUIRE(small.lab().messages().notice());
     CHECK(small.lab().messages().notice()->text ==
           "The render size is 8 × 8 px, the display 40 × 20 px");
@@ -112,7 +112,7 @@ TEST_CASE("the output window offers its display's size if the fixed render size 
     CHECK(small.lab().work().size.extent() == Extent{40, 20});
     SmallLab following;
     following.lab().work().size.choose(PictureSize{true, {}, 1.0});
-    offer_display_size(following.lab(), {40, 20});
+    offer_display_size(following.lab().work().size, following.lab().messages(), {40, 20});
     CHECK_FALSE(following.lab().messages().notice());
 }
 

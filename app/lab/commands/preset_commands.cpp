@@ -185,10 +185,7 @@ void PresetCommands::remove(const fs::path& file) {
     m_work.messages.offer(
         was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
                  : fmt::format("Deleted \"{}\"", removal.name),
-        {.name = "Undo", .commands = {[this](Document& open) {
-                             if (!undo_removal())
-                                 open.undo();
-                         }}});
+        {.name = "Undo", .commands = {[this](Document&) { undo(); }}});
     m_removals.push_back(std::move(removal));
 }
 
@@ -204,6 +201,11 @@ const PresetCommands::Removal* PresetCommands::last_removal() const {
 std::string PresetCommands::undo_name() const {
     const Removal* removal = last_removal();
     return removal ? fmt::format("Delete \"{}\"", removal->name) : std::string();
+}
+
+void PresetCommands::undo() {
+    if (!undo_removal() && m_work.document)
+        m_work.document->undo();
 }
 
 bool PresetCommands::undo_removal() {

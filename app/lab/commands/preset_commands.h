@@ -49,10 +49,9 @@ public:
     /// Shows it in the desktop's file manager.
     void show_in_folder(const std::filesystem::path& file);
 
-    /// Restores the last deleted preset, if nothing was changed since. False: none, so the next
-    /// step is the document's.
-    bool undo_removal();
-    /// Delete "Amber", if undo_removal() would restore it; otherwise "".
+    /// Restores the preset that was deleted last, or undoes the document's step: the newer one.
+    void undo();
+    /// Delete "Amber", if undo() would restore it; otherwise "".
     std::string undo_name() const;
 
     /// Shows a notice once per start if presets of the user are in the program's folder, and offers
@@ -71,6 +70,7 @@ private:
         std::size_t steps = 0;  // number of undo steps at that time
     };
 
+    bool undo_removal();  // false: the next step is the document's
     void save_to(const std::filesystem::path& file, const std::string& name);
     bool is_open(const std::filesystem::path& file) const;
     std::string star_name(const std::filesystem::path& file) const;

@@ -5,7 +5,8 @@
 
 #include <optional>
 
-class Lab;
+class Messages;
+class RenderSize;
 struct Pass;
 struct PictureSize;
 
@@ -20,4 +21,4 @@ std::optional<std::size_t> heavy_pass(const PassTimes& times);
 MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size);
 
 /// Sets the halved render size, and shows a notice where to change it.
-void use_half_size(Lab& lab, const PictureSize& half);
+void use_half_size(RenderSize& size, Messages& messages, const PictureSize& half);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "lab/document/document.h"
 #include "lab/inspect/inspected_texture.h"
-#include "lab/lab.h"
 #include "lab/messages/menu_entry.h"
 
 /// What can be inspected besides the passes: source, images, earlier frames and mip levels.

@@ -1,6 +1,7 @@
 #include "lab/menus/menu_sections.h"
 
 #include "lab/document/opened_preset.h"
+#include "lab/lab_parts.h"
 #include "lab/menus/device_menu.h"
 #include "lab/menus/inspector_menu.h"
 #include "lab/menus/parameter_menu.h"
@@ -25,9 +26,9 @@ MenuCommand change_comparison(const std::function<void(Comparison&)>& change) {
     };
 }
 
-MenuSection comparison_section(const Lab& lab) {
+MenuSection comparison_section(const LabParts& lab) {
     MenuSection section{"Compare", MenuSection::Menu::compare};
-    const Comparison& chosen = lab.frames().comparison().selection().chosen();
+    const Comparison& chosen = lab.frames.comparison().selection().chosen();
     for (const auto& [measure, name] :
          {std::pair{DifferenceMeasure::absolute, "Absolute difference"},
           std::pair{DifferenceMeasure::relative, "Relative difference"},
@@ -48,8 +49,8 @@ MenuSection comparison_section(const Lab& lab) {
                                    return {change_comparison(
                                        [typed](Comparison& next) { next.gain_stops = typed; })};
                                }}});
-    if (const auto& file = lab.frames().comparison().selection().reference().file();
-        lab.frames().comparison().selection().reference().picture())
+    if (const auto& file = lab.frames.comparison().selection().reference().file();
+        lab.frames.comparison().selection().reference().picture())
         section.entries.push_back(
             {.name = fmt::format("With {}", file.filename().string()),
              .commands = {[file](Lab& changed) {
@@ -60,8 +61,8 @@ MenuSection comparison_section(const Lab& lab) {
                                    changed.frames().comparison().set_mode(CompareMode::off);
                                }},
                                .is_present = chosen.mode == CompareMode::off});
-    for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
-        if (lab.frames().comparison().slots()[i])
+    for (std::size_t i = 0; i < lab.frames.comparison().slots().size(); ++i)
+        if (lab.frames.comparison().slots()[i])
             section.entries.push_back(
                 {.name = fmt::format("Clear slot {}", slot_name(i)),
                  .commands = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
@@ -138,11 +139,11 @@ MenuSection unsaved_section(const KeptSessions& sessions) {
     return section;
 }
 
-MenuSection include_section(const Lab& lab) {
+MenuSection include_section(const LabParts& lab) {
     MenuSection section{"Includes", MenuSection::Menu::edit};
     section.entries.push_back(
         {.name = "Folders, separated by ':'…",
-         .text = AskedText{include_folders_text(lab.looks().include_folders()),
+         .text = AskedText{include_folders_text(lab.looks.include_folders()),
                            [](const std::string& typed) -> MenuCommands {
                                return {[folders = parse_include_folders(typed)](Lab& changed) {
                                    changed.looks().set_include_folders(folders);
@@ -152,16 +153,16 @@ MenuSection include_section(const Lab& lab) {
 }
 
 // Actions for NaN or infinity, and for problems in files.
-MenuSection nan_section(const Lab& lab) {
+MenuSection nan_section(const LabParts& lab) {
     MenuSection section{"Problem"};
-    if (lab.frames().nan_guard().found())
+    if (lab.frames.nan_guard().found())
         for (const auto& [answer, name] : {std::pair{NonFiniteAction::clear, "Restart history"},
                                            std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
                                            std::pair{NonFiniteAction::go_on, "Ignore NaN/Inf"}})
             section.entries.push_back({.name = name, .commands = {[to = answer](Lab& changed) {
                                                          changed.frames().nan_guard().answer(to);
                                                      }}});
-    for (const Problem& problem : lab.messages().problems()) {
+    for (const Problem& problem : lab.messages.problems()) {
         const Diagnostic& said = problem.diagnostic;
         section.entries.push_back(
             {.name =
@@ -180,69 +181,69 @@ void add_sections(Sections& all, Sections more) {
         all.push_back(std::move(section));
 }
 
-void add_of_look(const Lab& lab, const WindowState& window, const std::vector<ListedLook>& looks,
-                 Sections& all) {
-    const Document& document = *lab.document();
+void add_of_look(const LabParts& lab, const WindowState& window,
+                 const std::vector<ListedLook>& looks, Sections& all) {
+    const Document& document = *lab.document;
     add_sections(all, signal_sections(document));
-    add_sections(all, source_sections(document, open_source(lab.work().media)));
+    add_sections(all, source_sections(document, open_source(lab.media)));
     all.push_back(stack_section(document.state().stack, looks));
-    if (lab.renderer())
+    if (lab.renderer)
         add_sections(all, inspector_sections(
-                              inspected_parts(lab.renderer()->executor(), window.views.inspected),
+                              inspected_parts(lab.renderer->executor(), window.views.inspected),
                               window.views.inspected));
     all.push_back(comparison_section(lab));
-    all.push_back(unsaved_section(lab.looks().kept_sessions()));
-    add_sections(all, preset_sections(
-                          listed_presets(document, looks, lab.presets().navigation().stars(), {}),
-                          window.presets));
-    if (!preset_file(document).empty() && lab.presets().has_source_checkout())
+    all.push_back(unsaved_section(lab.looks.kept_sessions()));
+    add_sections(
+        all, preset_sections(listed_presets(document, looks, lab.presets.navigation().stars(), {}),
+                             window.presets));
+    if (!preset_file(document).empty() && lab.presets.has_source_checkout())
         all.push_back(shipped_preset_section());
 }
 
-void add_further(const Lab& lab, const WindowState& window, Sections& all) {
-    const Document& document = *lab.document();
+void add_further(const LabParts& lab, const WindowState& window, Sections& all) {
+    const Document& document = *lab.document;
     const Parameter* in_hand =
         find_parameter(document.look(), window.parameters.revealed.parameter);
     if (in_hand)
         add_sections(all, parameter_sections(document, *in_hand));
     all.push_back(pass_setting_section(document, window.views.inspected.pass));
-    const VariantSheet& sheet = lab.frames().previews().sheet();
+    const VariantSheet& sheet = lab.frames.previews().sheet();
     std::vector<SweepCell> cells;
     for (const VariantSheet::Cell& cell : sheet.cells())
         cells.push_back(cell.values);
     all.push_back(sheet_section(sheet.request(), cells, in_hand));
     add_sections(all, parameter_list_sections(document, window));
-    all.push_back(drawing_section(lab.drawing().board()));
+    all.push_back(drawing_section(lab.drawing.board()));
 }
 }  // namespace
 
-std::vector<MenuSection> menu_sections(const Lab& lab, const WindowState& window,
+std::vector<MenuSection> menu_sections(const LabParts& lab, const WindowState& window,
                                        const std::vector<ListedLook>& looks) {
     Sections all;
-    if (lab.document()) {
+    if (lab.document) {
         add_of_look(lab, window, looks, all);
         add_further(lab, window, all);
     }
-    add_sections(all, window_sections(window, size_in_force(lab)));
-    const Player& player = lab.player();
+    add_sections(all, window_sections(window, size_in_force(lab.size)));
+    const Player& player = lab.player;
     all.push_back(sound_section({.settings = player.devices().settings(),
-                                 .devices = lab.audio().devices(),
+                                 .devices = lab.audio.devices(),
                                  .level = player.devices().level(),
                                  .place = player.transport().time(),
                                  .sound_seconds = player.signal().sound_seconds()}));
-    all.push_back(remote_section(lab.remote().settings(), lab.remote().osc().is_listening(),
-                                 lab.remote().midi().is_listening()));
+    all.push_back(remote_section(lab.remote.settings(), lab.remote.osc().is_listening(),
+                                 lab.remote.midi().is_listening()));
     all.push_back(include_section(lab));
     all.push_back(nan_section(lab));
-    all.push_back(lab.frames().heavy_pass().section());
+    all.push_back(lab.frames.heavy_pass().section());
     return all;
 }
 
-std::vector<MenuSection> sections_of_menu(const Lab& lab, const WindowState& window,
+std::vector<MenuSection> sections_of_menu(const LabParts& lab, const WindowState& window,
                                           const std::vector<ListedLook>& looks,
                                           MenuSection::Menu menu) {
     Sections all;
-    if (lab.document())
+    if (lab.document)
         add_of_look(lab, window, looks, all);
     all.push_back(include_section(lab));
     std::erase_if(all, [menu](const MenuSection& section) {

@@ -3,7 +3,7 @@
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
 #include "lab/document/opened_preset.h"
-#include "lab/lab.h"
+#include "lab/media/preset_content.h"
 
 std::vector<Change> difference_from(const Preset& preset, const Document& open) {
     Document other = open;
@@ -12,18 +12,15 @@ std::vector<Change> difference_from(const Preset& preset, const Document& open) 
 }
 
 Result<std::vector<Change>> difference_from(const std::filesystem::path& preset_file,
-                                            const Lab& lab) {
-    if (!lab.document())
-        return std::vector<Change>{};
+                                            const Document& open, const RecentMedia& media) {
     auto preset = load_preset(preset_file);
     if (!preset)
         return fail(preset.error());
-    const Document& open = *lab.document();
     if (auto fitted = fitted_values(open.look(), *preset, preset_file))
         preset->values = std::move(*fitted);
     if (auto fitted = fitted_modulations(open.look(), *preset, preset_file))
         preset->modulations = std::move(*fitted);
     const auto folder = media_folder(preset_file);
-    Preset found = with_found_media(*preset, folder, lab.work().media.recent());
+    Preset found = with_found_media(*preset, folder, media);
     return difference_from(with_found_files(std::move(found), open.look(), folder), open);
 }

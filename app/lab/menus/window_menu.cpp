@@ -1,6 +1,6 @@
 #include "lab/menus/window_menu.h"
 
-#include "lab/window/pane_sizes.h"
+#include "lab/lab.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
@@ -166,19 +166,19 @@ std::string times_text(double factor) {
     return fmt::format("{:g}×", factor);
 }
 
-SizeInForce size_in_force(const Lab& lab) {
-    return {lab.work().size.chosen(), lab.work().size.shape(), lab.work().size.extent()};
+SizeInForce size_in_force(const RenderSize& size) {
+    return {size.chosen(), size.shape(), size.extent()};
 }
 
-void offer_display_size(Lab& lab, Extent display) {
-    const PictureSize& present = lab.work().size.chosen();
+void offer_display_size(const RenderSize& size, Messages& messages, Extent display) {
+    const PictureSize& present = size.chosen();
     if (present.follows_view || present.room(display) == display)
         return;
-    const Extent picture = lab.work().size.extent();
-    lab.messages().offer(fmt::format("The render size is {} × {} px, the display {} × {} px",
-                                     picture.width, picture.height, display.width, display.height),
-                         {.name = "Match display",
-                          .commands = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
+    const Extent picture = size.extent();
+    messages.offer(fmt::format("The render size is {} × {} px, the display {} × {} px",
+                               picture.width, picture.height, display.width, display.height),
+                   {.name = "Match display",
+                    .commands = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

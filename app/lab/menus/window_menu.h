@@ -1,7 +1,12 @@
 #pragma once
 
-#include "lab/lab.h"
 #include "lab/messages/menu_entry.h"
+#include "lab/rendering/picture_size.h"
+
+class Messages;
+class RenderSize;
+struct Pin;
+struct WindowState;
 
 /// The chosen and the resulting render size.
 struct SizeInForce {
@@ -11,10 +16,10 @@ struct SizeInForce {
 
     bool is_shaped(ViewShape as) const { return chosen.follows_view && shape == as; }
 };
-SizeInForce size_in_force(const Lab& lab);
+SizeInForce size_in_force(const RenderSize& size);
 
 /// Offers the display's size if the output window shows a picture of fixed size.
-void offer_display_size(Lab& lab, Extent display);
+void offer_display_size(const RenderSize& size, Messages& messages, Extent display);
 
 /// Render size, zoom, panes, pins, waveform line and other settings of the window.
 std::vector<MenuSection> window_sections(const WindowState& window, const SizeInForce& size);

@@ -1,5 +1,7 @@
 #include "lab/views/pending_fits.h"
 
+#include "lab/lab.h"
+
 #include <algorithm>
 #include <cmath>
 

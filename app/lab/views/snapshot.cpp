@@ -4,29 +4,26 @@
 #include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
 #include "lab/document/sharing.h"
+#include "lab/messages/messages.h"
+#include "lab/rendering/renderer.h"
 #include "lab/storage/display_name.h"
-#include "lab/views/views.h"
+#include "lab/views/inspector_view.h"
 
 #include <fmt/format.h>
 
-void save_snapshot(Lab& lab, std::filesystem::path file) {
-    if (!lab.document() || !lab.renderer())
-        return;
-    if (!lab.renderer()->has_whole_picture())
-        return lab.messages().say("The picture is still rendering. Try again when it is done.",
-                                  true);
+void save_snapshot(const SnapshotSource& source, std::filesystem::path file, Messages& messages) {
+    if (!source.renderer.has_whole_picture())
+        return messages.say("The picture is still rendering. Try again when it is done.", true);
     if (file.extension().empty())
         file += ".png";
-    const Executor& executor = lab.renderer()->executor();
-    const int shown = lab.frames().passes().picture_pass();
-    Picture picture = gpu::read_picture(executor.target(shown));
-    picture.encoding = encoding_of(executor.look(), shown);
-    const auto saved =
-        save_picture_with_preset(picture, *lab.document(), file, lab.work().media.recent());
+    const Executor& executor = source.renderer.executor();
+    Picture picture = gpu::read_picture(executor.target(source.pass));
+    picture.encoding = encoding_of(executor.look(), source.pass);
+    const auto saved = save_picture_with_preset(picture, source.document, file, source.media);
     if (saved)
-        lab.messages().say(saved_text(file.filename().string()));
+        messages.say(saved_text(file.filename().string()));
     else
-        lab.messages().say(saved.error().front());
+        messages.say(saved.error().front());
 }
 
 namespace {
@@ -45,22 +42,21 @@ Result<Picture> seen_picture(const gpu::Texture& target, const ViewOptions& opti
 }
 }  // namespace
 
-void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
-    const auto inspected =
-        lab.renderer() ? inspected_texture(lab.renderer()->executor(), view) : std::nullopt;
+void save_target(const Renderer& renderer, const PassView& view, std::filesystem::path file,
+                 Messages& messages) {
+    const auto inspected = inspected_texture(renderer.executor(), view);
     if (!inspected)
         return;
     const bool is_there =
         inspected->choice.from != Input::From::pass ||
-        !lab.renderer()->executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
+        !renderer.executor().plan().targets[static_cast<std::size_t>(inspected->pass)].onto;
     if (!is_there)
-        return lab.messages().say("This pass isn't being inspected. Open the inspector first.",
-                                  true);
-    if (!lab.renderer()->has_whole_picture())
-        return lab.messages().say("The pass is still rendering. Try again when it is done.", true);
+        return messages.say("This pass isn't being inspected. Open the inspector first.", true);
+    if (!renderer.has_whole_picture())
+        return messages.say("The pass is still rendering. Try again when it is done.", true);
     auto texels = TexelInspector::make();
     if (!texels)
-        return lab.messages().say(texels.error().front());
+        return messages.say(texels.error().front());
     if (file.extension().empty())
         file += ".exr";
     const gpu::Texture& target = texels->level_of(*inspected);
@@ -69,8 +65,8 @@ void save_target(Lab& lab, const PassView& view, std::filesystem::path file) {
                                  : gpu::read_picture(target);
     const auto saved = picture ? save_picture(*picture, file) : fail(picture.error());
     if (saved)
-        lab.messages().say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
-                                       file.filename().string()));
+        messages.say(fmt::format("Saved \"{}\" to \"{}\"", inspected->choice.label(),
+                                 file.filename().string()));
     else
-        lab.messages().say(saved.error().front());
+        messages.say(saved.error().front());
 }

@@ -1,6 +1,8 @@
 #include "lab/views/views.h"
 
 #include "gpu/objects/readback.h"
+#include "lab/lab.h"
+#include "lab/window/window_state.h"
 
 #include <algorithm>
 #include <chrono>
@@ -60,17 +62,15 @@ void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
         m_probed = gpu::read_pixel(target, probe->x, probe->y);
 }
 
-Probe picture_probe(const Lab& lab, const std::array<double, 2>& place) {
-    const Executor& executor = lab.renderer()->executor();
-    const int shown = lab.frames().passes().picture_pass();
-    const Extent seen_as = lab.work().size.extent();
-    const Extent own = executor.target(shown).extent();
+Probe picture_probe(const Executor& executor, int pass, Extent picture,
+                    const std::array<double, 2>& place) {
+    const Extent own = executor.target(pass).extent();
     const auto texel = [](double at, int whole, int length) {
         return static_cast<int>(std::floor(at * length / std::max(whole, 1)));
     };
-    return {.pass = executor.look().passes[static_cast<std::size_t>(shown)].name,
-            .x = texel(place[0], seen_as.width, own.width),
-            .y = texel(place[1], seen_as.height, own.height),
+    return {.pass = executor.look().passes[static_cast<std::size_t>(pass)].name,
+            .x = texel(place[0], picture.width, own.width),
+            .y = texel(place[1], picture.height, own.height),
             .extent = own};
 }
 

@@ -2,7 +2,6 @@
 
 #include "lab/inspect/pins.h"
 #include "lab/inspect/texel_inspector.h"
-#include "lab/lab.h"
 #include "lab/views/inspector_view.h"
 #include "lab/views/main_view.h"
 #include "lab/views/strip_view.h"
@@ -10,6 +9,8 @@
 #include <array>
 #include <memory>
 #include <optional>
+
+class Lab;
 
 /// The views of the open look for the window, and the probed values.
 class Views {
@@ -53,4 +54,5 @@ private:
 };
 
 /// The probed texel of the displayed pass at a position of the picture, px from the top left.
-Probe picture_probe(const Lab& lab, const std::array<double, 2>& place);
+Probe picture_probe(const Executor& executor, int pass, Extent picture,
+                    const std::array<double, 2>& place);

@@ -13,7 +13,7 @@ namespace {
 constexpr int f5 = gpu::key::first_function + 4;
 
 const Comparison& chosen(const Scene& scene) {
-    return scene.lab.frames().comparison().selection().chosen();
+    return scene.lab.frames.comparison().selection().chosen();
 }
 
 template <CompareMode mode>
@@ -27,15 +27,16 @@ void toggle(const Scene& scene, Edits& edits) {
 }
 
 bool is_flashing(const Scene& scene) {
-    return scene.lab.frames().comparison().selection().is_flashing();
+    return scene.lab.frames.comparison().selection().is_flashing();
 }
 
 void flash(const Scene& scene, Edits& edits) {
-    edits.add([next = !is_flashing(scene)](Lab& lab) { lab.frames().comparison().flash(next); });
+    edits.change(
+        [next = !is_flashing(scene)](ComparisonView& comparison) { comparison.flash(next); });
 }
 
 void end_flash(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().comparison().flash(false); });
+    edits.change([](ComparisonView& comparison) { comparison.flash(false); });
 }
 
 void next_measure(const Scene&, Edits& edits) {
@@ -58,22 +59,22 @@ bool has_equal_brightness(const Scene& scene) {
 
 template <std::size_t slot>
 void keep(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().comparison().store(slot); });
+    edits.change([](ComparisonView& comparison) { comparison.store(slot); });
 }
 
 template <std::size_t slot>
 void recall(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().comparison().recall(slot); });
+    edits.change([](ComparisonView& comparison) { comparison.recall(slot); });
 }
 
 template <std::size_t slot>
 bool is_present(const Scene& scene) {
-    return scene.lab.frames().comparison().is_in_slot(slot);
+    return scene.lab.frames.comparison().is_in_slot(slot);
 }
 
 template <std::size_t slot>
 bool is_filled(const Scene& scene) {
-    return scene.lab.frames().comparison().slots()[slot].has_value();
+    return scene.lab.frames.comparison().slots()[slot].has_value();
 }
 
 bool is_compared(const Scene& scene, const Other& other) {
@@ -82,7 +83,9 @@ bool is_compared(const Scene& scene, const Other& other) {
 
 template <std::size_t slot>
 void compare_with(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().comparison().compare_with({Other::Kind::slot, slot}); });
+    edits.change([](ComparisonView& comparison) {
+        comparison.compare_with({Other::Kind::slot, slot});
+    });
 }
 
 template <std::size_t slot>
@@ -91,7 +94,7 @@ bool is_other(const Scene& scene) {
 }
 
 bool can_fit_gain(const Scene& scene) {
-    return scene.lab.frames().comparison().mode() == CompareMode::difference &&
+    return scene.lab.frames.comparison().mode() == CompareMode::difference &&
            chosen(scene).measure != DifferenceMeasure::relative;
 }
 
@@ -100,7 +103,7 @@ void fit_gain(const Scene&, Edits& edits) {
 }
 
 void compare_with_article(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().comparison().compare_with({}); });
+    edits.change([](ComparisonView& comparison) { comparison.compare_with({}); });
 }
 
 bool is_article_other(const Scene& scene) {

@@ -1,6 +1,8 @@
 #include "ui/actions/edit_actions.h"
 
+#include "lab/commands/preset_commands.h"
 #include "lab/document/parameter_edits.h"
+#include "lab/drawing/drawing_tool.h"
 #include "ui/actions/file_actions.h"
 #include "ui/actions/panel_actions.h"
 #include "ui/actions/view_actions.h"
@@ -11,33 +13,34 @@
 
 namespace {
 bool can_undo(const Scene& scene) {
-    return scene.lab.document() &&
-           (scene.lab.document()->history().can_undo() || !scene.lab.presets().undo_name().empty());
+    return scene.lab.document &&
+           (scene.lab.document->history().can_undo() || !scene.lab.presets.undo_name().empty());
 }
 bool can_redo(const Scene& scene) {
-    return scene.lab.document() && scene.lab.document()->history().can_redo();
+    return scene.lab.document && scene.lab.document->history().can_redo();
 }
 bool has_values(const Scene& scene) {
-    return scene.lab.document() && !scene.lab.document()->values().empty();
+    return scene.lab.document && !scene.lab.document->values().empty();
 }
 
 void undo(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.undo(); });
+    edits.change([](PresetCommands& presets) { presets.undo(); });
 }
 void redo(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { document.redo(); });
+    edits.change([](Document& document) { document.redo(); });
 }
 void reset_all(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { reset_all_parameters(document); });
+    edits.change(reset_all_parameters);
 }
 bool can_draw(const Scene& scene) {
-    return scene.lab.document() && scene.lab.document()->look().driven_by == Driver::signal;
+    return scene.lab.document && scene.lab.document->look().driven_by == Driver::signal;
 }
 bool has_pen(const Scene& scene) {
-    return scene.lab.drawing().board().has_pen();
+    return scene.lab.drawing.board().has_pen();
 }
 void take_pen(const Scene& scene, Edits& edits) {
-    edits.add([is_in_hand = !has_pen(scene)](Lab& lab) { lab.drawing().take_pen(is_in_hand); });
+    edits.change(
+        [is_in_hand = !has_pen(scene)](DrawingTool& drawing) { drawing.take_pen(is_in_hand); });
 }
 void show_remote(const Scene&, Edits& edits) {
     edits.show({.kind = Dialog::Kind::remote});
@@ -46,12 +49,12 @@ void show_remote(const Scene&, Edits& edits) {
 std::string undo_label(const Scene& scene) {
     if (!can_undo(scene))
         return "Undo";
-    const std::string& of_presets = scene.lab.presets().undo_name();
-    return fmt::format(
-        "Undo: {}", of_presets.empty() ? scene.lab.document()->history().undo_name() : of_presets);
+    const std::string& of_presets = scene.lab.presets.undo_name();
+    return fmt::format("Undo: {}",
+                       of_presets.empty() ? scene.lab.document->history().undo_name() : of_presets);
 }
 std::string redo_label(const Scene& scene) {
-    return can_redo(scene) ? fmt::format("Redo: {}", scene.lab.document()->history().redo_name())
+    return can_redo(scene) ? fmt::format("Redo: {}", scene.lab.document->history().redo_name())
                            : "Redo";
 }
 }  // namespace

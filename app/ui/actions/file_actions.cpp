@@ -1,9 +1,9 @@
 #include "ui/actions/file_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/commands/look_commands.h"
+#include "lab/commands/preset_commands.h"
 #include "lab/document/opened_preset.h"
-#include "lab/session.h"
-#include "lab/window/window_session.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
@@ -11,73 +11,78 @@
 
 namespace {
 void save_as(const Scene& scene, Edits& edits) {
-    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.presets().proposed_name()});
+    edits.show({.kind = Dialog::Kind::save_preset_as, .text = scene.lab.presets.proposed_name()});
 }
 
 void save(const Scene& scene, Edits& edits) {
-    if (scene.lab.presets().can_save_over())
-        edits.add([](Lab& lab) { lab.presets().save(); });
+    if (scene.lab.presets.can_save_over())
+        edits.change([](PresetCommands& presets) { presets.save(); });
     else
         save_as(scene, edits);
 }
 
 void rename(const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     edits.show({.kind = Dialog::Kind::rename_preset,
                 .text = preset_name(document),
                 .subject = preset_file(document).string()});
 }
 
-void duplicate(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().duplicate(preset_file(*lab.document())); });
+void duplicate(const Scene& scene, Edits& edits) {
+    edits.change([file = preset_file(*scene.lab.document)](PresetCommands& presets) {
+        presets.duplicate(file);
+    });
 }
 
-void remove(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().remove(preset_file(*lab.document())); });
+void remove(const Scene& scene, Edits& edits) {
+    edits.change([file = preset_file(*scene.lab.document)](PresetCommands& presets) {
+        presets.remove(file);
+    });
 }
 
-void show_in_folder(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.presets().show_in_folder(preset_file(*lab.document())); });
+void show_in_folder(const Scene& scene, Edits& edits) {
+    edits.change([file = preset_file(*scene.lab.document)](PresetCommands& presets) {
+        presets.show_in_folder(file);
+    });
 }
 
 template <int by>
 void step_preset(const Scene& scene, Edits& edits) {
-    edits.add([only_starred = scene.window.presets.only_starred](Lab& lab) {
-        lab.presets().navigation().step(by, only_starred);
+    edits.change([only_starred = scene.window.presets.only_starred](PresetCommands& presets) {
+        presets.navigation().step(by, only_starred);
     });
 }
 
 template <int by>
 void morph_preset(const Scene& scene, Edits& edits) {
-    edits.add([wanted = scene.window.presets](Lab& lab) {
-        lab.presets().navigation().morph_by(by, wanted.morph_seconds, wanted.only_starred);
+    edits.change([wanted = scene.window.presets](PresetCommands& presets) {
+        presets.navigation().morph_by(by, wanted.morph_seconds, wanted.only_starred);
     });
 }
 
 void duplicate_look(const Scene& scene, Edits& edits) {
     edits.show(
-        {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document()->look().id + "-copy"});
+        {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document->look().id + "-copy"});
 }
 
 void copy_line(const Scene& scene, Edits& edits) {
-    edits.copy(scene.lab.presets().sharing().line());
-    edits.add([](Lab& lab) { lab.messages().say("Copied the preset as one line of text"); });
+    edits.copy(scene.lab.presets.sharing().line());
+    edits.change([](Messages& messages) { messages.say("Copied the preset as one line of text"); });
 }
 
 void paste_line(const Scene&, Edits& edits) {
     const char* text = ImGui::GetClipboardText();
-    edits.add(
-        [line = std::string(text ? text : "")](Lab& lab) { lab.presets().sharing().paste(line); });
-}
-
-void take_up_unsaved(const Scene& scene, Edits& edits) {
-    edits.add([latest = scene.lab.looks().kept_sessions().files().front()](Lab& lab) {
-        restore_kept(lab, latest);
+    edits.change([line = std::string(text ? text : "")](PresetCommands& presets) {
+        presets.sharing().paste(line);
     });
 }
 
+void take_up_unsaved(const Scene& scene, Edits& edits) {
+    edits.open_unsaved(scene.lab.looks.kept_sessions().files().front());
+}
+
 bool has_kept_session(const Scene& scene) {
-    return !scene.lab.looks().kept_sessions().files().empty();
+    return !scene.lab.looks.kept_sessions().files().empty();
 }
 
 void quit(const Scene&, Edits& edits) {
@@ -91,20 +96,20 @@ void show(const Scene&, Edits& edits) {
 }  // namespace
 
 bool file_actions::has_document(const Scene& scene) {
-    return scene.lab.document() != nullptr;
+    return scene.lab.document != nullptr;
 }
 
 bool file_actions::has_preset(const Scene& scene) {
-    return scene.lab.document() && !preset_file(*scene.lab.document()).empty();
+    return scene.lab.document && !preset_file(*scene.lab.document).empty();
 }
 
 namespace {
 bool is_slang(const Scene& scene) {
-    return scene.lab.presets().sharing().can_save_slang();
+    return scene.lab.presets.sharing().can_save_slang();
 }
 
 bool can_save_over(const Scene& scene) {
-    return scene.lab.presets().can_save_over();
+    return scene.lab.presets.can_save_over();
 }
 
 std::vector<Action> preset_actions() {

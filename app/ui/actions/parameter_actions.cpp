@@ -12,9 +12,9 @@
 
 namespace {
 const Parameter* selected_parameter(const Scene& scene) {
-    return scene.lab.document() ? find_parameter(scene.lab.document()->look(),
-                                                 scene.window.parameters.revealed.parameter)
-                                : nullptr;
+    return scene.lab.document ? find_parameter(scene.lab.document->look(),
+                                               scene.window.parameters.revealed.parameter)
+                              : nullptr;
 }
 
 bool has_selected_parameter(const Scene& scene) {
@@ -25,7 +25,7 @@ template <int by>
 void go(const Scene& scene, Edits& edits) {
     const Revealed& revealed = scene.window.parameters.revealed;
     const auto next =
-        listed_beside(listed_parameters(*scene.lab.document(), query_of(scene.window)),
+        listed_beside(listed_parameters(*scene.lab.document, query_of(scene.window)),
                       {.parameter = revealed.parameter, .component = revealed.component}, by);
     if (!next)
         return;
@@ -44,7 +44,7 @@ bool is_trigger(const Scene& scene) {
 
 template <bool is_up>
 void turn(const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     if (is_trigger(scene))
         return edits.set(scene.window.parameters.revealed.parameter, Value(1.0));
     const Parameter parameter = with_ends(
@@ -55,12 +55,12 @@ void turn(const Scene& scene, Edits& edits) {
     if (next)
         edits.set(parameter.name, *next);
     else
-        edits.add([words = next.error().front().message](Lab& lab) { lab.messages().say(words); });
+        edits.change(
+            [words = next.error().front().message](Messages& messages) { messages.say(words); });
 }
 
 void let_go(const Scene& scene, Edits& edits) {
-    if (is_trigger(scene) &&
-        scene.lab.document()->value(*selected_parameter(scene)).number() != 0.0)
+    if (is_trigger(scene) && scene.lab.document->value(*selected_parameter(scene)).number() != 0.0)
         edits.set(scene.window.parameters.revealed.parameter, Value(0.0));
     if (has_selected_parameter(scene))
         edits.finish();
@@ -71,7 +71,7 @@ void type(const Scene&, Edits& edits) {
 }
 
 void reset(const Scene& scene, Edits& edits) {
-    edits.document([name = scene.window.parameters.revealed.parameter](Document& document) {
+    edits.change([name = scene.window.parameters.revealed.parameter](Document& document) {
         reset_parameters(document, {name});
     });
 }

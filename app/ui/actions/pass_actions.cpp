@@ -1,6 +1,7 @@
 #include "ui/actions/pass_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/commands/look_commands.h"
 #include "lab/document/stack_edits.h"
 #include "lab/menus/window_menu.h"
 #include "model/plan/parameter_use.h"
@@ -11,11 +12,11 @@
 
 namespace {
 bool has_passes(const Scene& scene) {
-    return scene.lab.document() && scene.lab.renderer();
+    return scene.lab.document && scene.lab.renderer;
 }
 
 bool has_overrides(const Scene& scene) {
-    return scene.lab.document() && !scene.lab.document()->state().overrides.empty();
+    return scene.lab.document && !scene.lab.document->state().overrides.empty();
 }
 
 bool is_large(const Scene& scene) {
@@ -25,7 +26,7 @@ bool is_large(const Scene& scene) {
 // Skips idle passes, which the picture does not use at present.
 template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const Look& look = executor.look();
     const auto present =
         static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
@@ -101,18 +102,18 @@ void save_pass(const Scene& scene, Edits& edits) {
 }
 
 void edit_shader(const Scene& scene, Edits& edits) {
-    const Look& look = scene.lab.document()->look();
+    const Look& look = scene.lab.document->look();
     const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
     const Location place{look.passes[pass].fragment.file, 1};
-    edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
+    edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
 }
 
 void write(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.looks().write_overrides(); });
+    edits.change([](LookCommands& looks) { looks.write_overrides(); });
 }
 
 void take_back(const Scene&, Edits& edits) {
-    edits.document([](Document& document) { clear_overrides(document); });
+    edits.change([](Document& document) { clear_overrides(document); });
 }
 }  // namespace
 

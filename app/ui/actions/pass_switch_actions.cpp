@@ -6,13 +6,13 @@
 
 namespace {
 std::string chosen_pass(const Scene& scene) {
-    const Look& look = scene.lab.document()->look();
+    const Look& look = scene.lab.document->look();
     return look.passes[static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected))]
         .name;
 }
 
 void toggle(PassSwitch which, const std::string& pass, Edits& edits) {
-    edits.add([which, pass](Lab& lab) { lab.frames().passes().toggle(which, pass); });
+    edits.change([which, pass](PassControl& passes) { passes.toggle(which, pass); });
 }
 
 template <PassSwitch which>
@@ -23,23 +23,23 @@ void toggle_chosen(const Scene& scene, Edits& edits) {
 template <PassSwitch which>
 bool is_on(const Scene& scene) {
     return file_actions::has_document(scene) &&
-           scene.lab.frames().passes().switches().has(which, chosen_pass(scene));
+           scene.lab.frames.passes().switches().has(which, chosen_pass(scene));
 }
 
 void clear_chosen(const Scene& scene, Edits& edits) {
-    edits.add([pass = chosen_pass(scene)](Lab& lab) { lab.frames().passes().clear_history(pass); });
+    edits.change([pass = chosen_pass(scene)](PassControl& passes) { passes.clear_history(pass); });
 }
 
 void clear_all(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().passes().clear_history(); });
+    edits.change([](PassControl& passes) { passes.clear_history(); });
 }
 
 void switch_nothing(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().passes().set({}); });
+    edits.change([](PassControl& passes) { passes.set({}); });
 }
 
 bool has_switches(const Scene& scene) {
-    return !scene.lab.frames().passes().switches().is_empty();
+    return !scene.lab.frames.passes().switches().is_empty();
 }
 
 template <PassSwitch which>

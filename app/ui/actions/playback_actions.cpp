@@ -1,5 +1,6 @@
 #include "ui/actions/playback_actions.h"
 
+#include "lab/document/automation.h"
 #include "ui/actions/file_actions.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/rates_dialog.h"
@@ -10,25 +11,25 @@
 
 namespace {
 void play_pause(const Scene& scene, Edits& edits) {
-    const bool is_playing = scene.lab.player().transport().is_playing();
-    edits.add([is_playing](Lab& lab) { is_playing ? lab.player().pause() : lab.player().play(); });
+    const bool is_playing = scene.lab.player.transport().is_playing();
+    edits.change([is_playing](Player& player) { is_playing ? player.pause() : player.play(); });
 }
 void step(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) {
-        lab.player().pause();
-        lab.player().step();
+    edits.change([](Player& player) {
+        player.pause();
+        player.step();
     });
 }
 void restart(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().restart(); });
+    edits.change([](FrameLoop& frames) { frames.restart(); });
 }
 template <int octaves>
 void change_speed(const Scene& scene, Edits& edits) {
-    const double speed = scene.lab.player().transport().speed() * std::exp2(octaves);
-    edits.add([speed](Lab& lab) { lab.player().set_speed(speed); });
+    const double speed = scene.lab.player.transport().speed() * std::exp2(octaves);
+    edits.change([speed](Player& player) { player.set_speed(speed); });
 }
 void set_normal_speed(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.player().set_speed(1.0); });
+    edits.change([](Player& player) { player.set_speed(1.0); });
 }
 
 void start_rates(const Scene&, Edits& edits) {
@@ -39,15 +40,15 @@ void start_impulse(const Scene& scene, Edits& edits) {
 }
 
 bool is_recording(const Scene& scene) {
-    return scene.lab.automation().recorder().is_running();
+    return scene.lab.automation.recorder().is_running();
 }
 bool has_automation(const Scene& scene) {
-    return !scene.lab.automation().recorder().points().empty();
+    return !scene.lab.automation.recorder().points().empty();
 }
 // The end of a recording opens the save dialog.
 void record_automation(const Scene& scene, Edits& edits) {
     const bool is_starting = !is_recording(scene);
-    edits.add([is_starting](Lab& lab) { lab.automation().record(is_starting); });
+    edits.change([is_starting](Automation& automation) { automation.record(is_starting); });
     if (!is_starting && has_automation(scene))
         edits.show({.kind = Dialog::Kind::save_automation});
 }

@@ -1,7 +1,13 @@
 #include "ui/actions/shortcuts.h"
 
 #include "gpu/input_event.h"
+#include "lab/commands/content_commands.h"
+#include "lab/commands/look_commands.h"
+#include "lab/commands/preset_commands.h"
+#include "lab/drawing/drawing_tool.h"
 #include "lab/previews/previews.h"
+#include "lab/reload/look_loader.h"
+#include "lab/remote/remote_control.h"
 #include "ui/frame/action.h"
 #include "ui/frame/look_keys.h"
 #include "ui/picture/overlays.h"
@@ -20,38 +26,44 @@ bool is_pressed(const Chord& chord) {
            !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats(chord.key));
 }
 
+void end_line(Edits& edits) {
+    edits.change([](DrawingTool& drawing) {
+        drawing.edit([](DrawingBoard& board, Document& document) { board.end_line(document); });
+    });
+}
+
 // Escape cancels the topmost active item.
 void escape(const Scene& scene, Edits& edits) {
     if (scene.is_behind_output)
         edits.arrange([](WindowState& window) { window.output.is_open = false; });
     else if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup))
         ImGui::ClosePopupToLevel(0, true);
-    else if (scene.lab.drawing().board().open_line())
-        edits.end_line();
-    else if (!scene.lab.work().media.loading().empty())
-        edits.add([](Lab& lab) { lab.content().cancel_loading(); });
-    else if (scene.lab.loader().opening())
-        edits.add([](Lab& lab) { lab.looks().cancel_opening(); });
-    else if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
-        edits.add([](Lab& lab) { lab.frames().cancel_replay(); });
-    else if (scene.lab.remote().midi().learning())
-        edits.add([](Lab& lab) { lab.remote().end_midi_learning(); });
-    else if (scene.lab.frames().previews().probe().question())
-        edits.add([](Lab& lab) { lab.frames().previews().probe().stop(); });
-    else if (scene.lab.presets().navigation().morphing())
-        edits.add([](Lab& lab) { lab.presets().navigation().end_morph(); });
-    else if (scene.lab.frames().previews().sheet().is_running())
-        edits.add([](Lab& lab) { lab.frames().previews().sheet().cancel(); });
-    else if (scene.lab.frames().comparison().selection().is_flashing())
-        edits.add([](Lab& lab) { lab.frames().comparison().flash(false); });
+    else if (scene.lab.drawing.board().open_line())
+        end_line(edits);
+    else if (!scene.lab.media.loading().empty())
+        edits.change([](ContentCommands& content) { content.cancel_loading(); });
+    else if (scene.lab.loader.opening())
+        edits.change([](LookCommands& looks) { looks.cancel_opening(); });
+    else if (scene.lab.renderer && scene.lab.renderer->replay().is_running())
+        edits.change([](FrameLoop& frames) { frames.cancel_replay(); });
+    else if (scene.lab.remote.midi().learning())
+        edits.change([](RemoteControl& remote) { remote.end_midi_learning(); });
+    else if (scene.lab.frames.previews().probe().question())
+        edits.change([](Previews& previews) { previews.probe().stop(); });
+    else if (scene.lab.presets.navigation().morphing())
+        edits.change([](PresetCommands& presets) { presets.navigation().end_morph(); });
+    else if (scene.lab.frames.previews().sheet().is_running())
+        edits.change([](Previews& previews) { previews.sheet().cancel(); });
+    else if (scene.lab.frames.comparison().selection().is_flashing())
+        edits.change([](ComparisonView& comparison) { comparison.flash(false); });
     else if (shows_errors(scene))
-        edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
+        edits.change([](LookCommands& looks) { looks.dismiss_problems(); });
     else if (scene.window.views.shows_pass_large)
         edits.arrange([](WindowState& window) { window.views.shows_pass_large = false; });
     else if (scene.window.layout.is_picture_only)
         edits.arrange([](WindowState& window) { window.layout.is_picture_only = false; });
-    else if (scene.lab.drawing().board().has_pen())
-        edits.add([](Lab& lab) { lab.drawing().take_pen(false); });
+    else if (scene.lab.drawing.board().has_pen())
+        edits.change([](DrawingTool& drawing) { drawing.take_pen(false); });
 }
 }  // namespace
 
@@ -66,8 +78,8 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
     const bool is_typing = ImGui::GetIO().WantTextInput;
     const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
                             ImGui::IsKeyPressed(gpu::key::pad_enter, false);
-    if (is_entered && !is_typing && scene.lab.drawing().board().open_line())
-        edits.end_line();
+    if (is_entered && !is_typing && scene.lab.drawing.board().open_line())
+        end_line(edits);
     for (const Action& action : scene.actions.rows()) {
         // An active text field handles copy, paste, undo and letters. Other Ctrl shortcuts always
         // work.

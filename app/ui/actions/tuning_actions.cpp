@@ -12,7 +12,7 @@ namespace {
 void randomise(const Scene&, Edits& edits) {
     std::random_device chance;
     const std::uint64_t seed = (static_cast<std::uint64_t>(chance()) << 32) | chance();
-    edits.document([seed](Document& document) { randomise_parameters(document, seed); });
+    edits.change([seed](Document& document) { randomise_parameters(document, seed); });
 }
 
 template <ParameterFilter filter>
@@ -34,11 +34,12 @@ template <bool is_up>
 void show_step(const Scene& scene, Edits& edits) {
     if (scene.window.parameters.pointed)
         return ask_for_step(*scene.window.parameters.pointed, is_up, edits);
-    edits.add([](Lab& lab) { lab.messages().say("Point at a parameter and hold U or Shift+U"); });
+    edits.change(
+        [](Messages& messages) { messages.say("Point at a parameter and hold U or Shift+U"); });
 }
 
 void end_step(const Scene&, Edits& edits) {
-    edits.add([](Lab& lab) { lab.frames().previews().probe().stop(); });
+    edits.change([](Previews& previews) { previews.probe().stop(); });
 }
 
 std::vector<Action> step_actions() {

@@ -62,8 +62,9 @@ void answer(const MenuEntry& entry, const std::string& text, Edits& edits) {
     if (typed.value)
         run(entry.number->answer(*typed.value), edits);
     if (!typed.complaint.empty())
-        edits.add(
-            [words = std::move(typed.complaint)](Lab& lab) { lab.messages().say(words, true); });
+        edits.change([words = std::move(typed.complaint)](Messages& messages) {
+            messages.say(words, true);
+        });
 }
 }  // namespace
 

@@ -11,9 +11,13 @@
 #include <algorithm>
 
 void compare_preset(const ListedLookPreset& preset, const Scene& scene, Edits& edits) {
-    auto changes = difference_from(preset.entry.file, scene.lab);
+    if (!scene.lab.document)
+        return;
+    auto changes =
+        difference_from(preset.entry.file, *scene.lab.document, scene.lab.media.recent());
     if (!changes) {
-        edits.add([problem = changes.error().front()](Lab& lab) { lab.messages().say(problem); });
+        edits.change(
+            [problem = changes.error().front()](Messages& messages) { messages.say(problem); });
         return;
     }
     edits.show({.kind = Dialog::Kind::compare_preset,

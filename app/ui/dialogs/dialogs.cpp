@@ -1,5 +1,7 @@
 #include "ui/dialogs/dialogs.h"
 
+#include "lab/commands/look_commands.h"
+#include "lab/commands/preset_commands.h"
 #include "lab/storage/display_name.h"
 #include "ui/dialogs/asked_dialog.h"
 #include "ui/dialogs/compare_dialog.h"
@@ -25,10 +27,10 @@ struct Question {
     const char* title;
     const char* help;
     const char* label;
-    void (*answer)(Lab& lab, const std::string& name, const std::string& subject);
+    void (*answer)(Edits& edits, const std::string& name, const std::string& subject);
     bool (*is_taken)(const Scene& scene, const std::string& name);
     // Null: an existing name is refused.
-    void (*replace)(Lab& lab, const std::string& name, const std::string& subject) = nullptr;
+    void (*replace)(Edits& edits, const std::string& name, const std::string& subject) = nullptr;
 };
 
 bool is_look(const Scene& scene, const std::string& name) {
@@ -41,7 +43,7 @@ bool is_look(const Scene& scene, const std::string& name) {
 bool is_preset(const Scene& scene, const std::string& name) {
     for (const ListedLook& look : scene.library_view.looks())
         for (const ListedLookPreset& preset : look.presets)
-            if (scene.lab.document() && look.entry.id == scene.lab.document()->look().id &&
+            if (scene.lab.document && look.entry.id == scene.lab.document->look().id &&
                 preset.entry.name == name && !preset.entry.is_shipped)
                 return true;
     return false;
@@ -69,7 +71,7 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     edits.mark("dialog_name");
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
         wrapped_dim_text(
-            fmt::format("Saved in {}", display_folder(scene.lab.presets().destination())));
+            fmt::format("Saved in {}", display_folder(scene.lab.presets.destination())));
     const bool is_taken = question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken) {
@@ -83,29 +85,42 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
                              !text.empty() && (!is_taken || replaces), edits))
         return;
     close_dialog(edits);
-    edits.add([text, subject = scene.window.dialog.subject,
-               answer = replaces ? question.replace : question.answer](Lab& lab) {
-        answer(lab, text, subject);
-    });
+    const auto answer = replaces ? question.replace : question.answer;
+    answer(edits, text, scene.window.dialog.subject);
+}
+
+using Text = const std::string&;
+
+void rename_preset(Edits& edits, Text name, Text file) {
+    edits.change([name, file](PresetCommands& presets) { presets.rename(file, name); });
+}
+
+void save_preset(Edits& edits, Text name, Text) {
+    edits.change([name](PresetCommands& presets) { presets.save_as(name); });
+}
+
+void replace_preset(Edits& edits, Text name, Text) {
+    edits.change([name](PresetCommands& presets) { presets.replace(name); });
+}
+
+void create_look(Edits& edits, Text name, Text) {
+    edits.change([name](LookCommands& looks) { looks.create(name); });
+}
+
+void duplicate_look(Edits& edits, Text name, Text) {
+    edits.change([name](LookCommands& looks) { looks.duplicate(name); });
 }
 
 Question name_question(Dialog::Kind kind) {
     using Kind = Dialog::Kind;
-    using Text = const std::string&;
     constexpr const char* folder_help = "Folder name (lowercase letters, digits, - and _)";
     if (kind == Kind::rename_preset)
-        return {"Rename preset", "New name", "Rename",
-                [](Lab& lab, Text name, Text file) { lab.presets().rename(file, name); },
-                is_other_preset};
+        return {"Rename preset", "New name", "Rename", rename_preset, is_other_preset};
     if (kind == Kind::new_look)
-        return {"New look", folder_help, "Create",
-                [](Lab& lab, Text name, Text) { lab.looks().create(name); }, is_look};
+        return {"New look", folder_help, "Create", create_look, is_look};
     if (kind == Kind::duplicate_look)
-        return {"Duplicate look", folder_help, "Duplicate",
-                [](Lab& lab, Text name, Text) { lab.looks().duplicate(name); }, is_look};
-    return {"Save preset as", "Preset name",
-            "Save",           [](Lab& lab, Text name, Text) { lab.presets().save_as(name); },
-            is_preset,        [](Lab& lab, Text name, Text) { lab.presets().replace(name); }};
+        return {"Duplicate look", folder_help, "Duplicate", duplicate_look, is_look};
+    return {"Save preset as", "Preset name", "Save", save_preset, is_preset, replace_preset};
 }
 }  // namespace
 

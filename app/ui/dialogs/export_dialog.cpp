@@ -1,5 +1,6 @@
 #include "ui/dialogs/export_dialog.h"
 
+#include "lab/offline/background_jobs.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/work_dialog.h"
 
@@ -9,7 +10,7 @@ namespace {
 double export_seconds(const Scene& scene) {
     if (scene.window.exporting.seconds > 0.0)
         return scene.window.exporting.seconds;
-    const double sound = scene.lab.player().signal().sound_seconds();
+    const double sound = scene.lab.player.signal().sound_seconds();
     return sound > 0.0 ? sound : film_seconds_without_sound;
 }
 
@@ -31,7 +32,7 @@ void export_frames(const std::filesystem::path& file, const Scene& scene, Edits&
     ExportWishes wishes{file, scene.window.exporting.fps, scene.window.exporting.seconds};
     if (!file.has_extension())
         wishes.file += ".mp4";
-    edits.add([wishes](Lab& lab) { lab.jobs().export_frames(wishes); });
+    edits.change([wishes](BackgroundJobs& jobs) { jobs.export_frames(wishes); });
     edits.show({.kind = Dialog::Kind::exporting});
 }
 
@@ -59,6 +60,6 @@ void draw_export_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const Exported& exported) { draw_exported(exported, edits); };
     draw_work(
-        scene.lab.jobs().frame_export(), "Rendering from the start…", draw,
-        [](Lab& lab) { lab.jobs().cancel_export(); }, edits);
+        scene.lab.jobs.frame_export(), "Rendering from the start…", draw,
+        [](BackgroundJobs& jobs) { jobs.cancel_export(); }, edits);
 }

@@ -1,5 +1,9 @@
 #include "ui/dialogs/file_dialog.h"
 
+#include "lab/commands/content_commands.h"
+#include "lab/commands/preset_commands.h"
+#include "lab/document/automation.h"
+#include "lab/drawing/drawing_tool.h"
 #include "lab/library/open.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
@@ -105,7 +109,7 @@ void start(const Scene& scene, Edits& edits) {
     if (scene.window.dialog.kind == Dialog::Kind::save_automation)
         edits.arrange([](WindowState& window) { window.dialog.text = "automation.txt"; });
     if (scene.window.dialog.kind == Dialog::Kind::save_slangp)
-        edits.arrange([name = scene.lab.document()->look().name](WindowState& window) {
+        edits.arrange([name = scene.lab.document->look().name](WindowState& window) {
             window.dialog.text = name + "-mine.slangp";
         });
 }
@@ -116,26 +120,33 @@ void finish(const fs::path& file, const Scene& scene, Edits& edits) {
     if (dialog.kind == Dialog::Kind::open_file)
         edits.open_file(file);
     else if (dialog.kind == Dialog::Kind::save_picture)
-        edits.add([file](Lab& lab) { save_snapshot(lab, file); });
+        edits.change([file](const Document& document, const Renderer& renderer,
+                            const PassControl& passes, const MediaInput& media,
+                            Messages& messages) {
+            save_snapshot({renderer, passes.picture_pass(), document, media.recent()}, file,
+                          messages);
+        });
     else if (dialog.kind == Dialog::Kind::export_frames)
         export_frames(file, scene, edits);
     else if (dialog.kind == Dialog::Kind::save_pass)
-        edits.add([view = scene.window.views.inspected, file](Lab& lab) {
-            save_target(lab, view, file);
+        edits.change([view = scene.window.views.inspected, file](const Renderer& renderer,
+                                                                 Messages& messages) {
+            save_target(renderer, view, file, messages);
         });
     else if (dialog.kind == Dialog::Kind::load_drawing)
-        edits.add([file](Lab& lab) { lab.drawing().load(file); });
+        edits.change([file](DrawingTool& drawing) { drawing.load(file); });
     else if (dialog.kind == Dialog::Kind::choose_reference)
-        edits.add([file](Lab& lab) { lab.frames().comparison().compare_with_file(file); });
+        edits.change([file](ComparisonView& comparison) { comparison.compare_with_file(file); });
     else if (dialog.kind == Dialog::Kind::save_drawing)
-        edits.add([file](Lab& lab) { lab.drawing().save(file); });
+        edits.change([file](DrawingTool& drawing) { drawing.save(file); });
     else if (dialog.kind == Dialog::Kind::save_automation)
-        edits.add([file](Lab& lab) { lab.automation().save(file); });
+        edits.change([file](Automation& automation) { automation.save(file); });
     else if (dialog.kind == Dialog::Kind::save_slangp)
-        edits.add([file](Lab& lab) { lab.presets().sharing().save_slang(file); });
+        edits.change([file](PresetCommands& presets) { presets.sharing().save_slang(file); });
     else
-        edits.add(
-            [name = dialog.subject, file](Lab& lab) { lab.content().choose_picture(name, file); });
+        edits.change([name = dialog.subject, file](ContentCommands& content) {
+            content.choose_picture(name, file);
+        });
 }
 
 void draw_folder_line(const Dialog& dialog, Edits& edits) {

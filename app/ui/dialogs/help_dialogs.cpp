@@ -166,8 +166,8 @@ void draw_about_dialog(const Scene& scene, Edits& edits) {
         "tune its parameters, edit its shaders and share the result as a preset.");
     ImGui::Spacing();
     dim_text("Shipped looks and presets");
-    ImGui::TextWrapped("%s", scene.lab.work().library.roots().program.string().c_str());
+    ImGui::TextWrapped("%s", scene.roots.program.string().c_str());
     dim_text("Your looks and presets");
-    ImGui::TextWrapped("%s", scene.lab.work().library.roots().user.string().c_str());
+    ImGui::TextWrapped("%s", scene.roots.user.string().c_str());
     draw_close_button("Close", edits);
 }

@@ -1,5 +1,6 @@
 #include "ui/dialogs/impulse_dialog.h"
 
+#include "lab/offline/background_jobs.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/work_dialog.h"
 #include "ui/widgets/scoped.h"
@@ -227,7 +228,7 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
 }  // namespace
 
 void fire_impulse(const Scene& scene, Edits& edits) {
-    edits.add([place = flash_pin(scene)](Lab& lab) { lab.jobs().fire_impulse(place); });
+    edits.change([place = flash_pin(scene)](BackgroundJobs& jobs) { jobs.fire_impulse(place); });
     edits.show({.kind = Dialog::Kind::impulse});
 }
 
@@ -237,6 +238,6 @@ void draw_impulse_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const auto& outcome) { draw_response(outcome, scene, edits); };
     draw_work(
-        scene.lab.jobs().impulse(), "Measuring the impulse response…", draw,
-        [](Lab& lab) { lab.jobs().cancel_impulse(); }, edits);
+        scene.lab.jobs.impulse(), "Measuring the impulse response…", draw,
+        [](BackgroundJobs& jobs) { jobs.cancel_impulse(); }, edits);
 }

@@ -43,7 +43,7 @@ const char* why_not(const Action& action, const Scene& scene) {
         return "only one display is connected";
     if (action.id == ActionId::blackout)
         return "the output window is closed";
-    if (!scene.lab.document())
+    if (!scene.lab.document)
         return action.id == ActionId::take_up_unsaved ? no_unsaved : "no look is open";
     switch (action.id) {
         case ActionId::take_up_unsaved:
@@ -52,8 +52,8 @@ const char* why_not(const Action& action, const Scene& scene) {
             return "the open look isn't a RetroArch slang preset";
         case ActionId::rename_preset:
         case ActionId::delete_preset:
-            return preset_file(*scene.lab.document()).empty() ? "no preset is open"
-                                                              : "shipped presets can't be changed";
+            return preset_file(*scene.lab.document).empty() ? "no preset is open"
+                                                            : "shipped presets can't be changed";
         case ActionId::duplicate_preset:
         case ActionId::show_preset_in_folder:
             return "no preset is open";
@@ -141,7 +141,7 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
                                {},
                                chord_text(action.chord),
                                why_not(action, scene)});
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     const std::vector<ListedLook>& looks = scene.library_view.looks();
     add(section_entries(menu_sections(scene.lab, scene.window, looks)), entries);
     add(palette_entries(document ? &document->look() : nullptr, looks), entries);

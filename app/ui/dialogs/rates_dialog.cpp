@@ -1,5 +1,6 @@
 #include "ui/dialogs/rates_dialog.h"
 
+#include "lab/offline/background_jobs.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/work_dialog.h"
 #include "ui/widgets/scoped.h"
@@ -11,7 +12,7 @@
 #include <cmath>
 
 void compare_rates(Edits& edits) {
-    edits.add([](Lab& lab) { lab.jobs().compare_rates(); });
+    edits.change([](BackgroundJobs& jobs) { jobs.compare_rates(); });
     edits.show({.kind = Dialog::Kind::rates});
 }
 
@@ -24,7 +25,7 @@ void draw_pair(const RatePair& pair, std::size_t place, bool is_shown, Edits& ed
     if (ImGui::Selectable(
             fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str(), is_shown,
             ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups))
-        edits.add([place](Lab& lab) { lab.jobs().show_rate_pair(place); });
+        edits.change([place](BackgroundJobs& jobs) { jobs.show_rate_pair(place); });
     edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * most_levels).c_str());
@@ -43,7 +44,7 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
     ImGui::TableSetupColumn("Mean");
     ImGui::TableHeadersRow();
     const ScopedFont font(scene.fonts.numbers);
-    const auto& shown = scene.lab.jobs().rate_pictures().shown();
+    const auto& shown = scene.lab.jobs.rate_pictures().shown();
     for (std::size_t i = 0; i < comparison.pairs.size(); ++i)
         draw_pair(comparison.pairs[i], i, shown && shown->pair == i, edits);
     ImGui::EndTable();
@@ -85,7 +86,7 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
             .c_str());
     edits.mark("rates_worst");
     ImGui::Spacing();
-    if (const auto& shown = scene.lab.jobs().rate_pictures().shown()) {
+    if (const auto& shown = scene.lab.jobs.rate_pictures().shown()) {
         draw_pictures(*shown, comparison.pairs[shown->pair], edits);
         ImGui::Spacing();
     }
@@ -104,6 +105,6 @@ void draw_rates_dialog(const Scene& scene, Edits& edits) {
         return;
     const auto draw = [&](const auto& outcome) { draw_comparison(outcome, scene, edits); };
     draw_work(
-        scene.lab.jobs().rates(), "Rendering at 24, 30, 60 and 144 Hz…", draw,
-        [](Lab& lab) { lab.jobs().cancel_rates(); }, edits);
+        scene.lab.jobs.rates(), "Rendering at 24, 30, 60 and 144 Hz…", draw,
+        [](BackgroundJobs& jobs) { jobs.cancel_rates(); }, edits);
 }

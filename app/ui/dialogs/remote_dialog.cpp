@@ -1,5 +1,6 @@
 #include "ui/dialogs/remote_dialog.h"
 
+#include "lab/remote/remote_control.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/parameters/midi_items.h"
 #include "ui/widgets/scoped.h"
@@ -13,7 +14,7 @@
 
 namespace {
 void draw_port(const Scene& scene, Edits& edits) {
-    RemoteSettings settings = scene.lab.remote().settings();
+    RemoteSettings settings = scene.lab.remote.settings();
     ImGui::AlignTextToFramePadding();
     dim_text("Port");
     ImGui::SameLine();
@@ -22,7 +23,7 @@ void draw_port(const Scene& scene, Edits& edits) {
     const NumberFacts facts{.limit = Limit{1.0, 65535.0}, .is_whole = true};
     if (draw_number("##port", port, ImGui::GetFontSize() * 4.4f, facts).is_changed) {
         settings.osc_port = static_cast<int>(std::lround(port));
-        edits.add([settings](Lab& lab) { lab.remote().set_settings(settings); });
+        edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     }
     edits.mark("osc_port");
 }
@@ -48,13 +49,13 @@ void draw_remote_dialog(const Scene& scene, Edits& edits) {
         "/afterglow/NAME with one number, one per component for vectors, or text for list "
         "items.");
     ImGui::Spacing();
-    RemoteSettings settings = scene.lab.remote().settings();
-    settings.listens_to_osc = scene.lab.remote().osc().is_listening();
+    RemoteSettings settings = scene.lab.remote.settings();
+    settings.listens_to_osc = scene.lab.remote.osc().is_listening();
     if (ImGui::Checkbox("Listen to OSC", &settings.listens_to_osc))
-        edits.add([settings](Lab& lab) { lab.remote().set_settings(settings); });
+        edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     edits.mark("osc_listen");
     draw_port(scene, edits);
-    draw_what_came(scene.lab.remote().osc());
+    draw_what_came(scene.lab.remote.osc());
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();

@@ -12,7 +12,7 @@
 #include <cmath>
 
 /// Content of a dialog for background work. While it runs: `doing` and the progress. Then `draw`
-/// shows its outcome, or the error is shown. Closing the dialog runs `cancel` on the lab.
+/// shows its outcome, or the error is shown. Closing the dialog runs the edit `cancel`.
 template <class Outcome, class Draw, class Cancel>
 void draw_work(const BackgroundWork<Outcome>& work, const char* doing, const Draw& draw,
                const Cancel& cancel, Edits& edits) {
@@ -31,5 +31,5 @@ void draw_work(const BackgroundWork<Outcome>& work, const char* doing, const Dra
     }
     const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
     if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
-        edits.add(cancel);
+        edits.change(cancel);
 }

@@ -1,28 +1,26 @@
 #include "ui/frame/edits.h"
 
-#include "lab/lab.h"
+#include "lab/session.h"
 
 #include <imgui/imgui.h>
 
-void Edits::document(std::function<void(Document&)> edit) {
-    add([edit = std::move(edit)](Lab& lab) { lab.edit(edit); });
+void Edits::add(const MenuCommand& command) {
+    if (const auto* of_window = std::get_if<std::function<void(WindowState&)>>(&command))
+        arrange(*of_window);
+    else if (const auto* of_document = std::get_if<std::function<void(Document&)>>(&command))
+        change(*of_document);
+    else
+        m_lab.push_back(std::get<std::function<void(Lab&)>>(command));
 }
 
 void Edits::set(const std::string& name, Value value) {
-    document([name, value = std::move(value)](Document& document) {
+    change([name, value = std::move(value)](Document& document) {
         document.set_value(name, value, true);
     });
 }
 
 void Edits::finish() {
-    document([](Document& document) { document.finish(); });
-}
-
-void Edits::end_line() {
-    add([](Lab& lab) {
-        lab.drawing().edit(
-            [](DrawingBoard& board, Document& document) { board.end_line(document); });
-    });
+    change([](Document& document) { document.finish(); });
 }
 
 void Edits::show(Dialog dialog) {
@@ -30,15 +28,19 @@ void Edits::show(Dialog dialog) {
 }
 
 void Edits::open(const std::string& argument) {
-    add([argument](Lab& lab) { lab.looks().open(argument); });
+    change([argument](LookCommands& looks) { looks.open(argument); });
 }
 
 void Edits::open_with_content(const std::string& argument) {
-    add([argument](Lab& lab) { lab.looks().open_with_content(argument); });
+    change([argument](LookCommands& looks) { looks.open_with_content(argument); });
 }
 
 void Edits::open_file(const std::filesystem::path& file) {
-    add([file](Lab& lab) { lab.looks().open_file(file); });
+    change([file](LookCommands& looks) { looks.open_file(file); });
+}
+
+void Edits::open_unsaved(const std::filesystem::path& stored) {
+    m_lab.emplace_back([stored](Lab& lab) { restore_kept(lab, stored); });
 }
 
 void Edits::mark(const std::string& name) {

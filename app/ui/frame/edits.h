@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lab/lab_parts.h"
+#include "lab/messages/menu_entry.h"
 #include "lab/window/window_state.h"
 #include "model/look/value.h"
 
@@ -7,10 +9,8 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
-
-class Document;
-class Lab;
 
 /// Where a widget was drawn, in window coordinates from the top left corner.
 struct WidgetRect {
@@ -23,16 +23,18 @@ struct WidgetRect {
 /// The user's changes in the panels during one frame. They are applied after all panels are drawn.
 class Edits {
 public:
-    void add(std::function<void(Lab&)> edit) { m_lab.push_back(std::move(edit)); }
+    /// Changes parts of the lab, which `edit` takes as references: [](Player& player) {...}. Does
+    /// nothing if one of them is not there.
+    template <class Edit>
+    void change(Edit edit) {
+        change_parts(std::function(std::move(edit)));
+    }
     void arrange(std::function<void(WindowState&)> edit) { m_window.push_back(std::move(edit)); }
-    void document(std::function<void(Document&)> edit);
+    void add(const MenuCommand& command);
 
     /// Sets a parameter; all calls up to finish() are one undo step.
     void set(const std::string& name, Value value);
     void finish();
-
-    /// Ends the open line of the hand drawing.
-    void end_line();
 
     void show(Dialog dialog);
     /// Opens a look or preset; unsaved changes to another one are kept.
@@ -41,6 +43,8 @@ public:
     void open_with_content(const std::string& argument);
     /// As open(), for any file: a sound becomes the signal.
     void open_file(const std::filesystem::path& file);
+    /// Opens stored unsaved changes. Those of the open look are stored instead.
+    void open_unsaved(const std::filesystem::path& stored);
     /// Copies the text to the clipboard.
     void copy(std::string text) { m_copied = std::move(text); }
     void quit() { m_is_quitting = true; }
@@ -56,6 +60,15 @@ public:
     const std::map<std::string, WidgetRect>& widget_rects() const { return m_widget_rects; }
 
 private:
+    template <class... Parts>
+    void change_parts(std::function<void(Parts&...)> edit) {
+        m_lab.push_back([edit = std::move(edit)](Lab& lab) {
+            const MutableParts all = mutable_parts(lab);
+            if ((std::get<std::remove_const_t<Parts>*>(all) && ...))
+                edit(*std::get<std::remove_const_t<Parts>*>(all)...);
+        });
+    }
+
     std::vector<std::function<void(Lab&)>> m_lab;
     std::vector<std::function<void(WindowState&)>> m_window;
     std::optional<std::string> m_copied;

@@ -62,13 +62,13 @@ std::size_t browser_key(int key) {
 }
 
 void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || !scene.lab.document())
+    if (!scene.lab.renderer || !scene.lab.document)
         return;
-    const bool gives = is_pointed && reads_keys(scene.lab.document()->look()) &&
+    const bool gives = is_pointed && reads_keys(scene.lab.document->look()) &&
                        !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
     if (gives != gives_keys(scene))
         edits.arrange([gives](WindowState& window) { window.keyboard.is_in_look = gives; });
-    const Keys::Flags known = scene.lab.renderer()->hand().keys().down;
+    const Keys::Flags known = scene.lab.renderer->hand().keys().down;
     const auto is_held = [&known](int key, std::size_t number) {
         return ImGui::IsKeyDown(key) && (known.test(number) || ImGui::IsKeyPressed(key, false));
     };
@@ -79,10 +79,8 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
     const Keys::Flags changed = held ^ known;
     if (changed.none())
         return;
-    edits.add([changed, held](Lab& lab) {
-        if (!lab.renderer())
-            return;
-        lab.renderer()->change_hand([&](Hand& hand) {
+    edits.change([changed, held](Renderer& renderer) {
+        renderer.change_hand([&](Hand& hand) {
             for (std::size_t key = 0; key < Keys::count; ++key)
                 if (changed[key])
                     hand.set_key(key, held[key]);

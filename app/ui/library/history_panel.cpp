@@ -88,7 +88,7 @@ void follow(const Document& document, const WindowState& window, float height, E
 
 void draw_history_panel(const Scene& scene, Edits& edits) {
     draw_head(edits);
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     if (!document)
         return;
     const float between = ImGui::GetStyle().ItemSpacing.y;
@@ -108,7 +108,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
             const int distance = step.distance;
             const ViewImage image = scene.pictures.history.picture(*document, place);
             if (draw_history_row({step, image, height, distance == 0}) && distance != 0)
-                edits.document([distance](Document& travelling) { travelling.travel(distance); });
+                edits.change([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));
         }
     ImGui::EndChild();

@@ -13,7 +13,7 @@ void draw_library_column(const Scene& scene, Edits& edits) {
     // The list has its full height, up to 55 %.
     std::size_t lines = 2;
     for (const ListedLook& look : scene.library_view.looks())
-        lines += 1 + (scene.lab.document() && look.entry.id == scene.lab.document()->look().id
+        lines += 1 + (scene.lab.document && look.entry.id == scene.lab.document->look().id
                           ? look.presets.size() + 1
                           : 0);
     const float wanted = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing() +

@@ -1,5 +1,6 @@
 #include "ui/library/library_panel.h"
 
+#include "lab/commands/preset_commands.h"
 #include "lab/document/opened_preset.h"
 #include "ui/library/preset_menu.h"
 #include "ui/library/stack_panel.h"
@@ -31,7 +32,7 @@ bool draw_line(const Line& line) {
 }
 
 void draw_presets(const ListedLook& look, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     const float indent = ImGui::GetStyle().IndentSpacing;
     ImGui::Indent(indent);
     const bool has_none = preset_file(document).empty();
@@ -51,7 +52,7 @@ void draw_presets(const ListedLook& look, const Scene& scene, Edits& edits) {
             dim_text(preset.entry.is_shipped ? "Shipped" : "Yours");
         }
         const ListedPreset listed =
-            as_listed(preset, document, scene.lab.presets().navigation().stars());
+            as_listed(preset, document, scene.lab.presets.navigation().stars());
         const ScopedId id(preset.entry.file.string());
         ImGui::BeginGroup();
         const bool is_clicked = draw_line({.label = preset.name,
@@ -72,14 +73,14 @@ void draw_look_menu(const ListedLook& look, const Scene& scene, Edits& edits) {
         return;
     if (ImGui::MenuItem("Open"))
         edits.open(look.argument());
-    if (!look.is_stack() && scene.lab.document() && ImGui::MenuItem("Append to the stack"))
+    if (!look.is_stack() && scene.lab.document && ImGui::MenuItem("Append to the stack"))
         add_to_stack(look, edits);
     ImGui::EndPopup();
 }
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     heading("Looks");
     for (const ListedLook& look : scene.library_view.looks()) {
         const ScopedId id(look.argument());

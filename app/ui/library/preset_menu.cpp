@@ -1,5 +1,6 @@
 #include "ui/library/preset_menu.h"
 
+#include "lab/commands/preset_commands.h"
 #include "lab/document/content_edits.h"
 #include "ui/dialogs/compare_dialog.h"
 
@@ -14,8 +15,8 @@ void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edi
             if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str(), nullptr, is_present)) {
                 edits.arrange(
                     [seconds](WindowState& window) { window.presets.morph_seconds = seconds; });
-                edits.add([file = preset.preset.entry.file, seconds](Lab& lab) {
-                    lab.presets().navigation().morph_to(file, seconds);
+                edits.change([file = preset.preset.entry.file, seconds](PresetCommands& presets) {
+                    presets.navigation().morph_to(file, seconds);
                 });
             }
             edits.mark(fmt::format("morph:{}", seconds));
@@ -36,22 +37,22 @@ void draw_file_items(const ListedLookPreset& preset, Edits& edits) {
         edits.mark("rename:" + preset.entry.id);
     }
     if (ImGui::MenuItem("Duplicate"))
-        edits.add([file](Lab& lab) { lab.presets().duplicate(file); });
+        edits.change([file](PresetCommands& presets) { presets.duplicate(file); });
     edits.mark("duplicate:" + preset.entry.id);
     if (!preset.entry.is_shipped) {
         if (ImGui::MenuItem("Delete"))
-            edits.add([file](Lab& lab) { lab.presets().remove(file); });
+            edits.change([file](PresetCommands& presets) { presets.remove(file); });
         edits.mark("delete:" + preset.entry.id);
     }
     if (ImGui::MenuItem("Show in folder"))
-        edits.add([file](Lab& lab) { lab.presets().show_in_folder(file); });
+        edits.change([file](PresetCommands& presets) { presets.show_in_folder(file); });
     edits.mark("show_in_folder:" + preset.entry.id);
 }
 }  // namespace
 
 void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
                  bool brings_content) {
-    const std::string argument = preset.is_plain() ? argument_of(scene.lab.document()->look())
+    const std::string argument = preset.is_plain() ? argument_of(scene.lab.document->look())
                                                    : preset.preset.entry.file.string();
     if (brings_content)
         edits.open_with_content(argument);
@@ -60,9 +61,8 @@ void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
 }
 
 void star_listed(const ListedPreset& preset, Edits& edits) {
-    edits.add([name = preset.preset.entry.id, has_star = !preset.has_star](Lab& lab) {
-        lab.presets().navigation().star(name, has_star);
-    });
+    edits.change([name = preset.preset.entry.id, has_star = !preset.has_star](
+                     PresetCommands& presets) { presets.navigation().star(name, has_star); });
 }
 
 void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edits) {
@@ -70,8 +70,8 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
         return;
     if (ImGui::MenuItem("Open"))
         open_listed(preset, scene, edits);
-    if (is_content_locked(*scene.lab.document())) {
-        const bool has_source = scene.lab.document()->look().driven_by == Driver::picture;
+    if (is_content_locked(*scene.lab.document)) {
+        const bool has_source = scene.lab.document->look().driven_by == Driver::picture;
         if (ImGui::MenuItem(has_source ? "Open with its source" : "Open with its signal",
                             "Alt+click"))
             open_listed(preset, scene, edits, true);

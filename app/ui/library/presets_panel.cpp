@@ -1,5 +1,6 @@
 #include "ui/library/presets_panel.h"
 
+#include "lab/commands/preset_commands.h"
 #include "lab/menus/preset_menu.h"
 #include "ui/library/preset_menu.h"
 #include "ui/widgets/icons.h"
@@ -79,7 +80,7 @@ void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
 }
 
 void draw_content_choice(const Scene& scene, Edits& edits) {
-    const Look& look = scene.lab.document()->look();
+    const Look& look = scene.lab.document->look();
     if (look.driven_by == Driver::nothing)
         return;
     ImGui::SameLine();
@@ -204,8 +205,10 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
     if (is_starred)
         star_listed(preset, edits);
     else if (is_clicked && ImGui::GetIO().KeyShift)
-        edits.add([file = preset.preset.entry.file, seconds = scene.window.presets.morph_seconds](
-                      Lab& lab) { lab.presets().navigation().morph_to(file, seconds); });
+        edits.change([file = preset.preset.entry.file,
+                      seconds = scene.window.presets.morph_seconds](PresetCommands& presets) {
+            presets.navigation().morph_to(file, seconds);
+        });
     else if (is_clicked)
         open_listed(preset, scene, edits, ImGui::GetIO().KeyAlt);
 }
@@ -218,12 +221,12 @@ std::string why_no_preset(const PresetBrowsing& wanted) {
 }  // namespace
 
 void draw_presets_panel(const Scene& scene, Edits& edits) {
-    if (!scene.lab.document())
+    if (!scene.lab.document)
         return;
     const PresetBrowsing& wanted = scene.window.presets;
     const std::vector<ListedPreset> listed =
-        listed_presets(*scene.lab.document(), scene.library_view.looks(),
-                       scene.lab.presets().navigation().stars(), wanted);
+        listed_presets(*scene.lab.document, scene.library_view.looks(),
+                       scene.lab.presets.navigation().stars(), wanted);
     draw_search(wanted, edits);
     ImGui::SameLine();
     draw_star_filter(wanted, edits);

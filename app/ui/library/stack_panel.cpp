@@ -73,7 +73,7 @@ void add_to_stack(const ListedLook& look, Edits& edits) {
 }
 
 void draw_stack_panel(const Scene& scene, Edits& edits) {
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     if (!document)
         return;
     heading("Stack");

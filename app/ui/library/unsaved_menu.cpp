@@ -1,6 +1,6 @@
 #include "ui/library/unsaved_menu.h"
 
-#include "lab/session.h"
+#include "lab/commands/look_commands.h"
 #include "lab/views/kept_pictures.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -37,7 +37,7 @@ void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
     const float picture_width = size.y * 16.0f / 9.0f;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     if (ImGui::Selectable("##kept", false, 0, size))
-        edits.add([file = kept.file](Lab& lab) { restore_kept(lab, file); });
+        edits.open_unsaved(kept.file);
     edits.mark("kept:" + kept.file.stem().string());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end(low.x + picture_width, low.y + size.y);
@@ -62,7 +62,7 @@ void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_unsaved_menu(const Scene& scene, Edits& edits) {
-    const auto& kept = scene.lab.looks().kept_sessions().list();
+    const auto& kept = scene.lab.looks.kept_sessions().list();
     if (kept.empty())
         return;
     const bool is_open = ImGui::BeginMenu("Unsaved changes");

@@ -1,6 +1,7 @@
 #include "ui/parameters/midi_items.h"
 
 #include "lab/document/naming.h"
+#include "lab/remote/remote_control.h"
 #include "model/tuning/slider_share.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
@@ -14,16 +15,16 @@
 
 namespace {
 void unbind(const MidiGoal& goal, Edits& edits) {
-    edits.add([goal](Lab& lab) {
-        RemoteSettings settings = lab.remote().settings();
+    edits.change([goal](RemoteControl& remote) {
+        RemoteSettings settings = remote.settings();
         settings.unbind(goal);
-        lab.remote().set_settings(settings);
+        remote.set_settings(settings);
     });
 }
 
 void draw_learn_item(const char* label, const MidiGoal& goal, Edits& edits) {
     if (ImGui::MenuItem(label))
-        edits.add([goal](Lab& lab) { lab.remote().learn_midi(goal); });
+        edits.change([goal](RemoteControl& remote) { remote.learn_midi(goal); });
     edits.mark(fmt::format("midi_learn:{}", goal.component));
 }
 
@@ -45,7 +46,7 @@ void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) 
     const ScopedId id(fmt::format("{}:{}", binding.goal.parameter, binding.goal.component));
     ImGui::AlignTextToFramePadding();
     const float width = ImGui::GetFontSize() * 13.0f;
-    if (const Parameter* parameter = meant_here(binding.goal, scene.lab.document()))
+    if (const Parameter* parameter = meant_here(binding.goal, scene.lab.document))
         fitted_text(label_of(*parameter, binding.goal), width, theme::text);
     else
         fitted_text(fmt::format("{} (not in this look)", binding.goal.parameter), width,
@@ -71,7 +72,7 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
     dim_text(devices_text(midi));
     same_line_right(ImGui::CalcTextSize("Rescan").x + 2.0f * ImGui::GetStyle().FramePadding.x);
     if (ImGui::Button("Rescan"))
-        edits.add([](Lab& lab) { lab.remote().find_midi_devices(); });
+        edits.change([](RemoteControl& remote) { remote.find_midi_devices(); });
     edits.mark("midi_look");
     if (const auto& last = midi.last(); midi.is_listening() && last)
         dim_text(fmt::format("Last message: CC {}, channel {}, value {}", last->controller,
@@ -106,8 +107,8 @@ void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
 }
 
 void draw_midi_settings(const Scene& scene, Edits& edits) {
-    const MidiControl& midi = scene.lab.remote().midi();
-    RemoteSettings settings = scene.lab.remote().settings();
+    const MidiControl& midi = scene.lab.remote.midi();
+    RemoteSettings settings = scene.lab.remote.settings();
     ImGui::TextWrapped(
         "Control parameters with MIDI knobs and faders. Right-click a parameter, choose MIDI "
         "learn, then move the knob.");
@@ -120,7 +121,7 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     tooltip("A knob takes effect once it passes the current value, so that nothing jumps.");
     edits.mark("midi_picks_up");
     if (is_changed)
-        edits.add([settings](Lab& lab) { lab.remote().set_settings(settings); });
+        edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     draw_devices(midi, edits);
     constexpr std::size_t most_rows = 8;
     const std::size_t rows = std::min(settings.midi.size(), most_rows);

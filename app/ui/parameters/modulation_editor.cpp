@@ -10,7 +10,7 @@ namespace {
 // Changes the modulation. With `goes_on` the change joins the current undo step.
 void turn(const ParameterEntry& entry, const std::optional<Modulation>& next, bool goes_on,
           Edits& edits) {
-    edits.document([name = entry.parameter.name, next, goes_on](Document& document) {
+    edits.change([name = entry.parameter.name, next, goes_on](Document& document) {
         set_modulation(document, name, next, goes_on);
     });
 }

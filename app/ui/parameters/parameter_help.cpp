@@ -1,7 +1,9 @@
 #include "ui/parameters/parameter_help.h"
 
+#include "lab/commands/look_commands.h"
 #include "lab/document/parameter_edits.h"
-#include "lab/lab.h"
+#include "lab/document/parameter_settings_store.h"
+#include "lab/frame/frame_loop.h"
 #include "model/look/decay.h"
 #include "model/look/value_text.h"
 #include "model/picture/aliasing.h"
@@ -65,7 +67,7 @@ std::string moire_warning(const ParameterEntry& entry) {
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {
-    edits.document([name](Document& document) { reset_parameters(document, {name}); });
+    edits.change([name](Document& document) { reset_parameters(document, {name}); });
 }
 
 namespace {
@@ -182,9 +184,9 @@ void draw_slider_ends(const ParameterEntry& entry, const Fonts& fonts, Edits& ed
     const std::string& name = parameter.name;
     Limit ends{parameter.range.low * factor, parameter.range.high * factor};
     if (draw_two_ends(entry, ends, fonts, edits))
-        edits.add([name, typed = Limit{ends.low / factor, ends.high / factor}](Lab& lab) {
-            lab.parameters().set_slider_ends(name, typed);
-        });
+        edits.change(
+            [name, typed = Limit{ends.low / factor, ends.high / factor}](
+                ParameterSettingsStore& parameters) { parameters.set_slider_ends(name, typed); });
     if (!entry.setting.ends)
         return;
     ImGui::SameLine();
@@ -192,7 +194,9 @@ void draw_slider_ends(const ParameterEntry& entry, const Fonts& fonts, Edits& ed
                                .high = entry.declared.high * factor};
     if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
                     theme::dim))
-        edits.add([name](Lab& lab) { lab.parameters().set_slider_ends(name, std::nullopt); });
+        edits.change([name](ParameterSettingsStore& parameters) {
+            parameters.set_slider_ends(name, std::nullopt);
+        });
     edits.mark("reset_slider_ends");
 }
 }  // namespace
@@ -222,7 +226,7 @@ void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits&
     const Location place = parameter.declared;
     if (!place.file.empty()) {
         if (ImGui::Selectable(fmt::format("Open {}", location_text(place)).c_str()))
-            edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
+            edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
         edits.mark("open_declared");
     }
     draw_parameter_items(entry, edits);

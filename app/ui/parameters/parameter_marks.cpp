@@ -28,7 +28,7 @@ std::string lock_help(const ParameterSetting& setting) {
 void change(const ParameterEntry& entry, bool ParameterSetting::*mark, Edits& edits) {
     ParameterSetting next = entry.setting;
     next.*mark = !(next.*mark);
-    edits.document([name = entry.parameter.name, next](Document& document) {
+    edits.change([name = entry.parameter.name, next](Document& document) {
         set_parameter_setting(document, name, next);
     });
 }

@@ -1,6 +1,7 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "lab/document/parameter_edits.h"
+#include "lab/remote/remote_control.h"
 #include "lab/window/parameter_list.h"
 #include "ui/frame/action.h"
 #include "ui/parameters/parameter_control.h"
@@ -73,7 +74,7 @@ void draw_filter(const WindowState& window, Edits& edits) {
 }
 
 void draw_toolbar(const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float rest = filter_width() + 2.0f * ImGui::GetFrameHeight() + 2.0f * gap;
     draw_search(scene.window, ImGui::GetContentRegionAvail().x - rest, edits);
@@ -92,7 +93,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     if (icon_button("##reset_all", Icon::reset, "Reset all unlocked parameters",
                     can_reset ? theme::text : theme::faint) &&
         can_reset)
-        edits.document([](Document& changed) { reset_all_parameters(changed); });
+        edits.change([](Document& changed) { reset_all_parameters(changed); });
     edits.mark("reset_all");
 }
 
@@ -108,7 +109,7 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
     std::vector<std::string> names;
     for (const Parameter* parameter : group.parameters)
         names.push_back(parameter->name);
-    edits.document([names](Document& document) { reset_group(document, names); });
+    edits.change([names](Document& document) { reset_group(document, names); });
 }
 
 /// A row of the list. Outside the visible area it only reserves the height of its last drawing.
@@ -147,13 +148,13 @@ private:
 PeriodFacts period_facts(const Parameter& parameter, const Scene& scene) {
     if (parameter.type.size() != 1)
         return {};
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     return period_facts(parameter, document.value(parameter).number(),
-                        period_terms(parameter, document, scene.lab.renderer()));
+                        period_terms(parameter, document, scene.lab.renderer));
 }
 
 void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     ParameterRow row(parameter);
     if (!row.is_in_sight()) {
         row.pass_over();
@@ -170,17 +171,17 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
         .look = document.look(),
         .modulation = modulation_of(document, parameter),
         .period = period_facts(parameter, scene),
-        .midi = bindings_of(parameter, document.look(), scene.lab.remote().settings())};
+        .midi = bindings_of(parameter, document.look(), scene.lab.remote.settings())};
     const Revealed& revealed = scene.window.parameters.revealed;
     if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
         entry.typed = revealed.component;
-    if (entry.modulation && scene.lab.renderer())
-        entry.now = &value_of(parameter, scene.lab.renderer()->executor().graph().values());
+    if (entry.modulation && scene.lab.renderer)
+        entry.now = &value_of(parameter, scene.lab.renderer->executor().graph().values());
     row.end(draw_parameter(entry, scene, edits));
 }
 
 void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     const ScopedId id(group.name);
     const auto changed = static_cast<std::size_t>(std::count_if(
         group.parameters.begin(), group.parameters.end(),
@@ -245,7 +246,7 @@ bool begin_list(const Document& document, const WindowState& window, Edits& edit
 }  // namespace
 
 void draw_parameters_panel(const Scene& scene, Edits& edits) {
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     if (!document)
         return;
     const bool is_other = begin_list(*document, scene.window, edits);

@@ -160,8 +160,8 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
 }
 
 void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
-    const Grid grid = grid_for(sheet, scene.lab.work().size.extent());
+    const Document& document = *scene.lab.document;
+    const Grid grid = grid_for(sheet, scene.lab.size.extent());
     const auto present = sheet.present(document);
     for (std::size_t i = 0; i < sheet.cells().size(); ++i) {
         const VariantSheet::Cell& cell = sheet.cells()[i];
@@ -169,10 +169,8 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
         if (i % static_cast<std::size_t>(grid.columns) != 0)
             ImGui::SameLine(0.0f, grid.gap);
         if (ImGui::InvisibleButton("##cell", {grid.width, grid.height + grid.text_height}))
-            edits.add([i](Lab& lab) {
-                if (lab.work().document)
-                    lab.frames().previews().sheet().apply(i, *lab.work().document);
-            });
+            edits.change(
+                [i](Previews& previews, Document& changed) { previews.sheet().apply(i, changed); });
         edits.mark(fmt::format("cell:{}", i));
         tooltip(cell.values.caption);
         draw_cell(cell, i == present, grid, document.look());
@@ -181,10 +179,10 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_sheet_panel(const Scene& scene, Edits& edits) {
-    if (!scene.lab.document())
+    if (!scene.lab.document)
         return;
-    const VariantSheet& sheet = scene.lab.frames().previews().sheet();
-    draw_head(sheet, scene.lab.document()->look(), edits);
+    const VariantSheet& sheet = scene.lab.frames.previews().sheet();
+    draw_head(sheet, scene.lab.document->look(), edits);
     if (!sheet.problem().empty()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s", sheet.problem().c_str());
@@ -209,6 +207,6 @@ void draw_sheet_items(const ParameterEntry& entry, Edits& edits) {
 
 void leave_hidden_sheet(const Scene& scene, Edits& edits) {
     if (!scene.window.layout.sees(PanelId::sheet) &&
-        scene.lab.frames().previews().sheet().is_running())
-        edits.add([](Lab& lab) { lab.frames().previews().sheet().cancel(); });
+        scene.lab.frames.previews().sheet().is_running())
+        edits.change([](Previews& previews) { previews.sheet().cancel(); });
 }

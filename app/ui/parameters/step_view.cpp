@@ -4,13 +4,12 @@
 #include "ui/widgets/scoped.h"
 
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {
-    edits.add([question = StepQuestion{pointed.parameter, pointed.component, is_up}](Lab& lab) {
-        lab.frames().previews().probe().ask(question);
-    });
+    edits.change([question = StepQuestion{pointed.parameter, pointed.component, is_up}](
+                     Previews& previews) { previews.probe().ask(question); });
 }
 
 void follow_pointer(const Scene& scene, Edits& edits) {
-    const auto& question = scene.lab.frames().previews().probe().question();
+    const auto& question = scene.lab.frames.previews().probe().question();
     const auto& pointed = scene.window.parameters.pointed;
     if (!question || !pointed || !ImGui::IsKeyDown('U') || ImGui::GetIO().WantTextInput)
         return;

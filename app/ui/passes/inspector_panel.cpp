@@ -1,5 +1,6 @@
 #include "ui/passes/inspector_panel.h"
 
+#include "lab/commands/look_commands.h"
 #include "ui/frame/action.h"
 #include "ui/passes/inspector_levels.h"
 #include "ui/passes/pass_settings.h"
@@ -35,7 +36,7 @@ void draw_choice(const TextureChoice& choice, const std::string& words, bool is_
 void draw_picture_list(const TextureChoice& present, const Scene& scene, Edits& edits) {
     const ScopedFont text(scene.fonts.text);
     Input::From kind = Input::From::pass;
-    for (const TextureChoice& choice : scene.lab.renderer()->executor().textures().list()) {
+    for (const TextureChoice& choice : scene.lab.renderer->executor().textures().list()) {
         if (choice.from != kind)
             ImGui::Separator();
         kind = choice.from;
@@ -95,7 +96,7 @@ void draw_levels(const InspectedTexture& inspected, int count, float width, Edit
 // Choices of picture, frame and mip level. A choice with only one entry is omitted.
 void draw_choices(const InspectedTexture& inspected, float width, const Scene& scene,
                   Edits& edits) {
-    const int frames = frame_count(scene.lab.renderer()->executor(), inspected.choice);
+    const int frames = frame_count(scene.lab.renderer->executor(), inspected.choice);
     const int levels = inspected.levels();
     const float narrow = std::round(ImGui::GetFontSize() * 4.6f);
     const auto further = static_cast<float>((frames > 1 ? 1 : 0) + (levels > 1 ? 1 : 0));
@@ -117,7 +118,7 @@ void draw_title(const Pass& pass, const InspectedTexture& inspected, const Scene
         if (icon_button("##edit", Icon::edit,
                         fmt::format("Open {} in your editor", file.filename().string()),
                         theme::dim))
-            edits.add([file](Lab& lab) { lab.looks().open_in_editor({file, 1}); });
+            edits.change([file](LookCommands& looks) { looks.open_in_editor({file, 1}); });
         edits.mark("edit_pass");
         ImGui::SameLine(0.0f, 2.0f);
     }
@@ -230,9 +231,9 @@ void draw_view(const InspectedTexture& inspected, float height, const Scene& sce
 }  // namespace
 
 void draw_inspector_panel(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const int index = inspected_pass(executor.look(), scene.window.views.inspected);
     const Pass& pass = executor.look().passes[static_cast<std::size_t>(index)];
     if (pass.name != scene.window.views.inspected.pass)

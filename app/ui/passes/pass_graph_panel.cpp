@@ -141,7 +141,7 @@ void draw_state(const std::string& state, const ImVec2& middle, const Scene& sce
 }
 
 std::size_t pass_of(const Node& node, const Scene& scene) {
-    const auto pass = find_pass(scene.lab.renderer()->executor().look(), node.name);
+    const auto pass = find_pass(scene.lab.renderer->executor().look(), node.name);
     return static_cast<std::size_t>(pass.value_or(0));
 }
 
@@ -155,7 +155,7 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
                                                              : fmt::format("Image: {}", drawn.name);
     if (is_pass) {
         const PlannedTarget& target =
-            scene.lab.renderer()->executor().plan().targets[pass_of(drawn, scene)];
+            scene.lab.renderer->executor().plan().targets[pass_of(drawn, scene)];
         text += fmt::format("\n{} {}", size_text(target.extent), facts_of(target.format).name);
     }
     for (const Edge& edge : graph.edges)
@@ -203,9 +203,9 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
                  theme::packed(is_pass ? theme::text : theme::dim), words.c_str());
     if (!is_pass)
         return;
-    const Look& look = scene.lab.renderer()->executor().look();
+    const Look& look = scene.lab.renderer->executor().look();
     const std::string state =
-        pass_switch_text(pass_of(node, scene), look, scene.lab.frames().passes().switches());
+        pass_switch_text(pass_of(node, scene), look, scene.lab.frames.passes().switches());
     if (!state.empty())
         draw_state(state, {middle.x, low.y}, scene);
 }
@@ -272,9 +272,9 @@ void scroll_at_first(const ImVec2& middle) {
 }  // namespace
 
 void draw_pass_graph(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const auto inspected =
         static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
     const PassGraph graph = graph_of_present(executor, inspected);

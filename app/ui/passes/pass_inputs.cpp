@@ -103,9 +103,9 @@ void draw_built_ins(const PassReport& report) {
 }  // namespace
 
 void draw_pass_inputs(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const PassReport report =
         executor.drawer().report(inspected_pass(executor.look(), scene.window.views.inspected));
     const ScopedFont font(scene.fonts.numbers);

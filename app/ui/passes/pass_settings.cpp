@@ -1,5 +1,6 @@
 #include "ui/passes/pass_settings.h"
 
+#include "lab/commands/look_commands.h"
 #include "lab/document/stack_edits.h"
 #include "lab/menus/inspector_menu.h"
 #include "lab/menus/window_menu.h"
@@ -15,7 +16,7 @@
 
 namespace {
 void set_override(const std::string& pass, const PassOverride& changed, Edits& edits) {
-    edits.document([=](Document& document) { set_override(document, pass, changed); });
+    edits.change([=](Document& document) { set_override(document, pass, changed); });
 }
 
 void draw_scale(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
@@ -68,16 +69,16 @@ void draw_filter(const std::string& pass, const PassSetting& now, float width, E
 }
 
 bool has_changes(const Scene& scene) {
-    return !scene.lab.document()->state().overrides.empty();
+    return !scene.lab.document->state().overrides.empty();
 }
 
 void draw_buttons(Edits& edits) {
     if (ImGui::Button("Save to look.json"))
-        edits.add([](Lab& lab) { lab.looks().write_overrides(); });
+        edits.change([](LookCommands& looks) { looks.write_overrides(); });
     edits.mark("write_overrides");
     ImGui::SameLine();
     if (quiet_button("Revert"))
-        edits.document([](Document& document) { clear_overrides(document); });
+        edits.change([](Document& document) { clear_overrides(document); });
     tooltip("Discards the changes made here in all passes.");
 }
 }  // namespace
@@ -87,7 +88,7 @@ float pass_settings_height(const Scene& scene) {
 }
 
 void draw_pass_settings(const std::string& pass, const Scene& scene, Edits& edits) {
-    const auto now = pass_setting(*scene.lab.document(), pass);
+    const auto now = pass_setting(*scene.lab.document, pass);
     if (!now)
         return;
     const float gap = 4.0f;

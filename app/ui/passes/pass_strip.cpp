@@ -145,7 +145,7 @@ void follow_chosen(const StripBlock& block, const Scene& scene, Edits& edits) {
     if (chosen == previous || std::ranges::none_of(block.passes, &StripPass::is_chosen))
         return;
     edits.arrange([chosen](WindowState& window) { window.scrolled.pass = chosen; });
-    if (!find_pass(scene.lab.renderer()->executor().look(), previous))
+    if (!find_pass(scene.lab.renderer->executor().look(), previous))
         return;
     const float left = ImGui::GetWindowPos().x;
     const float right = left + ImGui::GetWindowWidth();
@@ -177,7 +177,7 @@ void draw_blocks(const std::vector<StripBlock>& blocks, float image_height, cons
 }  // namespace
 
 void draw_pass_strip(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer())
+    if (!scene.lab.renderer)
         return;
     const float scrollbar = ImGui::GetStyle().ScrollbarSize;
     const float room =

@@ -1,6 +1,7 @@
 #include "ui/passes/pass_text.h"
 
 #include "base/text.h"
+#include "lab/commands/look_commands.h"
 #include "lab/views/views.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -37,7 +38,7 @@ void draw_line(int number, std::string_view text, const Location& origin, float 
         edits.mark("text_line:" + origin_text(origin));
         editor_tooltip(origin.file);
         if (is_chosen)
-            edits.add([origin](Lab& lab) { lab.looks().open_in_editor(origin); });
+            edits.change([origin](LookCommands& looks) { looks.open_in_editor(origin); });
     }
     const std::string number_text = fmt::format("{:>4}", number);
     ImGui::SameLine(left);
@@ -66,9 +67,9 @@ void draw_stage(const char* name, const Stage& stage, Edits& edits) {
 }  // namespace
 
 void draw_pass_text(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer())
+    if (!scene.lab.renderer)
         return;
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const auto index =
         static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
     const Pass& pass = executor.look().passes[index];

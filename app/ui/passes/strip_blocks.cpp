@@ -157,11 +157,11 @@ void share_room(std::vector<StripBlock>& blocks, float room, const Scene& scene)
 }  // namespace
 
 std::vector<StripPass> present_passes(const Scene& scene) {
-    const Renderer& renderer = *scene.lab.renderer();
+    const Renderer& renderer = *scene.lab.renderer;
     const Look& look = renderer.executor().look();
     const std::vector<PlannedTarget>& targets = renderer.executor().plan().targets;
     const std::vector<double>& times = renderer.times().pass_milliseconds();
-    const auto& changes = scene.lab.frames().previews().probe().changes();
+    const auto& changes = scene.lab.frames.previews().probe().changes();
     std::vector<StripPass> passes;
     for (std::size_t i = 0; i < std::min(look.passes.size(), targets.size()); ++i) {
         const StripPass pass{
@@ -172,7 +172,7 @@ std::vector<StripPass> present_passes(const Scene& scene) {
             .gain = scene.views.strip().gain(i),
             .change = i < changes.size() ? changes[i] : std::nullopt,
             .is_chosen = look.passes[i].name == scene.window.views.inspected.pass,
-            .state = pass_switch_text(i, look, scene.lab.frames().passes().switches())};
+            .state = pass_switch_text(i, look, scene.lab.frames.passes().switches())};
         if (pass.is_chosen || is_switched(pass) || !is_idle(look, i, targets[i].extent))
             passes.push_back(pass);
     }

@@ -25,7 +25,7 @@ void draw_modes(const Scene& scene, Edits& edits) {
     static constexpr std::array modes{CompareMode::wipe, CompareMode::side_by_side,
                                       CompareMode::difference};
     static constexpr std::array labels{"Wipe", "Side by side", "Difference"};
-    const CompareMode present = scene.lab.frames().comparison().selection().chosen().mode;
+    const CompareMode present = scene.lab.frames.comparison().selection().chosen().mode;
     const int chosen = static_cast<int>(present) - static_cast<int>(modes[0]);
     const int next =
         choice("compare", labels.data(), static_cast<int>(labels.size()), chosen, edits);
@@ -35,22 +35,22 @@ void draw_modes(const Scene& scene, Edits& edits) {
 
 void draw_other(const std::string& label, const Other& other, const Scene& scene, Edits& edits) {
     if (ImGui::Selectable(label.c_str(),
-                          scene.lab.frames().comparison().selection().chosen().other == other))
-        edits.add([other](Lab& lab) { lab.frames().comparison().compare_with(other); });
+                          scene.lab.frames.comparison().selection().chosen().other == other))
+        edits.change([other](ComparisonView& comparison) { comparison.compare_with(other); });
     edits.mark("other:" + label);
 }
 
 void draw_others(const Scene& scene, float width, Edits& edits) {
-    const auto sides = scene.lab.frames().comparison().sides();
+    const auto sides = scene.lab.frames.comparison().sides();
     const bool is_open = begin_combo("##other", sides ? sides->other : std::string(), width);
     edits.mark("other");
     if (!is_open)
         return;
-    const Document& document = *scene.lab.document();
-    const Comparing& comparing = scene.lab.frames().comparison().selection();
+    const Document& document = *scene.lab.document;
+    const Comparing& comparing = scene.lab.frames.comparison().selection();
     if (const auto article = comparing.variant({}, document.look(), document.values()))
         draw_other(article->sides.other, {}, scene, edits);
-    for (std::size_t i = 0; i < scene.lab.frames().comparison().slots().size(); ++i) {
+    for (std::size_t i = 0; i < scene.lab.frames.comparison().slots().size(); ++i) {
         const Other other{Other::Kind::slot, i};
         if (const auto slot = comparing.variant(other, document.look(), document.values()))
             draw_other(slot->sides.other, other, scene, edits);
@@ -65,7 +65,7 @@ void draw_others(const Scene& scene, float width, Edits& edits) {
 }
 
 std::string brightness_label(const Scene& scene) {
-    if (!scene.lab.frames().comparison().selection().chosen().has_equal_brightness)
+    if (!scene.lab.frames.comparison().selection().chosen().has_equal_brightness)
         return "Equal brightness";
     const ComparedPictures& compared = scene.views.main().compared();
     const auto stops = compared.stops();
@@ -74,7 +74,7 @@ std::string brightness_label(const Scene& scene) {
 }
 
 void draw_brightness(const Scene& scene, Edits& edits) {
-    const bool is_on = scene.lab.frames().comparison().selection().chosen().has_equal_brightness;
+    const bool is_on = scene.lab.frames.comparison().selection().chosen().has_equal_brightness;
     const ScopedColor text(ImGuiCol_Text, is_on ? theme::accent : theme::dim);
     const ScopedColor field(ImGuiCol_Button, is_on ? theme::field : theme::none);
     if (ImGui::Button((brightness_label(scene) + "##brightness").c_str()))
@@ -106,7 +106,7 @@ void draw_choices(const Scene& scene, Edits& edits) {
 
 // `room`: the width for the label, the slider and its number.
 void draw_gain(const Scene& scene, float room, Edits& edits) {
-    double gain = scene.lab.frames().comparison().selection().chosen().gain_stops;
+    double gain = scene.lab.frames.comparison().selection().chosen().gain_stops;
     const SliderFacts facts{.low = -4.0,
                             .high = 12.0,
                             .initial = 0.0,
@@ -131,7 +131,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     }
     ImGui::SameLine(0.0f, 0.0f);
     const bool can_fit =
-        scene.lab.frames().comparison().selection().chosen().measure != DifferenceMeasure::relative;
+        scene.lab.frames.comparison().selection().chosen().measure != DifferenceMeasure::relative;
     if (icon_button("##fit", Icon::fit, "Auto gain: show the largest difference as white.",
                     can_fit ? theme::text : theme::faint) &&
         can_fit)
@@ -156,7 +156,7 @@ std::string numbers_text(const Scene& scene) {
 void draw_numbers(const Scene& scene, Edits& edits) {
     const ComparedPictures& compared = scene.views.main().compared();
     if (compared.other() && !compared.difference() && !compared.distances() &&
-        !scene.lab.renderer()->replay().is_running())
+        !scene.lab.renderer->replay().is_running())
         return dim_text("No difference view for integer formats");
     {
         const ScopedFont font(scene.fonts.numbers);
@@ -182,8 +182,7 @@ float gain_room(const Scene& scene) {
 
 void draw_difference_row(const Scene& scene, Edits& edits) {
     static constexpr std::array labels{"Absolute", "Relative", "Squared"};
-    const int chosen =
-        static_cast<int>(scene.lab.frames().comparison().selection().chosen().measure);
+    const int chosen = static_cast<int>(scene.lab.frames.comparison().selection().chosen().measure);
     const int next =
         choice("measure", labels.data(), static_cast<int>(labels.size()), chosen, edits);
     if (next != chosen)
@@ -202,7 +201,7 @@ float padding() {
 }  // namespace
 
 float compare_bar_height(const Scene& scene) {
-    const CompareMode mode = scene.lab.frames().comparison().mode();
+    const CompareMode mode = scene.lab.frames.comparison().mode();
     if (mode == CompareMode::off || scene.window.layout.is_picture_only)
         return 0.0f;
     const float rows = mode == CompareMode::difference ? 2.0f : 1.0f;
@@ -221,7 +220,7 @@ void draw_compare_bar(const Scene& scene, Edits& edits) {
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar |
                           ImGuiWindowFlags_NoScrollWithMouse);
     draw_choices(scene, edits);
-    if (scene.lab.frames().comparison().mode() == CompareMode::difference)
+    if (scene.lab.frames.comparison().mode() == CompareMode::difference)
         draw_difference_row(scene, edits);
     ImGui::EndChild();
 }

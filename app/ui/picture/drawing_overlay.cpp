@@ -1,5 +1,6 @@
 #include "ui/picture/drawing_overlay.h"
 
+#include "lab/drawing/drawing_tool.h"
 #include "signals/drawing/stroke_line.h"
 #include "ui/widgets/theme.h"
 
@@ -8,7 +9,7 @@ namespace {
 class Overlay {
 public:
     Overlay(const Scene& scene, const std::function<ImVec2(const PicturePixel&)>& screen)
-        : m_placing(scene.lab.drawing().placing()), m_screen(screen), m_scale(scene.scale) {}
+        : m_placing(scene.lab.drawing.placing()), m_screen(screen), m_scale(scene.scale) {}
 
     ImVec2 at(const BeamPosition& place) const { return m_screen(m_placing.pixel_of(place)); }
 
@@ -60,7 +61,7 @@ void draw_grips(const DrawingBoard& board, const CanvasInput& input, const Overl
 void draw_drawing_overlay(const Scene& scene, const CanvasInput& input,
                           const std::function<ImVec2(const PicturePixel&)>& screen) {
     constexpr theme::Color before{0.55f, 0.55f, 0.60f, 0.45f};
-    const DrawingBoard& board = scene.lab.drawing().board();
+    const DrawingBoard& board = scene.lab.drawing.board();
     if (!board.has_pen())
         return;
     const Overlay overlay(scene, screen);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/drawing/beam_position.h"
 #include "ui/picture/picture_canvas.h"
 
 #include <functional>

@@ -36,8 +36,7 @@ void draw_step(bool is_done, const char* what, const std::string& how) {
 }
 }  // namespace
 
-void note_first_steps(const Lab& lab, WindowState& window) {
-    const Document* document = lab.document();
+void note_first_steps(const Document* document, WindowState& window) {
     if (!document || !window.first_steps.is_shown)
         return;
     const DocumentState& state = document->state();

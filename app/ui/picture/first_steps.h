@@ -4,7 +4,7 @@
 #include "ui/frame/scene.h"
 
 /// Marks the steps that the user has done.
-void note_first_steps(const Lab& lab, WindowState& window);
+void note_first_steps(const Document* document, WindowState& window);
 
 /// Three suggested steps in a corner of the picture, on the first start only.
 void draw_first_steps(const Scene& scene, Edits& edits);

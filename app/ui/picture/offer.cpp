@@ -47,7 +47,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
         ImGui::SameLine();
     }
     if (icon_button("##leave", Icon::close, "Dismiss", theme::dim))
-        edits.add([](Lab& lab) { lab.messages().dismiss(); });
+        edits.change([](Messages& messages) { messages.dismiss(); });
     edits.mark("offer_leave");
     ImGui::EndChild();
 }

@@ -1,7 +1,11 @@
 #include "ui/picture/overlays.h"
 
+#include "lab/commands/look_commands.h"
+#include "lab/commands/preset_commands.h"
 #include "lab/document/morphing.h"
 #include "lab/previews/previews.h"
+#include "lab/reload/look_loader.h"
+#include "lab/remote/remote_control.h"
 #include "lab/storage/display_name.h"
 #include "ui/picture/compare_bar.h"
 #include "ui/picture/first_steps.h"
@@ -24,9 +28,9 @@ void draw_centered(const std::string& text, float y, const ImVec4& color) {
     ImGui::TextUnformatted(text.c_str());
 }
 
-std::vector<const Problem*> errors_of(const Lab& lab) {
+std::vector<const Problem*> errors_of(const Messages& messages) {
     std::vector<const Problem*> errors;
-    for (const Problem& problem : lab.messages().problems())
+    for (const Problem& problem : messages.problems())
         if (problem.diagnostic.severity == Severity::error)
             errors.push_back(&problem);
     return errors;
@@ -42,20 +46,20 @@ float height_of(const Problem& problem, float width) {
 }
 
 // The heading for errors of a look that could not be opened.
-std::string headline_of(const Lab& lab) {
-    if (lab.loader().failed().empty() || !lab.document())
+std::string headline_of(const LookLoader& loader, const Document* document) {
+    if (loader.failed().empty() || !document)
         return {};
-    return fmt::format("Can't open \"{}\". {} is still open.", lab.loader().failed(),
-                       lab.document()->look().name);
+    return fmt::format("Can't open \"{}\". {} is still open.", loader.failed(),
+                       document->look().name);
 }
 
 void draw_errors(const Scene& scene, Edits& edits) {
     if (!shows_errors(scene))
         return;
-    const std::vector<const Problem*> errors = errors_of(scene.lab);
+    const std::vector<const Problem*> errors = errors_of(scene.lab.messages);
     constexpr std::size_t most = 4;
     const float side = ImGui::GetFrameHeight();
-    const std::string headline = headline_of(scene.lab);
+    const std::string headline = headline_of(scene.lab.loader, scene.lab.document);
     const float margin = ImGui::GetFontSize() * 0.7f;
     const float width = ImGui::GetWindowWidth() - 2.0f * margin;
     const float line = ImGui::GetTextLineHeightWithSpacing();
@@ -86,7 +90,7 @@ void draw_errors(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
                     theme::label))
-        edits.add([](Lab& lab) { lab.looks().dismiss_problems(); });
+        edits.change([](LookCommands& looks) { looks.dismiss_problems(); });
     edits.mark("errors_away");
     ImGui::EndChild();
     edits.mark("errors");
@@ -121,7 +125,7 @@ void draw_pill(const Pill& pill, const Scene& scene) {
 }
 
 void draw_notice(const Scene& scene, Edits& edits) {
-    const auto& notice = scene.lab.messages().notice();
+    const auto& notice = scene.lab.messages.notice();
     if (!notice)
         return;
     if (!notice->buttons.empty())
@@ -133,9 +137,9 @@ void draw_notice(const Scene& scene, Edits& edits) {
 }
 
 void draw_replay(const Scene& scene) {
-    if (!scene.lab.renderer() || !scene.lab.renderer()->replay().is_running())
+    if (!scene.lab.renderer || !scene.lab.renderer->replay().is_running())
         return;
-    const Replay& replay = scene.lab.renderer()->replay();
+    const Replay& replay = scene.lab.renderer->replay();
     draw_pill({"##replay",
                fmt::format("Replaying frame {} of {} · Esc to stop", replay.done(), replay.total()),
                theme::dim, 1.0f},
@@ -144,10 +148,10 @@ void draw_replay(const Scene& scene) {
 
 // The non-finite pixel that stopped the clock, with buttons for the possible actions.
 void draw_non_finite(const Scene& scene, Edits& edits) {
-    const auto& trip = scene.lab.frames().nan_guard().found();
-    if (!trip || !scene.lab.renderer())
+    const auto& trip = scene.lab.frames.nan_guard().found();
+    if (!trip || !scene.lab.renderer)
         return;
-    const std::string& pass = scene.lab.renderer()->executor().look().passes[trip->pass].name;
+    const std::string& pass = scene.lab.renderer->executor().look().passes[trip->pass].name;
     const std::string words =
         fmt::format("Paused: pass \"{}\" wrote NaN/Inf at pixel ({}, {}), frame {}.", pass, trip->x,
                     trip->y, trip->frame);
@@ -178,8 +182,8 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
           NanButton{NonFiniteAction::go_on, "Ignore",
                     "Ignores NaN and Inf until the look is edited.", "trip_go_on"}}) {
         if (ImGui::Button(button.label))
-            edits.add(
-                [answer = button.answer](Lab& lab) { lab.frames().nan_guard().answer(answer); });
+            edits.change(
+                [answer = button.answer](FrameLoop& frames) { frames.nan_guard().answer(answer); });
         edits.mark(button.name);
         tooltip(button.help);
         ImGui::SameLine();
@@ -200,21 +204,21 @@ std::string opening_text(const LookLoader::Opening& opening) {
 }
 
 void draw_loading(const Scene& scene) {
-    const std::filesystem::path file = scene.lab.work().media.loading();
-    const auto opening = scene.lab.loader().opening();
-    if (file.empty() && opening && scene.lab.document())
+    const std::filesystem::path file = scene.lab.media.loading();
+    const auto opening = scene.lab.loader.opening();
+    if (file.empty() && opening && scene.lab.document)
         draw_pill({"##loading", opening_text(*opening), theme::dim, 2.0f}, scene);
     if (file.empty())
         return;
     draw_pill({"##loading",
                fmt::format("Loading {}: {:.0f} % · Esc to cancel", file.filename().string(),
-                           100.0 * scene.lab.work().media.loaded_share()),
+                           100.0 * scene.lab.media.loaded_share()),
                theme::dim, 2.0f},
               scene);
 }
 
 void draw_step(const Scene& scene, Edits& edits) {
-    const StepProbe& probe = scene.lab.frames().previews().probe();
+    const StepProbe& probe = scene.lab.frames.previews().probe();
     if (!probe.question() || probe.text().empty())
         return;
     const bool changes_nothing =
@@ -225,7 +229,7 @@ void draw_step(const Scene& scene, Edits& edits) {
 }
 
 void draw_morph(const Scene& scene) {
-    if (const Morphing* morphing = scene.lab.presets().navigation().morphing())
+    if (const Morphing* morphing = scene.lab.presets.navigation().morphing())
         draw_pill({"##morph",
                    fmt::format("Morphing to \"{}\": {:.0f} % · Esc to stop", morphing->name(),
                                100.0 * morphing->share()),
@@ -234,9 +238,9 @@ void draw_morph(const Scene& scene) {
 }
 
 void draw_midi_learning(const Scene& scene, Edits& edits) {
-    const auto& goal = scene.lab.remote().midi().learning();
-    const Parameter* parameter = goal && scene.lab.document()
-                                     ? find_parameter(scene.lab.document()->look(), goal->parameter)
+    const auto& goal = scene.lab.remote.midi().learning();
+    const Parameter* parameter = goal && scene.lab.document
+                                     ? find_parameter(scene.lab.document->look(), goal->parameter)
                                      : nullptr;
     if (!parameter)
         return;
@@ -250,7 +254,7 @@ void draw_midi_learning(const Scene& scene, Edits& edits) {
 }  // namespace
 
 bool shows_errors(const Scene& scene) {
-    return !scene.lab.messages().are_problems_dismissed() && !errors_of(scene.lab).empty();
+    return !scene.lab.messages.are_problems_dismissed() && !errors_of(scene.lab.messages).empty();
 }
 
 void draw_overlays(const Scene& scene, Edits& edits) {
@@ -268,8 +272,8 @@ void draw_overlays(const Scene& scene, Edits& edits) {
 void draw_welcome(const Scene& scene) {
     const float middle = ImGui::GetWindowHeight() * 0.42f;
     const float line = ImGui::GetTextLineHeightWithSpacing();
-    if (scene.lab.loader().is_loading()) {
-        const auto opening = scene.lab.loader().opening();
+    if (scene.lab.loader.is_loading()) {
+        const auto opening = scene.lab.loader.opening();
         draw_centered(opening ? opening_text(*opening) : "Loading the look…", middle, theme::dim);
         return;
     }

@@ -25,25 +25,24 @@ constexpr std::array switch_items{
 }  // namespace
 
 void show_whole_picture(const Scene& scene, Edits& edits) {
-    PassSwitches switches = scene.lab.frames().passes().switches();
+    PassSwitches switches = scene.lab.frames.passes().switches();
     switches.solo.clear();
     switches.last.clear();
-    edits.add([switches](Lab& lab) { lab.frames().passes().set(switches); });
+    edits.change([switches](PassControl& passes) { passes.set(switches); });
 }
 
 void draw_pass_switches(const std::string& pass, const Scene& scene, Edits& edits) {
     for (const MenuLine& item : switch_items) {
-        const bool is_on = scene.lab.frames().passes().switches().has(item.which, pass);
+        const bool is_on = scene.lab.frames.passes().switches().has(item.which, pass);
         if (ImGui::MenuItem(item.label, nullptr, is_on))
-            edits.add([which = item.which, pass](Lab& lab) {
-                lab.frames().passes().toggle(which, pass);
-            });
+            edits.change(
+                [which = item.which, pass](PassControl& passes) { passes.toggle(which, pass); });
         tooltip(item.help);
         edits.mark(std::string("switch:") + item.label);
     }
     ImGui::Separator();
     if (ImGui::MenuItem(scene.actions.row(ActionId::clear_pass).label))
-        edits.add([pass](Lab& lab) { lab.frames().passes().clear_history(pass); });
+        edits.change([pass](PassControl& passes) { passes.clear_history(pass); });
     edits.mark("switch:clear");
     const Action& clear = scene.actions.row(ActionId::passes_as_usual);
     if (ImGui::MenuItem(clear.label, nullptr, false, is_enabled(clear, scene)))

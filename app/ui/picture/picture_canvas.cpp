@@ -74,7 +74,7 @@ void read_pen(const std::function<std::array<double, 2>(float, float)>& pixel_at
     if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         input.pen_down = pixel_at(mouse.x, mouse.y);
     else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        for (const gpu::PointerEvent& place : scene.pointer_path)
+        for (const gpu::PointerEvent& place : scene.frame.pointer_path)
             input.pen_path.push_back(pixel_at(place.x, place.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
         input.other_button = pixel_at(mouse.x, mouse.y);

@@ -13,7 +13,7 @@
 
 namespace {
 std::string size_label(const Scene& scene) {
-    return size_text(scene.lab.work().size.extent());
+    return size_text(scene.lab.size.extent());
 }
 
 double present_zoom(const Scene& scene) {
@@ -32,7 +32,7 @@ float button_width(const std::string& label) {
 }
 
 void set_size(PictureSize size, Edits& edits) {
-    edits.add([size](Lab& lab) { lab.work().size.choose(size); });
+    edits.change([size](RenderSize& render_size) { render_size.choose(size); });
 }
 
 template <class Items>
@@ -49,13 +49,13 @@ void draw_button(const std::string& label, const char* popup, const std::string&
 }  // namespace
 
 Extent large_extent(const Scene& scene) {
-    if (scene.window.views.shows_pass_large && scene.lab.renderer()) {
+    if (scene.window.views.shows_pass_large && scene.lab.renderer) {
         const auto inspected =
-            inspected_texture(scene.lab.renderer()->executor(), scene.window.views.inspected);
+            inspected_texture(scene.lab.renderer->executor(), scene.window.views.inspected);
         if (inspected)
             return inspected->extent();
     }
-    return scene.lab.work().size.extent();
+    return scene.lab.size.extent();
 }
 
 Extent large_room(const Scene& scene) {
@@ -95,15 +95,15 @@ void draw_picture_menus(const Scene& scene, Edits& edits) {
 }
 
 void draw_size_items(const Scene& scene, Edits& edits) {
-    const PictureSize present = scene.lab.work().size.chosen();
+    const PictureSize present = scene.lab.size.chosen();
     for (const auto& [shape, name] : picture_shapes) {
-        if (ImGui::MenuItem(name, nullptr, size_in_force(scene.lab).is_shaped(shape)))
+        if (ImGui::MenuItem(name, nullptr, size_in_force(scene.lab.size).is_shaped(shape)))
             set_size(with_shape(present, shape), edits);
         edits.mark("shape:" + std::string(shape_name(shape)));
     }
     ImGui::Separator();
     if (ImGui::MenuItem("Match pane once", nullptr, present.fits_shape))
-        edits.add([](Lab& lab) { lab.work().size.fix_to_view(); });
+        edits.change([](RenderSize& size) { size.fix_to_view(); });
     tooltip(
         "Sets the render size to the size of the pane, or of the output window's display. It "
         "doesn't change when panes open or close.");

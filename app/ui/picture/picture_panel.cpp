@@ -1,6 +1,7 @@
 #include "ui/picture/picture_panel.h"
 
 #include "lab/document/parameter_edits.h"
+#include "lab/drawing/drawing_tool.h"
 #include "ui/frame/action.h"
 #include "ui/frame/look_keys.h"
 #include "ui/picture/cell_texts.h"
@@ -36,21 +37,21 @@ void probe_inspected(const PointedPixel& place, const Scene& scene, Edits& edits
 
 // Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
 void tell_pointer(const PointedPixel& place, const Scene& scene, Edits& edits) {
-    const Extent extent = scene.lab.work().size.extent();
+    const Extent extent = scene.lab.size.extent();
     const double x = place.pixel[0];
     const double y = place.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     const std::array<double, 2> mouse{x, extent.height - y};
     // An unchanged position would keep the lab awake.
-    if (scene.lab.renderer() && scene.lab.renderer()->hand().place() != mouse)
-        edits.add([mouse](Lab& lab) {
-            if (Renderer* renderer = lab.renderer())
-                renderer->change_hand([mouse](Hand& hand) { hand.move(mouse); });
+    if (scene.lab.renderer && scene.lab.renderer->hand().place() != mouse)
+        edits.change([mouse](Renderer& renderer) {
+            renderer.change_hand([mouse](Hand& hand) { hand.move(mouse); });
         });
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
-    Probe probed = picture_probe(scene.lab, place.pixel);
+    Probe probed = picture_probe(scene.lab.renderer->executor(),
+                                 scene.lab.frames.passes().picture_pass(), extent, place.pixel);
     probed.is_of_variant = place.is_of_variant;
     edits.arrange([probed](WindowState& window) { window.probes.pointer = probed; });
 }
@@ -58,27 +59,27 @@ void tell_pointer(const PointedPixel& place, const Scene& scene, Edits& edits) {
 // Call it after the picture's item if the look reads the mouse button.
 void tell_press(const Scene& scene, Edits& edits) {
     const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (scene.lab.renderer() && scene.lab.renderer()->hand().press().is_down != is_down)
-        edits.add([is_down](Lab& lab) {
-            if (Renderer* renderer = lab.renderer())
-                renderer->change_hand([is_down](Hand& hand) { hand.set_button(is_down); });
+    if (scene.lab.renderer && scene.lab.renderer->hand().press().is_down != is_down)
+        edits.change([is_down](Renderer& renderer) {
+            renderer.change_hand([is_down](Hand& hand) { hand.set_button(is_down); });
         });
 }
 
 void follow_pen(const CanvasInput& input, Edits& edits) {
     if (input.pen_down)
-        edits.add([pixel = *input.pen_down](Lab& lab) { lab.drawing().pen_down(pixel); });
+        edits.change([pixel = *input.pen_down](DrawingTool& drawing) { drawing.pen_down(pixel); });
     for (const auto& pixel : input.pen_path)
-        edits.add([pixel](Lab& lab) { lab.drawing().pen_move(pixel); });
+        edits.change([pixel](DrawingTool& drawing) { drawing.pen_move(pixel); });
     if (input.is_pen_up)
-        edits.add([](Lab& lab) { lab.drawing().pen_up(); });
+        edits.change([](DrawingTool& drawing) { drawing.pen_up(); });
     if (input.other_button)
-        edits.add([pixel = *input.other_button](Lab& lab) { lab.drawing().other_button(pixel); });
+        edits.change(
+            [pixel = *input.other_button](DrawingTool& drawing) { drawing.other_button(pixel); });
 }
 
 // The text for a pass that replaces the picture; "": the picture is displayed.
 std::string other_words(const Scene& scene) {
-    const PassSwitches& switches = scene.lab.frames().passes().switches();
+    const PassSwitches& switches = scene.lab.frames.passes().switches();
     if (scene.window.views.shows_pass_large)
         return fmt::format("{} · Back to picture", scene.window.views.inspected.label());
     if (!switches.solo.empty())
@@ -118,9 +119,9 @@ struct Shown {
 };
 
 std::vector<Shown> shown_pictures(const Scene& scene) {
-    const auto sides = scene.lab.frames().comparison().sides();
+    const auto sides = scene.lab.frames.comparison().sides();
     Shown ours{.image = scene.views.main().picture(),
-               .is_other = sides && scene.lab.frames().comparison().selection().is_flashing()};
+               .is_other = sides && scene.lab.frames.comparison().selection().is_flashing()};
     if (scene.views.main().reference().handle == 0)
         return {ours};
     const Extent whole = scene.window.views.sizes.picture;
@@ -138,10 +139,10 @@ void draw_over_texels(const ImVec2& low, const ImVec2& size, const Scene& scene)
 
 void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVec2& size) {
     const bool is_large = scene.window.views.shows_pass_large;
-    const bool is_turned = !is_large && scene.lab.document()->look().has_orbit;
-    const bool has_pen = !is_large && scene.lab.drawing().board().has_pen();
+    const bool is_turned = !is_large && scene.lab.document->look().has_orbit;
+    const bool has_pen = !is_large && scene.lab.drawing.board().has_pen();
     const bool has_press = !is_large && !has_pen && !is_turned && !shown.is_other &&
-                           reads_press(scene.lab.document()->look());
+                           reads_press(scene.lab.document->look());
     const Extent room = device_pixels(scene, size.x, size.y);
     const auto wipe = drag_wipe(size, scene, edits);
     if (!shown.is_other)
@@ -166,8 +167,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     if (input.moved)
         edits.arrange([view = *input.moved](WindowState& window) { window.views.large() = view; });
     if (input.turned)
-        edits.document(
-            [turned = input.turned](Document& document) { set_orbit(document, turned); });
+        edits.change([turned = input.turned](Document& document) { set_orbit(document, turned); });
     if (input.is_turn_finished)
         edits.finish();
     const bool is_other = shown.is_other || is_over_variant(wipe, scene);
@@ -201,7 +201,7 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
             window.views.sizes.picture = room;
             window.views.sizes.cell = cell;
         });
-    if (!scene.lab.document()) {
+    if (!scene.lab.document) {
         draw_welcome(scene);
         draw_overlays(scene, edits);
         return;

@@ -27,7 +27,7 @@ void remove(std::size_t pin, Edits& edits) {
 
 // The pixel of the picture at each pin. The tooltip of a value has the pixel of its pass.
 void draw_heads(const Scene& scene, Edits& edits) {
-    const Extent picture = scene.lab.work().size.extent();
+    const Extent picture = scene.lab.size.extent();
     ImGui::TableNextRow();
     for (std::size_t i = 0; i < scene.window.probes.pins.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i) + 1);
@@ -43,7 +43,7 @@ void draw_heads(const Scene& scene, Edits& edits) {
 }
 
 void draw_pin_row(std::size_t index, const Scene& scene) {
-    const Executor& executor = scene.lab.renderer()->executor();
+    const Executor& executor = scene.lab.renderer->executor();
     const Pass& pass = executor.look().passes[index];
     const Extent extent = executor.target(static_cast<int>(index)).extent();
     ImGui::TableNextRow();
@@ -62,7 +62,7 @@ void draw_pin_row(std::size_t index, const Scene& scene) {
 }  // namespace
 
 void draw_pins_panel(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
     if (scene.window.probes.pins.empty()) {
         dim_text(fmt::format(
@@ -76,7 +76,7 @@ void draw_pins_panel(const Scene& scene, Edits& edits) {
     if (!ImGui::BeginTable("##pins", columns, ImGuiTableFlags_SizingFixedFit))
         return;
     draw_heads(scene, edits);
-    for (std::size_t i = 0; i < scene.lab.renderer()->executor().look().passes.size(); ++i)
+    for (std::size_t i = 0; i < scene.lab.renderer->executor().look().passes.size(); ++i)
         draw_pin_row(i, scene);
     ImGui::EndTable();
 }

@@ -30,7 +30,7 @@ std::string content_of(const Slot& slot, const std::string& name, bool is_curren
 }
 
 std::string help_for(std::size_t number, const Scene& scene) {
-    const std::optional<Slot>& slot = scene.lab.frames().comparison().slots()[number];
+    const std::optional<Slot>& slot = scene.lab.frames.comparison().slots()[number];
     const std::string name = slot_name(number);
     if (!slot)
         return fmt::format("Slot {} is empty. Click to store the current settings (Shift+F{}).",
@@ -38,7 +38,7 @@ std::string help_for(std::size_t number, const Scene& scene) {
     return fmt::format(
         "{}\nClick to recall it (F{}). Shift+click to store the current settings in it. Ctrl+click "
         "to compare with it. Right-click for all commands.",
-        content_of(*slot, name, scene.lab.frames().comparison().is_in_slot(number)), 5 + number);
+        content_of(*slot, name, scene.lab.frames.comparison().is_in_slot(number)), 5 + number);
 }
 
 void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
@@ -46,7 +46,7 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
         return;
     const ScopedFont font(scene.fonts.text);
     const SlotActions& of = button_actions[number];
-    const bool is_filled = scene.lab.frames().comparison().slots()[number].has_value();
+    const bool is_filled = scene.lab.frames.comparison().slots()[number].has_value();
     const std::string name = "slot:" + slot_name(number);
     for (const ActionId id : {of.keep, of.recall, of.compare}) {
         if (ImGui::MenuItem(scene.actions.help(id).c_str(), nullptr, false,
@@ -56,7 +56,7 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
     }
     if (ImGui::MenuItem(fmt::format("Clear slot {}", slot_name(number)).c_str(), nullptr, false,
                         is_filled))
-        edits.add([number](Lab& lab) { lab.frames().comparison().clear_slot(number); });
+        edits.change([number](ComparisonView& comparison) { comparison.clear_slot(number); });
     edits.mark(name + ":empty");
     ImGui::EndPopup();
 }
@@ -64,7 +64,7 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
 void click(std::size_t number, const Scene& scene, Edits& edits) {
     const ImGuiIO& io = ImGui::GetIO();
     const SlotActions& of = button_actions[number];
-    if (io.KeyShift || !scene.lab.frames().comparison().slots()[number])
+    if (io.KeyShift || !scene.lab.frames.comparison().slots()[number])
         run(of.keep, scene, edits);
     else
         run(io.KeyCtrl ? of.compare : of.recall, scene, edits);
@@ -72,11 +72,11 @@ void click(std::size_t number, const Scene& scene, Edits& edits) {
 
 void draw_slot(std::size_t number, const Scene& scene, Edits& edits) {
     const std::string name = slot_name(number);
-    const Comparison& comparison = scene.lab.frames().comparison().selection().chosen();
+    const Comparison& comparison = scene.lab.frames.comparison().selection().chosen();
     const bool is_other =
         comparison.mode != CompareMode::off && comparison.other == Other{Other::Kind::slot, number};
-    const bool is_filled = scene.lab.frames().comparison().slots()[number].has_value();
-    const bool is_here = scene.lab.frames().comparison().is_in_slot(number);
+    const bool is_filled = scene.lab.frames.comparison().slots()[number].has_value();
+    const bool is_here = scene.lab.frames.comparison().is_in_slot(number);
     const float side = ImGui::GetFrameHeight();
     {
         const ScopedColor text(ImGuiCol_Text, is_here     ? theme::accent
@@ -104,7 +104,7 @@ float slot_buttons_width() {
 }
 
 void draw_slot_buttons(const Scene& scene, Edits& edits) {
-    const ScopedDisabled off(!scene.lab.document());
+    const ScopedDisabled off(!scene.lab.document);
     for (std::size_t number = 0; number < button_actions.size(); ++number) {
         if (number > 0)
             ImGui::SameLine(0.0f, 2.0f);

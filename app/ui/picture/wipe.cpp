@@ -24,8 +24,8 @@ void draw_name(const std::string& name, float x, float y, bool is_left, const Sc
 std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
     const Extent room = device_pixels(scene, size.x, size.y);
-    const bool is_wiping = scene.lab.frames().comparison().mode() == CompareMode::wipe;
-    if (!is_wiping || scene.lab.frames().comparison().selection().is_flashing() ||
+    const bool is_wiping = scene.lab.frames.comparison().mode() == CompareMode::wipe;
+    if (!is_wiping || scene.lab.frames.comparison().selection().is_flashing() ||
         picture.is_empty() || room.is_empty())
         return std::nullopt;
     const ImVec2 start = ImGui::GetCursorPos();
@@ -61,16 +61,16 @@ void draw_wipe(const WipeLine& line, const Scene& scene) {
     list.AddRectFilled({line.x - grip.x, middle - grip.y}, {line.x + grip.x, middle + grip.y},
                        theme::packed(line.is_held ? theme::accent : theme::label), grip.x);
     const float top = line.top + ImGui::GetFontSize() * 0.5f;
-    draw_name(scene.lab.frames().comparison().sides()->left_name(), line.x, top, true, scene);
-    draw_name(scene.lab.frames().comparison().sides()->right_name(), line.x, top, false, scene);
+    draw_name(scene.lab.frames.comparison().sides()->left_name(), line.x, top, true, scene);
+    draw_name(scene.lab.frames.comparison().sides()->right_name(), line.x, top, false, scene);
 }
 
 void draw_halves_names(const ImVec2& low, float middle, const Scene& scene) {
-    const auto sides = scene.lab.frames().comparison().sides();
+    const auto sides = scene.lab.frames.comparison().sides();
     if (!sides)
         return;
     const float top = low.y + ImGui::GetFontSize() * 0.5f;
-    if (scene.lab.frames().comparison().selection().is_flashing())
+    if (scene.lab.frames.comparison().selection().is_flashing())
         return draw_name(sides->other, low.x, top, false, scene);
     if (scene.views.main().reference().handle == 0)
         return;
@@ -80,5 +80,5 @@ void draw_halves_names(const ImVec2& low, float middle, const Scene& scene) {
 
 bool is_over_variant(const std::optional<WipeLine>& line, const Scene& scene) {
     return line && (ImGui::GetIO().MousePos.x < line->x) ==
-                       scene.lab.frames().comparison().sides()->is_other_left;
+                       scene.lab.frames.comparison().sides()->is_other_left;
 }

@@ -18,12 +18,12 @@ const char* lock_help(bool is_source, bool is_locked) {
 }  // namespace
 
 void draw_content_heading(const std::string& text, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document();
+    const Document& document = *scene.lab.document;
     const bool is_locked = is_content_locked(document);
     const bool is_source = document.look().driven_by == Driver::picture;
     heading_with_button(text);
     if (icon_button("##keep_content", is_locked ? Icon::pinned : Icon::unpinned,
                     lock_help(is_source, is_locked), is_locked ? theme::accent : theme::label))
-        edits.document([is_locked](Document& changed) { lock_content(changed, !is_locked); });
+        edits.change([is_locked](Document& changed) { lock_content(changed, !is_locked); });
     edits.mark("keep_content");
 }

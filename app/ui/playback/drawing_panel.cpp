@@ -1,5 +1,6 @@
 #include "ui/playback/drawing_panel.h"
 
+#include "lab/drawing/drawing_tool.h"
 #include "ui/frame/action.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -11,14 +12,14 @@
 namespace {
 
 void set_pen(const Pen& pen, Edits& edits) {
-    edits.add([pen](Lab& lab) {
-        lab.drawing().edit(
+    edits.change([pen](DrawingTool& drawing) {
+        drawing.edit(
             [pen](DrawingBoard& board, Document& document) { board.set_pen(pen, document); });
     });
 }
 
 void draw_pen_button(const Scene& scene, Edits& edits) {
-    const bool has_pen = scene.lab.drawing().board().has_pen();
+    const bool has_pen = scene.lab.drawing.board().has_pen();
     const ScopedColor back(ImGuiCol_Button, has_pen ? theme::accent_filled : theme::field);
     const char* label = has_pen ? "Done drawing" : "Draw on the picture";
     if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0.0f}))
@@ -78,8 +79,8 @@ void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
         if (chosen == before)
             continue;
         const std::size_t keyframe = first + static_cast<std::size_t>(chosen);
-        edits.add([keyframe](Lab& lab) {
-            lab.drawing().edit_keyframes([keyframe](EditedDrawing& drawing, Document&) {
+        edits.change([keyframe](DrawingTool& tool) {
+            tool.edit_keyframes([keyframe](EditedDrawing& drawing, Document&) {
                 drawing.choose_keyframe(keyframe);
             });
         });
@@ -105,7 +106,8 @@ void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
         {
             const ScopedDisabled idle(!button.is_enabled);
             if (ImGui::Button(button.label, {width, 0.0f}))
-                edits.add([act = button.act](Lab& lab) { lab.drawing().edit_keyframes(act); });
+                edits.change(
+                    [act = button.act](DrawingTool& drawing) { drawing.edit_keyframes(act); });
         }
         edits.mark(button.id);
         tooltip(button.help);
@@ -168,7 +170,7 @@ void draw_files(const DrawingBoard& board, Edits& edits) {
 }  // namespace
 
 void draw_drawing_panel(const Scene& scene, Edits& edits) {
-    const DrawingBoard& board = scene.lab.drawing().board();
+    const DrawingBoard& board = scene.lab.drawing.board();
     draw_pen_button(scene, edits);
     if (board.has_pen()) {
         draw_tools(board, edits);

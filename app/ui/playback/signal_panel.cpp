@@ -24,7 +24,7 @@
 
 namespace {
 void set_signal(const Spec& spec, Edits& edits) {
-    edits.document([spec](Document& document) { set_signal(document, spec, true); });
+    edits.change([spec](Document& document) { set_signal(document, spec, true); });
 }
 
 // The saved value of a setting, from the preset or the look.
@@ -54,7 +54,7 @@ SliderFacts facts_of(const SettingFacts& setting, double value, const Document& 
 void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
                          const Scene& scene, Edits& edits) {
     double value = std::get<double>(spec.settings[setting.key]);
-    const SliderFacts facts = facts_of(setting, value, *scene.lab.document());
+    const SliderFacts facts = facts_of(setting, value, *scene.lab.document);
     const Turned turned = form_slider("##value", value, facts, columns, scene.fonts);
     if (turned.is_changed) {
         spec.settings[setting.key] = std::clamp(value, setting.limit.low, setting.limit.high);
@@ -67,7 +67,7 @@ void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColu
 void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
                 const Scene& scene, Edits& edits) {
     const double value = std::get<double>(spec.settings[setting.key]);
-    const SliderFacts facts = facts_of(setting, value, *scene.lab.document());
+    const SliderFacts facts = facts_of(setting, value, *scene.lab.document);
     if (!form_reset(fmt::format("Reset to {}", short_number(*facts.initial)), facts.is_changed,
                     columns))
         return;
@@ -137,7 +137,7 @@ void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spe
     form_label(setting.label, columns, false);
     tooltip(setting.type == SettingType::number
                 ? fmt::format("{}\n{}", setting.help,
-                              range_text(facts_of(setting, setting.initial, *scene.lab.document())))
+                              range_text(facts_of(setting, setting.initial, *scene.lab.document)))
                 : setting.help);
     form_control(columns);
     ImGui::BeginGroup();
@@ -198,7 +198,7 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
         return;
     wrapped_dim_text("The graticule doesn't match this scope's divisions.");
     if (ImGui::Button("Show 10 × 8 divisions", {ImGui::GetContentRegionAvail().x, 0.0f}))
-        edits.document([wanted](Document& changed) { set_values(changed, wanted, "Graticule"); });
+        edits.change([wanted](Document& changed) { set_values(changed, wanted, "Graticule"); });
     edits.mark("scope_graticule");
     tooltip("Sets the look's graticule to 10 × 8 divisions over the whole picture.");
 }
@@ -221,7 +221,7 @@ void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_signal_panel(const Scene& scene, Edits& edits) {
-    const Document* document = scene.lab.document();
+    const Document* document = scene.lab.document;
     if (!document)
         return;
     if (document->look().driven_by == Driver::signal)

@@ -1,6 +1,7 @@
 #include "ui/playback/sound_controls.h"
 
 #include "lab/menus/device_menu.h"
+#include "lab/playback/audio_control.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -24,7 +25,7 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
     const Turned turned = draw_slider("##seek", place, facts, ImGui::GetContentRegionAvail().x);
     edits.mark("seek");
     if (turned.is_changed)
-        edits.add([place](Lab& lab) { lab.player().seek(place); });
+        edits.change([place](Player& player) { player.seek(place); });
     const ScopedFont font(scene.fonts.numbers);
     dim_text(fmt::format("{} / {}", clock_text(place), clock_text(length)));
 }
@@ -41,11 +42,11 @@ void draw_volume(const AudioDevices& devices, const Scene& scene, Edits& edits) 
             {.low = 0.0, .high = 2.0, .initial = 1.0, .unit = "×", .limit = Limit{0.0, 2.0}},
             columns, scene.fonts)
             .is_changed)
-        edits.add([level](Lab& lab) { lab.player().set_level(level); });
+        edits.change([level](Player& player) { player.set_level(level); });
 }
 
 void apply(const SoundSettings& settings, Edits& edits) {
-    edits.add([settings](Lab& lab) { lab.audio().set_settings(settings); });
+    edits.change([settings](AudioControl& audio) { audio.set_settings(settings); });
 }
 
 void begin_line(const std::string& label, const std::string& help, const FormColumns& columns) {
@@ -65,7 +66,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
                is_out ? "Audio device for playback."
                       : "Audio device for live input. A monitor records what other programs play.",
                columns);
-    SoundSettings settings = scene.lab.player().devices().settings();
+    SoundSettings settings = scene.lab.player.devices().settings();
     std::string& chosen = is_out ? settings.output : settings.input;
     const bool is_open = begin_combo("##device", chosen.empty() ? "System default" : chosen,
                                      columns.control_and_number());
@@ -73,7 +74,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
     if (!is_open)
         return;
     if (ImGui::IsWindowAppearing())
-        edits.add([](Lab& lab) { lab.audio().find_devices(); });
+        edits.change([](AudioControl& audio) { audio.find_devices(); });
     const auto offer = [&](const std::string& name, const std::string& label) {
         if (!ImGui::Selectable(label.c_str(), name == chosen))
             return;
@@ -81,7 +82,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
         apply(settings, edits);
     };
     offer("", "System default");
-    for (const SoundDevice& device : scene.lab.audio().devices())
+    for (const SoundDevice& device : scene.lab.audio.devices())
         if (is_out ? device.has_output : device.has_input)
             offer(device.name, device.name);
     ImGui::EndCombo();
@@ -92,7 +93,7 @@ void draw_number_choice(const char* label, const char* help, int SoundSettings::
     const ScopedId id{std::string(label)};
     const FormColumns columns = form_columns(false);
     begin_line(label, help, columns);
-    SoundSettings settings = scene.lab.player().devices().settings();
+    SoundSettings settings = scene.lab.player.devices().settings();
     std::vector<std::string> words;
     std::vector<const char*> labels;
     int chosen = -1;
@@ -117,7 +118,7 @@ void draw_delay(const Scene& scene, Edits& edits) {
     begin_line("Picture delay",
                "Delays the picture to match loudspeakers with latency, such as Bluetooth.",
                columns);
-    SoundSettings settings = scene.lab.player().devices().settings();
+    SoundSettings settings = scene.lab.player.devices().settings();
     const Turned turned = form_slider("##value", settings.picture_delay_ms,
                                       {.low = -200.0, .high = 500.0, .step = 1.0, .unit = "ms"},
                                       columns, scene.fonts);
@@ -125,11 +126,11 @@ void draw_delay(const Scene& scene, Edits& edits) {
     if (turned.is_finished)
         apply(settings, edits);
     else if (turned.is_changed)
-        edits.add([settings](Lab& lab) { (void)lab.player().set_sound_settings(settings); });
+        edits.change([settings](Player& player) { (void)player.set_sound_settings(settings); });
 }
 
 void draw_beam_output(const Scene& scene, Edits& edits) {
-    SoundSettings settings = scene.lab.player().devices().settings();
+    SoundSettings settings = scene.lab.player.devices().settings();
     if (ImGui::Checkbox("Send beam to audio output", &settings.plays_beam))
         apply(settings, edits);
     edits.mark("sound:beam");
@@ -149,7 +150,7 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
     if (turned.is_finished)
         apply(settings, edits);
     else if (turned.is_changed)
-        edits.add([settings](Lab& lab) { (void)lab.player().set_sound_settings(settings); });
+        edits.change([settings](Player& player) { (void)player.set_sound_settings(settings); });
 }
 }  // namespace
 
@@ -162,7 +163,7 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
             return;
     }
     draw_beam_output(scene, edits);
-    const Player& player = scene.lab.player();
+    const Player& player = scene.lab.player;
     const bool has_sound = player.signal().sound().sound != nullptr;
     const bool is_heard = player.devices().settings().plays_beam || has_sound;
     if (is_live)
@@ -181,7 +182,7 @@ void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits) {
 }
 
 void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
-    const Player& player = scene.lab.player();
+    const Player& player = scene.lab.player;
     const PlayedSignal& signal = player.signal();
     const std::string input = signal.live_input().device_name();
     if (signal.sound().sound)
@@ -194,7 +195,7 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
 }
 
 void draw_silence(const Scene& scene) {
-    const Player& player = scene.lab.player();
+    const Player& player = scene.lab.player;
     const BeamFeed* feed = player.signal().feed();
     for (std::string text : {feed ? feed->state() : std::string(), player.error()}) {
         if (text.empty())

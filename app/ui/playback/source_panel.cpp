@@ -15,7 +15,7 @@
 
 namespace {
 void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
-    edits.document([text = to_string(source), goes_on](Document& document) {
+    edits.change([text = to_string(source), goes_on](Document& document) {
         set_source(document, text, goes_on);
     });
 }
@@ -180,9 +180,9 @@ void draw_film_settings(const Source& open, const SourceSpec& source, const Scen
 void draw_source(const Scene& scene, Edits& edits) {
     draw_content_heading("Source", scene, edits);
     const SourceSpec source =
-        parse_source(scene.lab.document()->state().source).value_or(SourceSpec{});
+        parse_source(scene.lab.document->state().source).value_or(SourceSpec{});
     draw_choice(source, scene, edits);
-    const OpenSource open = open_source(scene.lab.work().media);
+    const OpenSource open = open_source(scene.lab.media);
     draw_named({.mark = "source_size",
                 .label = "Size",
                 .help = "Pixel size of the pattern, as consoles and computers sent it to a CRT.",
@@ -202,7 +202,7 @@ void draw_source(const Scene& scene, Edits& edits) {
                  "4:3 CRT."},
         source_shapes(source, open.extent), source, edits);
     draw_own_aspect(source, scene, edits);
-    const Source* read = scene.lab.work().media.source().get();
+    const Source* read = scene.lab.media.source().get();
     if (read && read->is_film())
         draw_film_settings(*read, source, scene, edits);
 }

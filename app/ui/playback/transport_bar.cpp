@@ -1,5 +1,6 @@
 #include "ui/playback/transport_bar.h"
 
+#include "lab/document/automation.h"
 #include "ui/frame/action.h"
 #include "ui/picture/flash_button.h"
 #include "ui/picture/picture_menus.h"
@@ -17,7 +18,7 @@
 
 namespace {
 void draw_buttons(const Scene& scene, Edits& edits) {
-    const bool is_playing = scene.lab.player().transport().is_playing();
+    const bool is_playing = scene.lab.player.transport().is_playing();
     if (icon_button("##restart", Icon::restart, scene.actions.help(ActionId::restart)))
         run(ActionId::restart, scene, edits);
     edits.mark("restart");
@@ -33,7 +34,7 @@ void draw_buttons(const Scene& scene, Edits& edits) {
 }
 
 void draw_speed(const Scene& scene, Edits& edits) {
-    double speed = scene.lab.player().transport().speed();
+    double speed = scene.lab.player.transport().speed();
     const SliderFacts facts{.low = 0.01,
                             .high = 4.0,
                             .is_logarithmic = true,
@@ -59,7 +60,7 @@ void draw_speed(const Scene& scene, Edits& edits) {
         }
     }
     if (turned.is_changed)
-        edits.add([speed](Lab& lab) { lab.player().set_speed(speed); });
+        edits.change([speed](Player& player) { player.set_speed(speed); });
 }
 
 std::string samples_text(const Samples& samples) {
@@ -79,20 +80,19 @@ std::string points_text(std::size_t count) {
 // In a narrow pane, the last facts are omitted.
 void draw_facts(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
-    const Transport& transport = scene.lab.player().transport();
-    const Renderer* renderer = scene.lab.renderer();
+    const Transport& transport = scene.lab.player.transport();
+    const Renderer* renderer = scene.lab.renderer;
     std::vector<std::string> facts{clock_text(transport.time())};
-    if (scene.lab.automation().recorder().is_running())
+    if (scene.lab.automation.recorder().is_running())
         facts.emplace_back("recording automation");
     if (renderer && renderer->replay().is_running())
         facts.push_back(
             fmt::format("replay {}/{}", renderer->replay().done(), renderer->replay().total()));
     else
         facts.push_back(fmt::format("frame {}", transport.frame_number()));
-    if (renderer && scene.lab.document() &&
-        scene.lab.document()->look().driven_by == Driver::signal)
+    if (renderer && scene.lab.document && scene.lab.document->look().driven_by == Driver::signal)
         facts.push_back(points_text(renderer->times().point_count()));
-    if (const auto samples = scene.lab.frames().samples())
+    if (const auto samples = scene.lab.frames.samples())
         facts.push_back(samples_text(*samples));
     const float gap = ImGui::GetFontSize();
     for (std::size_t i = 0; i < facts.size(); ++i) {

@@ -10,8 +10,8 @@
 #include <fmt/format.h>
 
 namespace {
-std::string problems_text(const Lab& lab) {
-    const std::size_t count = lab.messages().problems().size();
+std::string problems_text(const Messages& messages) {
+    const std::size_t count = messages.problems().size();
     return count == 0   ? "No problems"
            : count == 1 ? "1 problem"
                         : fmt::format("{} problems", count);
@@ -19,9 +19,9 @@ std::string problems_text(const Lab& lab) {
 
 std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_a_second();
-    if (scene.lab.renderer() && scene.lab.renderer()->replay().is_running())
+    if (scene.lab.renderer && scene.lab.renderer->replay().is_running())
         return "Replaying";
-    if (!scene.lab.player().transport().is_playing())
+    if (!scene.lab.player.transport().is_playing())
         return "Paused";
     if (pace <= 0.0)
         return "Idle";
@@ -40,7 +40,7 @@ std::string lag_text(const Player& player) {
 }
 
 void draw_lag(const Scene& scene, Edits& edits) {
-    const std::string text = lag_text(scene.lab.player());
+    const std::string text = lag_text(scene.lab.player);
     if (text.empty())
         return;
     ImGui::SameLine();
@@ -55,11 +55,11 @@ void draw_lag(const Scene& scene, Edits& edits) {
 
 // An unrequested suggestion, so it is only a short button.
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
-    const auto half = scene.lab.work().size.chosen().halved();
-    const Renderer* renderer = scene.lab.renderer();
+    const auto half = scene.lab.size.chosen().halved();
+    const Renderer* renderer = scene.lab.renderer;
     const double passes = renderer ? renderer->times().passes().present_total() : 0.0;
     const bool runs =
-        scene.lab.player().transport().is_playing() && !scene.lab.frames().has_converged();
+        scene.lab.player.transport().is_playing() && !scene.lab.frames.has_converged();
     const bool may_be_smaller = half && half->has_shape();
     if (!runs || !may_be_smaller || !scene.pace.is_slow_by_passes(passes))
         return;
@@ -67,7 +67,9 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
     {
         const ScopedColor color(ImGuiCol_Text, theme::accent);
         if (quiet_button("Halve render size"))
-            edits.add([half = *half](Lab& lab) { use_half_size(lab, half); });
+            edits.change([half = *half](RenderSize& size, Messages& messages) {
+                use_half_size(size, messages, half);
+            });
     }
     edits.mark("half_size");
     tooltip(
@@ -83,7 +85,7 @@ struct Cost {
 };
 
 Cost cost_of(const Scene& scene) {
-    const Renderer* renderer = scene.lab.renderer();
+    const Renderer* renderer = scene.lab.renderer;
     if (!renderer || renderer->executor().plan().targets.empty())
         return {pace_text(scene), {}, {}};
     const double all = renderer->times().passes().present_total();
@@ -128,12 +130,12 @@ std::string pointer_text(const Scene& scene) {
 void draw_status_bar(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
                                     ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
-    const bool has_problems = !scene.lab.messages().problems().empty();
+    const bool has_problems = !scene.lab.messages.problems().empty();
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x - 6.0f * scene.scale,
                          (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f});
     {
         const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
-        if (quiet_button(problems_text(scene.lab) + "##problems"))
+        if (quiet_button(problems_text(scene.lab.messages) + "##problems"))
             run(PanelId::problems, scene, edits);
         tooltip(scene.actions.help(PanelId::problems));
         edits.mark("status_problems");

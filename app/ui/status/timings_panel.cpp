@@ -81,7 +81,7 @@ float budget_width(double budget) {
 }
 
 void draw_budget_text(const Scene& scene, Edits& edits) {
-    const double present = scene.lab.renderer()->times().passes().present_total();
+    const double present = scene.lab.renderer->times().passes().present_total();
     double budget = scene.window.frame_rate.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
     ImGui::AlignTextToFramePadding();
@@ -98,8 +98,8 @@ void draw_budget_text(const Scene& scene, Edits& edits) {
 
 /// One line: the pass name, a plot of its latest frames, its time and its memory.
 void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
-    const Executor& executor = scene.lab.renderer()->executor();
-    const PassTimes& times = scene.lab.renderer()->times().passes();
+    const Executor& executor = scene.lab.renderer->executor();
+    const PassTimes& times = scene.lab.renderer->times().passes();
     const float width = ImGui::GetContentRegionAvail().x;
     const float memory_width = ImGui::CalcTextSize("0000.0 MiB").x;
     const float time_width = ImGui::CalcTextSize("000.00 ms").x;
@@ -121,14 +121,14 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     };
     const std::string name = cut_to_fit(executor.look().passes[pass].name, name_width);
     list.AddText({start.x, plot.low.y}, theme::packed(theme::label), name.c_str());
-    const double latest = scene.lab.renderer()->times().pass_milliseconds()[pass];
+    const double latest = scene.lab.renderer->times().pass_milliseconds()[pass];
     write(plot.low.x + room + gap + time_width, fmt::format("{:.2f} ms", latest), theme::text);
     const auto bytes = static_cast<double>(memory_of(executor.plan().targets[pass]));
     write(start.x + width, fmt::format("{:.1f} MiB", bytes / mebibyte), theme::dim);
 }
 
 void draw_passes(const Scene& scene) {
-    const Renderer& renderer = *scene.lab.renderer();
+    const Renderer& renderer = *scene.lab.renderer;
     const PassTimes& times = renderer.times().passes();
     const std::size_t count = std::min({times.passes(), renderer.executor().plan().targets.size(),
                                         renderer.times().pass_milliseconds().size()});
@@ -159,15 +159,14 @@ std::string wall_text(const Scene& scene) {
 }  // namespace
 
 bool is_over_budget(const Scene& scene) {
-    const Lab& lab = scene.lab;
-    return lab.renderer() && lab.player().transport().is_playing() &&
-           !lab.frames().has_converged() &&
-           lab.renderer()->times().passes().present_total() >
+    const LabParts& lab = scene.lab;
+    return lab.renderer && lab.player.transport().is_playing() && !lab.frames.has_converged() &&
+           lab.renderer->times().passes().present_total() >
                scene.window.frame_rate.budget_milliseconds;
 }
 
 void draw_timings_panel(const Scene& scene, Edits& edits) {
-    if (!scene.lab.renderer() || scene.lab.renderer()->executor().plan().targets.empty())
+    if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetFontSize();
@@ -180,11 +179,11 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     fitted_text(wall_text(scene), width, theme::dim);
     tooltip(fmt::format(
         "Time from frame to frame. The panels took {:.2f} ms of CPU time in the last one.",
-        scene.panel_milliseconds));
+        scene.frame.panel_milliseconds));
     ImGui::EndGroup();
     ImGui::SameLine(0.0f, gap);
     ImGui::BeginGroup();
-    draw_budget(scene.lab.renderer()->times().passes(), scene.window.frame_rate.budget_milliseconds,
+    draw_budget(scene.lab.renderer->times().passes(), scene.window.frame_rate.budget_milliseconds,
                 width, height, scene.scale);
     draw_budget_text(scene, edits);
     ImGui::EndGroup();

@@ -5,18 +5,8 @@
 #include <imgui/imgui.h>
 
 void run(const MenuCommands& commands, Edits& edits) {
-    struct Doing {
-        Edits& edits;
-        void operator()(const std::function<void(Document&)>& command) const {
-            edits.document(command);
-        }
-        void operator()(const std::function<void(Lab&)>& command) const { edits.add(command); }
-        void operator()(const std::function<void(WindowState&)>& command) const {
-            edits.arrange(command);
-        }
-    };
     for (const MenuCommand& command : commands)
-        std::visit(Doing{edits}, command);
+        edits.add(command);
 }
 
 void take(const MenuEntry& entry, const std::string& id, Edits& edits) {

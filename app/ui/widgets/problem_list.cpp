@@ -1,5 +1,6 @@
 #include "ui/widgets/problem_list.h"
 
+#include "lab/commands/look_commands.h"
 #include "lab/storage/display_name.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -30,7 +31,7 @@ void draw_location(const Diagnostic& diagnostic, const ImVec4& color, Edits& edi
     }
     if (ImGui::IsItemClicked()) {
         const Location place{diagnostic.file, diagnostic.line};
-        edits.add([place](Lab& lab) { lab.looks().open_in_editor(place); });
+        edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
     }
     editor_tooltip(diagnostic.file);
     ImGui::SameLine();
@@ -58,7 +59,7 @@ void draw_problem(const Problem& problem, const Fonts& fonts, Edits& edits) {
 }
 
 void draw_file_problems(const Scene& scene, Edits& edits) {
-    for (const Diagnostic& problem : scene.lab.work().media.problems()) {
+    for (const Diagnostic& problem : scene.lab.media.problems()) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s: %s", problem.file.filename().string().c_str(),
                            problem.message.c_str());
@@ -67,9 +68,9 @@ void draw_file_problems(const Scene& scene, Edits& edits) {
 }
 
 void draw_problems_panel(const Scene& scene, Edits& edits) {
-    if (scene.lab.messages().problems().empty())
+    if (scene.lab.messages.problems().empty())
         dim_text("No problems.");
-    for (const Problem& problem : scene.lab.messages().problems()) {
+    for (const Problem& problem : scene.lab.messages.problems()) {
         draw_problem(problem, scene.fonts, edits);
         ImGui::Spacing();
     }

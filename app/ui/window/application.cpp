@@ -141,7 +141,7 @@ void Application::follow_output() {
         m_lab.messages().say(std::move(problem), true);
     m_state.views.sizes.output = output.extent();
     if (!was_open && output.is_open())
-        offer_display_size(m_lab, output.extent());
+        offer_display_size(m_lab.work().size, m_lab.messages(), output.extent());
 }
 
 void Application::update_lab(double wall_seconds) {
@@ -162,7 +162,7 @@ void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
     for (const std::filesystem::path& file : m_lab.work().opened_files.take())
         note_use(m_state.recent.files, std::filesystem::absolute(file).lexically_normal().string());
-    note_first_steps(m_lab, m_state);
+    note_first_steps(m_lab.document(), m_state);
     if (edits.has_verbs() || m_panels.toolkit().has_input())  // displayed one frame later
         m_schedule.stay_awake();
     if (edits.has_verbs())
@@ -174,7 +174,7 @@ void Application::apply(const Edits& edits) {
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());
     offer_move();
     m_desktop.note_geometry(m_state.geometry);
-    m_desktop.set_title(title_of(m_lab));
+    m_desktop.set_title(title_of(m_lab.document()));
 }
 
 void Application::offer_move() {

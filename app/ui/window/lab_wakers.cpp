@@ -1,6 +1,7 @@
 #include "ui/window/lab_wakers.h"
 
 #include "gpu/window_events.h"
+#include "lab/lab.h"
 
 LabWakers::LabWakers(Lab& lab)
     : m_files(lab.loader().files().descriptor(), gpu::WindowEvents::wake),

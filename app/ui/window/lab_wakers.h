@@ -1,7 +1,11 @@
 #pragma once
 
-#include "lab/lab.h"
 #include "lab/storage/event_waker.h"
+
+#include <optional>
+
+class Lab;
+class OscControl;
 
 /// Wakes the window when a watched file changes, or a MIDI or OSC message arrives.
 class LabWakers {

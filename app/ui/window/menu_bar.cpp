@@ -69,7 +69,7 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
 }
 
 void draw_title(const Scene& scene) {
-    const std::string title = title_of(scene.lab);
+    const std::string title = title_of(scene.lab.document);
     const float width = ImGui::CalcTextSize(title.c_str()).x;
     const float left = ImGui::GetWindowWidth() - width - ImGui::GetStyle().WindowPadding.x;
     if (left < ImGui::GetCursorPosX())
@@ -79,8 +79,7 @@ void draw_title(const Scene& scene) {
 }
 }  // namespace
 
-std::string title_of(const Lab& lab) {
-    const Document* document = lab.document();
+std::string title_of(const Document* document) {
     if (!document)
         return {};
     std::string title = document->look().name;

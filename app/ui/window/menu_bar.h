@@ -7,4 +7,4 @@
 void draw_menu_bar(const Scene& scene, Edits& edits);
 
 /// "Phosphor – amber •": the look, its preset, and a mark for unsaved changes.
-std::string title_of(const Lab& lab);
+std::string title_of(const Document* document);

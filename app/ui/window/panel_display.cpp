@@ -53,22 +53,24 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
     m_toolkit.also_take(m_output.take_keys());
     m_toolkit.begin(static_cast<float>(state.geometry.scale));
     Edits edits;
-    const Scene scene{lab,
-                      state,
-                      m_views,
-                      m_pictures,
-                      m_library,
-                      m_pace,
-                      m_output.monitor(),
-                      m_output.covers_panels(),
-                      m_toolkit.fonts(),
-                      m_actions,
-                      frame_number,
-                      m_toolkit.is_behind(),
-                      m_toolkit.scale(),
-                      m_toolkit.density(),
-                      m_toolkit.pointer_path(),
-                      m_toolkit.panel_milliseconds()};
+    const LabParts parts = parts_of(lab);
+    const Scene scene{.lab = parts,
+                      .window = state,
+                      .views = m_views,
+                      .pictures = m_pictures,
+                      .library_view = m_library,
+                      .roots = lab.work().library.roots(),
+                      .pace = m_pace,
+                      .actions = m_actions,
+                      .fonts = m_toolkit.fonts(),
+                      .frame = {.number = frame_number,
+                                .is_behind = m_toolkit.is_behind(),
+                                .pointer_path = m_toolkit.pointer_path(),
+                                .panel_milliseconds = m_toolkit.panel_milliseconds()},
+                      .output_monitor = m_output.monitor(),
+                      .is_behind_output = m_output.covers_panels(),
+                      .scale = m_toolkit.scale(),
+                      .density = m_toolkit.density()};
     edits.arrange([](WindowState& changed) {  // panels set them again
         changed.probes.pointer.reset();
         changed.probes.scan_place.reset();

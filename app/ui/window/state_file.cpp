@@ -1,11 +1,14 @@
 #include "ui/window/state_file.h"
 
 #include "base/text.h"
+#include "lab/commands/preset_commands.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/morphing.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/previews/previews.h"
+#include "lab/reload/look_loader.h"
+#include "lab/remote/remote_control.h"
 #include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
@@ -41,14 +44,14 @@ std::string values_text(const Document& document) {
 }
 
 // The first component of each modulated parameter, as drawn.
-std::string moving_text(const Lab& lab) {
+std::string moving_text(const LabParts& lab) {
     std::vector<std::string> moving;
-    for (const Parameter& parameter : lab.document()->look().parameters)
-        if (modulation_of(*lab.document(), parameter) && lab.renderer())
+    for (const Parameter& parameter : lab.document->look().parameters)
+        if (modulation_of(*lab.document, parameter) && lab.renderer)
             moving.push_back(fmt::format(
                 "{}:{}", json_string(parameter.name),
                 format_number(
-                    value_of(parameter, lab.renderer()->executor().graph().values()).number())));
+                    value_of(parameter, lab.renderer->executor().graph().values()).number())));
     return fmt::format("{{{}}}", fmt::join(moving, ","));
 }
 
@@ -60,9 +63,9 @@ std::string marked_text(const ParameterSettings& settings, bool ParameterSetting
     return fmt::format("[{}]", fmt::join(names, ","));
 }
 
-std::string problems_json(const Lab& lab) {
+std::string problems_json(const Messages& messages) {
     std::vector<std::string> problems;
-    for (const Problem& problem : lab.messages().problems())
+    for (const Problem& problem : messages.problems())
         problems.push_back(
             fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
                         json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
@@ -119,7 +122,7 @@ std::string texels_text(const Scene& scene) {
 std::string pins_text(const Scene& scene) {
     std::vector<std::string> pins;
     const std::size_t passes =
-        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+        scene.lab.renderer ? scene.lab.renderer->executor().look().passes.size() : 0;
     for (std::size_t pin = 0; pin < scene.window.probes.pins.size(); ++pin) {
         std::vector<std::string> values;
         for (std::size_t pass = 0; pass < passes; ++pass) {
@@ -135,7 +138,7 @@ std::string pins_text(const Scene& scene) {
 std::string gains_text(const Scene& scene) {
     std::vector<std::string> gains;
     const std::size_t passes =
-        scene.lab.renderer() ? scene.lab.renderer()->executor().look().passes.size() : 0;
+        scene.lab.renderer ? scene.lab.renderer->executor().look().passes.size() : 0;
     for (std::size_t pass = 0; pass < passes; ++pass) {
         const Gain* gain = scene.views.strip().gain(pass);
         gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
@@ -146,29 +149,29 @@ std::string gains_text(const Scene& scene) {
 // The mode, reference and results of the comparison.
 std::string comparison_text(const Scene& scene) {
     static constexpr std::array modes{"off", "wipe", "side by side", "difference"};
-    const Lab& lab = scene.lab;
+    const LabParts& lab = scene.lab;
     std::vector<std::string> slots;
-    for (std::size_t i = 0; i < lab.frames().comparison().slots().size(); ++i)
-        slots.push_back(lab.frames().comparison().slots()[i]
-                            ? fmt::format("{}", lab.frames().comparison().is_in_slot(i))
+    for (std::size_t i = 0; i < lab.frames.comparison().slots().size(); ++i)
+        slots.push_back(lab.frames.comparison().slots()[i]
+                            ? fmt::format("{}", lab.frames.comparison().is_in_slot(i))
                             : "null");
     const auto& compared = scene.views.main().compared();
-    const auto sides = lab.frames().comparison().sides();
+    const auto sides = lab.frames.comparison().sides();
     return fmt::format(
         R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
-        json_string(modes[static_cast<std::size_t>(lab.frames().comparison().mode())]),
+        json_string(modes[static_cast<std::size_t>(lab.frames.comparison().mode())]),
         json_string(sides ? sides->other : std::string()),
-        lab.frames().comparison().selection().is_flashing(),
+        lab.frames.comparison().selection().is_flashing(),
         compared.stops() ? fmt::format("{:.4f}", *compared.stops()) : "null",
         compared.distances() ? fmt::format("\"{}\"", compared.distances()->mean) : "null",
-        lab.frames().comparison().selection().chosen().gain_stops,
-        static_cast<int>(lab.frames().comparison().selection().chosen().measure),
+        lab.frames.comparison().selection().chosen().gain_stops,
+        static_cast<int>(lab.frames.comparison().selection().chosen().measure),
         fmt::join(slots, ","));
 }
 
 // The non-finite pixel that stopped the clock.
-std::string non_finite_text(const Lab& lab) {
-    const auto& trip = lab.frames().nan_guard().found();
+std::string non_finite_text(const NanGuard& guard) {
+    const auto& trip = guard.found();
     return trip ? fmt::format(R"(,"trip":[{},{},{},{}])", trip->pass, trip->x, trip->y, trip->frame)
                 : R"(,"trip":null)";
 }
@@ -180,8 +183,7 @@ std::string flashes_text(const Scene& scene) {
                        scene.window.flashes.limit.is_on);
 }
 
-std::string switches_text(const Lab& lab) {
-    const PassSwitches& switches = lab.frames().passes().switches();
+std::string switches_text(const PassSwitches& switches) {
     std::vector<std::string> bypassed;
     for (const std::string& name : switches.bypassed)
         bypassed.push_back(json_string(name));
@@ -195,35 +197,35 @@ std::string switches_text(const Lab& lab) {
 
 // The effect of a step on each pass (null: still pending), and the progress of sheet and morph.
 std::string tryouts_text(const Scene& scene) {
-    const Lab& lab = scene.lab;
-    const StepProbe& probe = lab.frames().previews().probe();
-    const VariantSheet& sheet = lab.frames().previews().sheet();
+    const LabParts& lab = scene.lab;
+    const StepProbe& probe = lab.frames.previews().probe();
+    const VariantSheet& sheet = lab.frames.previews().sheet();
     std::vector<std::string> changes;
     for (const auto& change : probe.changes())
         changes.push_back(change ? fmt::format("\"{}\"", change_share(*change)) : "null");
-    const auto present = lab.document() ? sheet.present(*lab.document()) : std::nullopt;
+    const auto present = lab.document ? sheet.present(*lab.document) : std::nullopt;
     return fmt::format(
         R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
         json_string(scene.window.parameters.pointed ? scene.window.parameters.pointed->parameter
                                                     : std::string()),
         json_string(probe.text()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
         sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
-        lab.presets().navigation().morphing()
-            ? fmt::format("{:.3f}", lab.presets().navigation().morphing()->share())
+        lab.presets.navigation().morphing()
+            ? fmt::format("{:.3f}", lab.presets.navigation().morphing()->share())
             : "null");
 }
 
 // The listed presets, the number with pictures, the errors and the filter.
 std::string presets_text(const Scene& scene) {
-    const Lab& lab = scene.lab;
-    if (!lab.document())
+    const LabParts& lab = scene.lab;
+    if (!lab.document)
         return {};
     std::vector<std::string> names;
     std::vector<std::string> problems;
     int pictures = 0;
     for (const ListedPreset& preset :
-         listed_presets(*lab.document(), scene.library_view.looks(),
-                        lab.presets().navigation().stars(), scene.window.presets)) {
+         listed_presets(*lab.document, scene.library_view.looks(), lab.presets.navigation().stars(),
+                        scene.window.presets)) {
         const auto shown = scene.pictures.presets.of(preset.preset.entry.file);
         names.push_back(json_string(preset.preset.entry.id));
         pictures += shown.image.handle != 0 ? 1 : 0;
@@ -236,13 +238,13 @@ std::string presets_text(const Scene& scene) {
         scene.window.presets.only_starred);
 }
 
-std::string undo_name(const Lab& lab) {
-    const std::string removal = lab.presets().undo_name();
-    return removal.empty() ? lab.document()->history().undo_name() : removal;
+std::string undo_name(const LabParts& lab) {
+    const std::string removal = lab.presets.undo_name();
+    return removal.empty() ? lab.document->history().undo_name() : removal;
 }
 
-std::string document_text(const Lab& lab) {
-    const Document& document = *lab.document();
+std::string document_text(const LabParts& lab) {
+    const Document& document = *lab.document;
     return fmt::format(
         R"("look":{},"bypass":{},"preset":{},"is_modified":{},"undo":{},"redo":{},"signal":{},"driving_source":{},"is_content_locked":{},"values":{},"favourites":{},"locked":{},"moving":{},)",
         json_string(document.look().id),
@@ -257,37 +259,38 @@ std::string document_text(const Lab& lab) {
 }  // namespace
 
 std::string state_text(const Scene& scene, const Edits& edits) {
-    const Lab& lab = scene.lab;
-    const Transport& transport = lab.player().transport();
-    const Extent picture = lab.work().size.extent();
+    const LabParts& lab = scene.lab;
+    const Transport& transport = lab.player.transport();
+    const Extent picture = lab.size.extent();
     return fmt::format(
         R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
-        lab.document() ? document_text(lab) : std::string(), scene.frame_number,
-        scene.panel_milliseconds, scene.is_behind, lab.loader().is_loading(),
-        json_string(lab.loader().opening() ? to_string(lab.loader().opening()->progress)
-                                           : std::string()),
-        json_string(lab.work().media.loading()), transport.is_playing(),
-        lab.renderer() && lab.renderer()->has_drawn(), transport.frame_number(),
-        lab.frames().samples().value_or(Samples{}).held, lab.remote().osc().port(),
-        lab.remote().midi().is_listening(),
-        json_string(lab.remote().midi().learning() ? lab.remote().midi().learning()->parameter
-                                                   : std::string()),
-        lab.remote().settings().midi.size(), lab.frames().has_converged(), transport.time(),
-        transport.shown_share(), picture.width, picture.height,
-        lab.work().size.chosen().fixed.width, lab.work().size.chosen().fixed.height,
-        json_string(lab.messages().notice() ? lab.messages().notice()->text : std::string()),
+        lab.document ? document_text(lab) : std::string(), scene.frame.number,
+        scene.frame.panel_milliseconds, scene.frame.is_behind, lab.loader.is_loading(),
+        json_string(lab.loader.opening() ? to_string(lab.loader.opening()->progress)
+                                         : std::string()),
+        json_string(lab.media.loading()), transport.is_playing(),
+        lab.renderer && lab.renderer->has_drawn(), transport.frame_number(),
+        lab.frames.samples().value_or(Samples{}).held, lab.remote.osc().port(),
+        lab.remote.midi().is_listening(),
+        json_string(lab.remote.midi().learning() ? lab.remote.midi().learning()->parameter
+                                                 : std::string()),
+        lab.remote.settings().midi.size(), lab.frames.has_converged(), transport.time(),
+        transport.shown_share(), picture.width, picture.height, lab.size.chosen().fixed.width,
+        lab.size.chosen().fixed.height,
+        json_string(lab.messages.notice() ? lab.messages.notice()->text : std::string()),
         static_cast<int>(scene.window.dialog.kind), json_string(scene.window.views.inspected.pass),
         static_cast<int>(scene.window.views.inspected.channels),
-        lab.frames().comparison().mode() == CompareMode::wipe
+        lab.frames.comparison().mode() == CompareMode::wipe
             ? fmt::format("{:.3f}", scene.window.views.wipe_share)
             : "null",
         json_string(!scene.window.output.is_open   ? "off"
                     : scene.window.output.is_black ? "black"
                                                    : "on"),
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
-            gains_text(scene) + comparison_text(scene) + non_finite_text(lab) +
-            flashes_text(scene) + switches_text(lab) + tryouts_text(scene) + presets_text(scene),
-        problems_json(lab), widget_rects_text(edits));
+            gains_text(scene) + comparison_text(scene) + non_finite_text(lab.frames.nan_guard()) +
+            flashes_text(scene) + switches_text(lab.frames.passes().switches()) +
+            tryouts_text(scene) + presets_text(scene),
+        problems_json(lab.messages), widget_rects_text(edits));
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {

@@ -107,7 +107,7 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     REQUIRE(small.lab().messages().notice()->buttons.size() == 1);
     CHECK(small.lab().messages().notice()->buttons.front().name == "Undo");
 
-    small.lab().undo();
+    small.lab().presets().undo();
     CHECK(read_text(file) == text);
     CHECK(preset_file(small.document()) == file);
     CHECK_FALSE(is_modified(small.document()));
@@ -126,7 +126,7 @@ TEST_CASE("a preset that is deleted while it opens does not open") {
     CHECK_FALSE(small.lab().loader().is_opening_preset(file));
     CHECK(small.lab().messages().notice()->text == "Deleted \"Mine\"");
     CHECK(preset_file(small.document()) == small.shipped_file());
-    small.lab().undo();
+    small.lab().presets().undo();
     CHECK(fs::exists(file));
 }
 
@@ -136,10 +136,10 @@ TEST_CASE("newer steps are undone before a deletion") {
     small.presets().remove(small.users_file("Mine"));
     small.turn_gain(5.0);
     CHECK(small.presets().undo_name().empty());
-    small.lab().undo();
+    small.lab().presets().undo();
     CHECK(small.document().values() == Values{{"gain", Value(2.0)}});
     CHECK_FALSE(fs::exists(small.users_file("Mine")));
-    small.lab().undo();
+    small.lab().presets().undo();
     CHECK(fs::exists(small.users_file("Mine")));
 }
 

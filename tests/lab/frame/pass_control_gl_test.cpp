@@ -118,7 +118,12 @@ TEST_CASE("the history of one pass or all can be cleared, also in a static pictu
 TEST_CASE("a probed pixel is in texels of the displayed pass") {
     SmallLab small(replaced(small_look::manifest, R"("format": "rgba32f", "inputs": { "previous")",
                             R"("format": "rgba32f", "scale": 0.5, "inputs": { "previous")"));
-    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"show", 5, 6, false, {8, 8}});
+    const auto probe = [&] {
+        return picture_probe(small.lab().renderer()->executor(),
+                             small.lab().frames().passes().picture_pass(),
+                             small.lab().work().size.extent(), {5.5, 6.9});
+    };
+    CHECK(probe() == Probe{"show", 5, 6, false, {8, 8}});
     small.lab().frames().passes().toggle(PassSwitch::solo, "sum");
-    CHECK(picture_probe(small.lab(), {5.5, 6.9}) == Probe{"sum", 2, 3, false, {4, 4}});
+    CHECK(probe() == Probe{"sum", 2, 3, false, {4, 4}});
 }

@@ -11,8 +11,12 @@ PassView view_of(const char* pass) {
     return view;
 }
 
+void save(SmallLab& small, const PassView& view, const char* name) {
+    save_target(*small.lab().renderer(), view, small.folder() / name, small.lab().messages());
+}
+
 Picture saved(SmallLab& small, const PassView& view, const char* name) {
-    save_target(small.lab(), view, small.folder() / name);
+    save(small, view, name);
     const auto picture = load_picture(small.folder() / name);
     REQUIRE(picture.has_value());
     return *picture;
@@ -41,8 +45,8 @@ TEST_CASE("a pass is saved with its values as EXR, and as displayed as PNG") {
 
 TEST_CASE("a failed save is reported, and a name without an extension becomes an EXR") {
     SmallLab small;
-    save_target(small.lab(), view_of("show"), small.folder() / "show.bmp");
+    save(small, view_of("show"), "show.bmp");
     CHECK(small.lab().messages().notice()->is_problem);
-    save_target(small.lab(), view_of("show"), small.folder() / "show");
+    save(small, view_of("show"), "show");
     CHECK(std::filesystem::exists(small.folder() / "show.exr"));
 }

@@ -1,0 +1,44 @@
+#include "lab/lab_parts.h"
+
+#include "lab/lab.h"
+
+LabParts parts_of(const Lab& lab) {
+    return {.document = lab.document(),
+            .renderer = lab.renderer(),
+            .player = lab.player(),
+            .audio = lab.audio(),
+            .messages = lab.messages(),
+            .media = lab.work().media,
+            .size = lab.work().size,
+            .frames = lab.frames(),
+            .loader = lab.loader(),
+            .looks = lab.looks(),
+            .presets = lab.presets(),
+            .remote = lab.remote(),
+            .drawing = lab.drawing(),
+            .automation = lab.automation(),
+            .jobs = lab.jobs()};
+}
+
+MutableParts mutable_parts(Lab& lab) {
+    Workspace& work = lab.work();
+    return {&lab.audio(),
+            &lab.automation(),
+            &lab.jobs(),
+            &lab.frames().comparison(),
+            &lab.content(),
+            work.document ? &*work.document : nullptr,
+            &lab.drawing(),
+            &lab.frames(),
+            &lab.looks(),
+            &work.media,
+            &work.messages,
+            &lab.parameters(),
+            &lab.frames().passes(),
+            &work.player,
+            &lab.presets(),
+            &lab.frames().previews(),
+            &lab.remote(),
+            &work.size,
+            work.renderer.get()};
+}
