@@ -8,16 +8,17 @@ MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size) {
     if (passed_input(pass))
         section.entries.push_back(
             {.name = fmt::format("Bypass {}", pass.name),
-             .commands = {[name = pass.name](Lab& lab) {
-                 lab.frames().passes().toggle(PassSwitch::bypass, name);
-                 lab.messages().say(fmt::format(
+             .commands = {[name = pass.name](PassControl& passes, Messages& messages) {
+                 passes.toggle(PassSwitch::bypass, name);
+                 messages.say(fmt::format(
                      "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
              }}});
     if (const auto half = size.halved())
         section.entries.push_back(
-            {.name = "Halve render size", .commands = {[half = *half](Lab& lab) {
-                                              use_half_size(lab.work().size, lab.messages(), half);
-                                          }}});
+            {.name = "Halve render size",
+             .commands = {[half = *half](RenderSize& size, Messages& messages) {
+                 use_half_size(size, messages, half);
+             }}});
     return section;
 }
 

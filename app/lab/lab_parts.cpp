@@ -20,7 +20,7 @@ LabParts parts_of(const Lab& lab) {
             .jobs = lab.jobs()};
 }
 
-MutableParts mutable_parts(Lab& lab) {
+MutableParts mutable_parts(Lab& lab, WindowState* window) {
     Workspace& work = lab.work();
     return {&lab.audio(),
             &lab.automation(),
@@ -30,6 +30,7 @@ MutableParts mutable_parts(Lab& lab) {
             work.document ? &*work.document : nullptr,
             &lab.drawing(),
             &lab.frames(),
+            &lab,
             &lab.looks(),
             &work.media,
             &work.messages,
@@ -40,5 +41,6 @@ MutableParts mutable_parts(Lab& lab) {
             &lab.frames().previews(),
             &lab.remote(),
             &work.size,
-            work.renderer.get()};
+            work.renderer.get(),
+            window};
 }

@@ -1,28 +1,8 @@
 #pragma once
 
-#include <tuple>
+#include "lab/messages/edit.h"
 
-class AudioControl;
-class Automation;
-class BackgroundJobs;
-class ComparisonView;
-class ContentCommands;
-class Document;
-class DrawingTool;
-class FrameLoop;
-class Lab;
-class LookCommands;
 class LookLoader;
-class MediaInput;
-class Messages;
-class ParameterSettingsStore;
-class PassControl;
-class Player;
-class PresetCommands;
-class Previews;
-class RemoteControl;
-class RenderSize;
-class Renderer;
 
 /// The parts of the lab, to read.
 struct LabParts {
@@ -44,10 +24,5 @@ struct LabParts {
 };
 LabParts parts_of(const Lab& lab);
 
-/// Pointers to the parts of the lab to change; null: as in LabParts.
-using MutableParts =
-    std::tuple<AudioControl*, Automation*, BackgroundJobs*, ComparisonView*, ContentCommands*,
-               Document*, DrawingTool*, FrameLoop*, LookCommands*, MediaInput*, Messages*,
-               ParameterSettingsStore*, PassControl*, Player*, PresetCommands*, Previews*,
-               RemoteControl*, RenderSize*, Renderer*>;
-MutableParts mutable_parts(Lab& lab);
+/// All parts; `window`: see WindowState.
+MutableParts mutable_parts(Lab& lab, WindowState* window);

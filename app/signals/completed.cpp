@@ -80,7 +80,7 @@ Spec::Setting initial_of(const SettingFacts& facts) {
     return facts.initial_word;
 }
 
-// AutomationPoints the bare first word to the key that it stands for.
+// Moves the bare first word to the key that it stands for.
 Result<Spec> with_bare_word_named(const SignalKind& kind, Spec spec) {
     const auto bare = spec.settings.find("");
     if (bare == spec.settings.end())

@@ -108,7 +108,7 @@ TEST_CASE("the output window offers its display's size if the fixed render size 
     CHECK(small.lab().messages().notice()->text ==
           "The render size is 8 × 8 px, the display 40 × 20 px");
     const MenuEntry match = small.lab().messages().notice()->buttons.front();
-    std::get<std::function<void(Lab&)>>(match.commands.front())(small.lab());
+    match.commands.front()(mutable_parts(small.lab(), nullptr));
     CHECK(small.lab().work().size.extent() == Extent{40, 20});
     SmallLab following;
     following.lab().work().size.choose(PictureSize{true, {}, 1.0});

@@ -44,7 +44,7 @@ public:
     /// pictures are kept, it is first swapped with the oldest.
     void release(bool is_drawn);
 
-    /// AutomationPoints the newest pictures of a target of the same size and format here.
+    /// Moves the newest pictures of a target of the same size and format here.
     void adopt(Target&& old);
 
     /// Copies the newest pictures of a target of the same format, stretched to this size.

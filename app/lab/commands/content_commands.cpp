@@ -123,7 +123,7 @@ void ContentCommands::take_content() {
 }
 
 void ContentCommands::offer_outside(const OutsideContent& content) {
-    const auto use = [this, content](Lab&) {
+    const auto use = [this, content] {
         m_work.messages.dismiss();
         if (!m_work.document)
             return;

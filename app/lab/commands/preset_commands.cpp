@@ -84,9 +84,7 @@ void PresetCommands::replace(const std::string& name) {
 
 void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     Document& document = *m_work.document;
-    const RecentMedia& recent = m_work.media.recent();
-    remember_files(document, recent);
-    Preset preset = with_portable_media(preset_of(document), media_folder(file), recent);
+    Preset preset = portable_preset_of(document, file, m_work.media.recent());
     preset.name = name;
     if (!m_work.messages.succeeded(::save_preset(file, preset, &document.look())))
         return;
@@ -236,7 +234,7 @@ void PresetCommands::offer_move() {
     m_work.messages.offer(
         count == 1 ? "1 of your presets is in the program folder"
                    : fmt::format("{} of your presets are in the program folder", count),
-        {.name = "Move to my presets", .commands = {[this](Lab&) { move_to_user_folder(); }}});
+        {.name = "Move to my presets", .commands = {[this] { move_to_user_folder(); }}});
 }
 
 void PresetCommands::move_to_user_folder() {

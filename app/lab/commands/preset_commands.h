@@ -44,7 +44,7 @@ public:
     void rename(const std::filesystem::path& file, const std::string& name);
     /// Unsaved changes of the open preset continue as changes of the copy.
     void duplicate(const std::filesystem::path& file);
-    /// AutomationPoints it to the desktop's trash; undo() restores it.
+    /// Moves it to the desktop's trash; undo() restores it.
     void remove(const std::filesystem::path& file);
     /// Shows it in the desktop's file manager.
     void show_in_folder(const std::filesystem::path& file);

@@ -75,10 +75,7 @@ void PresetSharing::file_changed(const fs::path& file) {
     if (!m_work.messages.succeeded(preset))
         return;
     m_work.messages.withdraw(file.string());
-    const fs::path folder = media_folder(file);
-    remember_files(*m_work.document, m_work.media.recent());
-    const Preset present =
-        with_portable_media(preset_of(*m_work.document), folder, m_work.media.recent());
+    const Preset present = portable_preset_of(*m_work.document, file, m_work.media.recent());
     if (is_written_alike(*preset, present, m_work.document->look()))
         return;
     if (is_modified(*m_work.document)) {
@@ -87,8 +84,8 @@ void PresetSharing::file_changed(const fs::path& file) {
                             true);
         return;
     }
-    const CheckedPreset checked =
-        with_checked_media(*preset, m_work.document->look(), folder, m_work.media.recent());
+    const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
+                                                     media_folder(file), m_work.media.recent());
     apply_preset(*m_work.document, checked.preset, "Preset changed on disk");
     DocumentState saved = m_work.document->state();
     saved.signal = checked.preset.signal.value_or(saved.signal);

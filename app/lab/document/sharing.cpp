@@ -30,6 +30,11 @@ Preset portable(Preset preset, const Document& document, const fs::path& folder,
 }
 }  // namespace
 
+Preset portable_preset_of(const Document& document, const fs::path& file,
+                          const RecentMedia& recent) {
+    return portable(preset_of(document), document, media_folder(file), recent);
+}
+
 std::string share_line_of(const Document& document, const RecentMedia& recent) {
     return share_line(portable(complete_preset_of(document), document, {}, recent),
                       &document.look());
@@ -39,7 +44,7 @@ Result<void> write_preset(const Document& document, const std::string& name, con
                           const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".json")
         return fail({file, 0, "preset files must end in .json"});
-    Preset preset = portable(preset_of(document), document, media_folder(file), recent);
+    Preset preset = portable_preset_of(document, file, recent);
     if (!name.empty())
         preset.name = name;
     if (preset.name.empty())

@@ -11,6 +11,11 @@
 /// names them only by file name, like sounds and pictures. The list finds them again.
 void remember_files(const Document& document, const RecentMedia& recent);
 
+/// The document's values that differ from the defaults, as a preset for `file`. It names the user's
+/// sound or picture relative to the folder of `file`, with a digest.
+Preset portable_preset_of(const Document& document, const std::filesystem::path& file,
+                          const RecentMedia& recent);
+
 // Shared presets name the user's files only by file name and digest, without folders.
 
 /// The document as one line of text with all values.

@@ -20,7 +20,7 @@ std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPositi
 std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& place,
                                     double reach);
 
-/// AutomationPoints the point or stroke by an offset.
+/// Moves the point or stroke by an offset.
 Keyframe with_moved(Keyframe strokes, const StrokeGrip& grip, const BeamPosition& by);
 
 /// Deletes a point. A stroke with fewer than two remaining points is deleted. A closed stroke with

@@ -51,7 +51,7 @@ public:
     bool is_shipped(const std::filesystem::path& file) const;
     /// The user's presets in the program's folder, where older versions stored them.
     std::vector<PresetEntry> presets_in_program_folder() const;
-    /// AutomationPoints a preset to the user's folder under a free name. Returns the new file.
+    /// Moves a preset to the user's folder under a free name. Returns the new file.
     Result<std::filesystem::path> move_to_user_folder(const PresetEntry& preset) const;
 
     /// The file in the user's folder for a new preset with this name. The name may contain only

@@ -38,7 +38,7 @@ std::string file_named_by(const Preset& preset) {
     return !source || source->is_pattern() ? std::string() : source->picture;
 }
 
-// AutomationPoints the signal or source to `outside` if it needs the user's consent.
+// Moves the signal or source to `outside` if it needs the user's consent.
 void separate_drive(Preset& preset, const fs::path& folder, const RecentMedia& recent,
                     OutsideContent& outside) {
     const std::string socket =

@@ -1,14 +1,14 @@
 #include "lab/menus/device_menu.h"
 
-#include "lab/lab.h"
+#include "lab/lab_parts.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace {
-MenuCommand set_sound(const SoundSettings& settings) {
-    return [settings](Lab& lab) { lab.audio().set_settings(settings); };
+Edit set_sound(const SoundSettings& settings) {
+    return [settings](AudioControl& audio) { audio.set_settings(settings); };
 }
 
 MenuEntry sound_entry(std::string name, const SoundSettings& next, bool is_present) {
@@ -16,13 +16,14 @@ MenuEntry sound_entry(std::string name, const SoundSettings& next, bool is_prese
 }
 
 MenuEntry sound_number(const char* name, const char* unit, double present, Limit limit,
-                       const std::function<MenuCommand(double)>& command) {
+                       const std::function<Edit(double)>& command) {
     return {.name = name,
-            .number = AskedNumber{
-                .present = present,
-                .unit = unit,
-                .limit = limit,
-                .answer = [command](double typed) -> MenuCommands { return {command(typed)}; }}};
+            .number = AskedNumber{.present = present,
+                                  .unit = unit,
+                                  .limit = limit,
+                                  .answer = [command](double typed) -> std::vector<Edit> {
+                                      return {command(typed)};
+                                  }}};
 }
 
 void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, const char* words,
@@ -73,20 +74,20 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<MenuEntry>& entries)
     if (facts.sound_seconds <= 0.0)
         return;
     entries.push_back(sound_number("Volume…", "×", facts.level, {0.0, 2.0}, [](double typed) {
-        return MenuCommand([typed](Lab& lab) { lab.player().set_level(typed); });
+        return Edit([typed](Player& player) { player.set_level(typed); });
     }));
     entries.push_back(sound_number(
         "Go to…", "s", facts.place, {0.0, facts.sound_seconds},
-        [](double typed) { return MenuCommand([typed](Lab& lab) { lab.player().seek(typed); }); }));
+        [](double typed) { return Edit([typed](Player& player) { player.seek(typed); }); }));
 }
 
-MenuCommand change_remote(const std::function<void(RemoteSettings&)>& change) {
-    return [change](Lab& lab) {
-        RemoteSettings settings = lab.remote().settings();
-        settings.listens_to_osc = lab.remote().osc().is_listening();
-        settings.listens_to_midi = lab.remote().midi().is_listening();
+Edit change_remote(const std::function<void(RemoteSettings&)>& change) {
+    return [change](RemoteControl& remote) {
+        RemoteSettings settings = remote.settings();
+        settings.listens_to_osc = remote.osc().is_listening();
+        settings.listens_to_midi = remote.midi().is_listening();
         change(settings);
-        lab.remote().set_settings(settings);
+        remote.set_settings(settings);
     };
 }
 }  // namespace
@@ -97,8 +98,8 @@ MenuSection sound_section(const SoundFacts& facts) {
     beam.plays_beam = !beam.plays_beam;
     section.entries.push_back(
         sound_entry("Send beam to audio output", beam, facts.settings.plays_beam));
-    section.entries.push_back(
-        {.name = "Rescan devices", .commands = {[](Lab& lab) { lab.audio().find_devices(); }}});
+    section.entries.push_back({.name = "Rescan devices",
+                               .commands = {[](AudioControl& audio) { audio.find_devices(); }}});
     add_devices(facts, &SoundSettings::output, "Output", section.entries);
     add_devices(facts, &SoundSettings::input, "Input", section.entries);
     add_sizes(facts.settings, section.entries);
@@ -120,14 +121,15 @@ MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool 
           [next = !hears_midi](RemoteSettings& changed) { changed.listens_to_midi = next; });
     offer("Soft takeover", settings.picks_up,
           [](RemoteSettings& changed) { changed.picks_up = !changed.picks_up; });
-    section.entries.push_back({.name = "Rescan MIDI devices",
-                               .commands = {[](Lab& lab) { lab.remote().find_midi_devices(); }}});
+    section.entries.push_back(
+        {.name = "Rescan MIDI devices",
+         .commands = {[](RemoteControl& remote) { remote.find_midi_devices(); }}});
     section.entries.push_back(
         {.name = "OSC port…",
          .number = AskedNumber{.present = static_cast<double>(settings.osc_port),
                                .limit = {1.0, 65535.0},
                                .is_whole = true,
-                               .answer = [](double typed) -> MenuCommands {
+                               .answer = [](double typed) -> std::vector<Edit> {
                                    return {change_remote([typed](RemoteSettings& changed) {
                                        changed.osc_port = static_cast<int>(std::lround(typed));
                                    })};

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 namespace {
-MenuCommand look_into(const TextureChoice& choice) {
+Edit look_into(const TextureChoice& choice) {
     return [choice](WindowState& window) {
         window.views.inspected.look_into(choice);
         window.layout.reveal(PanelId::inspector);
@@ -64,7 +64,7 @@ MenuEntry view_number(const char* name, double present, Limit limit, std::string
             .number = AskedNumber{.present = present,
                                   .unit = std::move(unit),
                                   .limit = limit,
-                                  .answer = [set](double number) -> MenuCommands {
+                                  .answer = [set](double number) -> std::vector<Edit> {
                                       return {[set, number](WindowState& window) {
                                           set(window.views.inspected, number);
                                           window.layout.panels.show(PanelId::inspector);
@@ -89,7 +89,7 @@ MenuSection level_section(const PassView& view) {
     return section;
 }
 
-MenuCommand override_pass(const std::string& pass, const PassOverride& changed) {
+Edit override_pass(const std::string& pass, const PassOverride& changed) {
     return [=](Document& document) { set_override(document, pass, changed); };
 }
 }  // namespace

@@ -18,11 +18,11 @@
 #include <fmt/format.h>
 
 namespace {
-MenuCommand change_comparison(const std::function<void(Comparison&)>& change) {
-    return [change](Lab& lab) {
-        Comparison next = lab.frames().comparison().selection().chosen();
+Edit change_comparison(const std::function<void(Comparison&)>& change) {
+    return [change](ComparisonView& comparison) {
+        Comparison next = comparison.selection().chosen();
         change(next);
-        lab.frames().comparison().choose(next);
+        comparison.choose(next);
     };
 }
 
@@ -45,32 +45,30 @@ MenuSection comparison_section(const LabParts& lab) {
          .number = AskedNumber{.present = chosen.gain_stops,
                                .unit = "stops",
                                .limit = {-16.0, 16.0},
-                               .answer = [](double typed) -> MenuCommands {
+                               .answer = [](double typed) -> std::vector<Edit> {
                                    return {change_comparison(
                                        [typed](Comparison& next) { next.gain_stops = typed; })};
                                }}});
     if (const auto& file = lab.frames.comparison().selection().reference().file();
         lab.frames.comparison().selection().reference().picture())
-        section.entries.push_back(
-            {.name = fmt::format("With {}", file.filename().string()),
-             .commands = {[file](Lab& changed) {
-                 changed.frames().comparison().compare_with({Other::Kind::file, 0, file});
-             }}});
-    section.entries.push_back({.name = "Stop comparing",
-                               .commands = {[](Lab& changed) {
-                                   changed.frames().comparison().set_mode(CompareMode::off);
-                               }},
-                               .is_present = chosen.mode == CompareMode::off});
+        section.entries.push_back({.name = fmt::format("With {}", file.filename().string()),
+                                   .commands = {[file](ComparisonView& comparison) {
+                                       comparison.compare_with({Other::Kind::file, 0, file});
+                                   }}});
+    section.entries.push_back(
+        {.name = "Stop comparing",
+         .commands = {[](ComparisonView& comparison) { comparison.set_mode(CompareMode::off); }},
+         .is_present = chosen.mode == CompareMode::off});
     for (std::size_t i = 0; i < lab.frames.comparison().slots().size(); ++i)
         if (lab.frames.comparison().slots()[i])
             section.entries.push_back(
                 {.name = fmt::format("Clear slot {}", slot_name(i)),
-                 .commands = {[i](Lab& changed) { changed.frames().comparison().clear_slot(i); }}});
+                 .commands = {[i](ComparisonView& comparison) { comparison.clear_slot(i); }}});
     return section;
 }
 
-MenuCommand on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
-    return [change](Lab& lab) { lab.drawing().edit(change); };
+Edit on_board(const std::function<void(DrawingBoard&, Document&)>& change) {
+    return [change](DrawingTool& drawing) { drawing.edit(change); };
 }
 
 void add_pens(const Pen& pen, std::vector<MenuEntry>& entries) {
@@ -91,7 +89,7 @@ void add_pens(const Pen& pen, std::vector<MenuEntry>& entries) {
 
 void add_keyframes(const DrawingBoard& board, std::vector<MenuEntry>& entries) {
     const auto on_keyframes = [](const KeyframeChange& change) {
-        return MenuCommand([change](Lab& lab) { lab.drawing().edit_keyframes(change); });
+        return Edit([change](DrawingTool& drawing) { drawing.edit_keyframes(change); });
     };
     const auto offer = [&](const char* name, const KeyframeChange& change) {
         entries.push_back({.name = name, .commands = {on_keyframes(change)}});
@@ -141,14 +139,14 @@ MenuSection unsaved_section(const KeptSessions& sessions) {
 
 MenuSection include_section(const LabParts& lab) {
     MenuSection section{"Includes", MenuSection::Menu::edit};
-    section.entries.push_back(
-        {.name = "Folders, separated by ':'…",
-         .text = AskedText{include_folders_text(lab.looks.include_folders()),
-                           [](const std::string& typed) -> MenuCommands {
-                               return {[folders = parse_include_folders(typed)](Lab& changed) {
-                                   changed.looks().set_include_folders(folders);
-                               }};
-                           }}});
+    section.entries.push_back({.name = "Folders, separated by ':'…",
+                               .text = AskedText{include_folders_text(lab.looks.include_folders()),
+                                                 [](const std::string& typed) -> std::vector<Edit> {
+                                                     return {[folders = parse_include_folders(
+                                                                  typed)](LookCommands& looks) {
+                                                         looks.set_include_folders(folders);
+                                                     }};
+                                                 }}});
     return section;
 }
 
@@ -159,16 +157,16 @@ MenuSection nan_section(const LabParts& lab) {
         for (const auto& [answer, name] : {std::pair{NonFiniteAction::clear, "Restart history"},
                                            std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
                                            std::pair{NonFiniteAction::go_on, "Ignore NaN/Inf"}})
-            section.entries.push_back({.name = name, .commands = {[to = answer](Lab& changed) {
-                                                         changed.frames().nan_guard().answer(to);
+            section.entries.push_back({.name = name, .commands = {[to = answer](FrameLoop& frames) {
+                                                         frames.nan_guard().answer(to);
                                                      }}});
     for (const Problem& problem : lab.messages.problems()) {
         const Diagnostic& said = problem.diagnostic;
         section.entries.push_back(
             {.name =
                  fmt::format("{}:{} {}", said.file.filename().string(), said.line, said.message),
-             .commands = {[place = Location{said.file, said.line}](Lab& changed) {
-                 changed.looks().open_in_editor(place);
+             .commands = {[place = Location{said.file, said.line}](LookCommands& looks) {
+                 looks.open_in_editor(place);
              }}});
     }
     return section;

@@ -1,7 +1,7 @@
 #include "lab/menus/parameter_menu.h"
 
 #include "lab/document/parameter_edits.h"
-#include "lab/lab.h"
+#include "lab/lab_parts.h"
 #include "lab/window/parameter_list.h"
 #include "lab/window/window_state.h"
 #include "model/look/value_text.h"
@@ -44,10 +44,12 @@ MenuEntry end_entry(const Parameter& parameter, bool is_low) {
     const Limit ends{parameter.range.low, parameter.range.high};
     AskedNumber asked = asked_of(parameter, is_low ? ends.low : ends.high);
     asked.answer = [ends, is_low, factor = typed_factor(parameter),
-                    name = parameter.name](double typed) -> MenuCommands {
+                    name = parameter.name](double typed) -> std::vector<Edit> {
         const double end = typed / factor;
         const Limit next = is_low ? Limit{end, ends.high} : Limit{ends.low, end};
-        return {[name, next](Lab& lab) { lab.parameters().set_slider_ends(name, next); }};
+        return {[name, next](ParameterSettingsStore& parameters) {
+            parameters.set_slider_ends(name, next);
+        }};
     };
     return {.name = is_low ? "Slider minimum…" : "Slider maximum…", .number = std::move(asked)};
 }
@@ -60,10 +62,10 @@ void add_ends(const Parameter& declared, const ParameterSetting& setting,
     entries.push_back(end_entry(parameter, true));
     entries.push_back(end_entry(parameter, false));
     if (setting.ends)
-        entries.push_back(
-            {.name = "Reset slider range", .commands = {[name = declared.name](Lab& lab) {
-                                               lab.parameters().set_slider_ends(name, std::nullopt);
-                                           }}});
+        entries.push_back({.name = "Reset slider range",
+                           .commands = {[name = declared.name](ParameterSettingsStore& parameters) {
+                               parameters.set_slider_ends(name, std::nullopt);
+                           }}});
 }
 
 // The components of a vector, a colour or a matrix.
@@ -71,7 +73,7 @@ void add_parts(const Parameter& parameter, const Value& value, std::vector<MenuE
     for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
         AskedNumber asked = asked_of(parameter, value.numbers[i]);
         asked.answer = [value, i, factor = typed_factor(parameter),
-                        name = parameter.name](double typed) -> MenuCommands {
+                        name = parameter.name](double typed) -> std::vector<Edit> {
             Value next = value;
             next.numbers[i] = typed / factor;
             return {[name, next](Document& document) { document.set_value(name, next); }};
@@ -86,12 +88,12 @@ void add_midi(const Parameter& parameter, std::vector<MenuEntry>& entries) {
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
     for (std::size_t i = 0; i < count; ++i)
-        entries.push_back({.name = count == 1
-                                       ? "MIDI learn"
-                                       : fmt::format("MIDI learn: {}", part_label(parameter, i)),
-                           .commands = {[goal = MidiGoal{parameter.name, i}](Lab& lab) {
-                               lab.remote().learn_midi(goal);
-                           }}});
+        entries.push_back(
+            {.name = count == 1 ? "MIDI learn"
+                                : fmt::format("MIDI learn: {}", part_label(parameter, i)),
+             .commands = {[goal = MidiGoal{parameter.name, i}](RemoteControl& remote) {
+                 remote.learn_midi(goal);
+             }}});
 }
 
 MenuSection parameter_section(const Document& document, const Parameter& parameter) {
@@ -117,14 +119,14 @@ MenuSection parameter_section(const Document& document, const Parameter& paramet
     add_ends(parameter, setting, section.entries);
     add_midi(parameter, section.entries);
     if (!parameter.declared.file.empty())
-        section.entries.push_back(
-            {.name = "Open declaration", .commands = {[place = parameter.declared](Lab& lab) {
-                                             lab.looks().open_in_editor(place);
-                                         }}});
+        section.entries.push_back({.name = "Open declaration",
+                                   .commands = {[place = parameter.declared](LookCommands& looks) {
+                                       looks.open_in_editor(place);
+                                   }}});
     return section;
 }
 
-MenuCommand modulate(const std::string& name, const std::optional<Modulation>& next) {
+Edit modulate(const std::string& name, const std::optional<Modulation>& next) {
     return [name, next](Document& document) { set_modulation(document, name, next); };
 }
 
@@ -155,16 +157,17 @@ MenuSection modulation_section(const Document& document, const Parameter& parame
     for (const ModulationFigure& figure : figures_of(present->kind))
         section.entries.push_back(
             {.name = fmt::format("Modulation: {}…", figure.label),
-             .number = AskedNumber{.present = present->*figure.number,
-                                   .unit = figure.unit,
-                                   .limit = figure.limit,
-                                   .help = figure.help,
-                                   .answer = [now = *present, number = figure.number,
-                                              name = parameter.name](double typed) -> MenuCommands {
-                                       Modulation next = now;
-                                       next.*number = typed;
-                                       return {modulate(name, next)};
-                                   }}});
+             .number =
+                 AskedNumber{.present = present->*figure.number,
+                             .unit = figure.unit,
+                             .limit = figure.limit,
+                             .help = figure.help,
+                             .answer = [now = *present, number = figure.number,
+                                        name = parameter.name](double typed) -> std::vector<Edit> {
+                                 Modulation next = now;
+                                 next.*number = typed;
+                                 return {modulate(name, next)};
+                             }}});
     return section;
 }
 
@@ -228,8 +231,8 @@ bool can_be_varied(const Parameter& parameter) {
     return !is_file && parameter.control != Control::event && parameter.type.size() == 1;
 }
 
-MenuCommands sheet_commands(const SheetRequest& request) {
-    return {[request](Lab& lab) { lab.frames().previews().sheet().begin(request); },
+std::vector<Edit> sheet_commands(const SheetRequest& request) {
+    return {[request](Previews& previews) { previews.sheet().begin(request); },
             [is_grid = !request.down.empty()](WindowState& window) {
                 constexpr float room_of_grid = 330.0f;
                 if (is_grid)
@@ -260,10 +263,8 @@ MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCe
     add_counts(request, section.entries);
     for (std::size_t i = 0; i < cells.size(); ++i)
         section.entries.push_back({.name = fmt::format("Apply {}", cells[i].caption),
-                                   .commands = {[i](Lab& lab) {
-                                       if (lab.work().document)
-                                           lab.frames().previews().sheet().apply(
-                                               i, *lab.work().document);
+                                   .commands = {[i](Previews& previews, Document& changed) {
+                                       previews.sheet().apply(i, changed);
                                    }}});
     return section;
 }

@@ -18,7 +18,7 @@ MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCe
                           const Parameter* in_hand);
 
 /// Draws the sheet and shows its panel.
-MenuCommands sheet_commands(const SheetRequest& request);
+std::vector<Edit> sheet_commands(const SheetRequest& request);
 
 /// Whether a filmstrip of it can be drawn.
 bool can_be_varied(const Parameter& parameter);

@@ -1,6 +1,6 @@
 #include "lab/menus/preset_menu.h"
 
-#include "lab/lab.h"
+#include "lab/lab_parts.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@ MenuSection morph_section(const std::vector<ListedPreset>& presets, double secon
     for (const ListedPreset& preset : presets)
         section.entries.push_back(
             {.name = fmt::format("To {}", preset.preset.name),
-             .commands = {[file = preset.preset.entry.file, seconds](Lab& lab) {
-                 lab.presets().navigation().morph_to(file, seconds);
+             .commands = {[file = preset.preset.entry.file, seconds](PresetCommands& presets) {
+                 presets.navigation().morph_to(file, seconds);
              }}});
     for (const double length : morph_lengths)
         section.entries.push_back(
@@ -28,8 +28,10 @@ MenuSection star_section(const std::vector<ListedPreset>& presets) {
         if (!preset.is_plain())
             section.entries.push_back(
                 {.name = preset.preset.name,
-                 .commands = {[name = preset.preset.entry.id, has_star = !preset.has_star](
-                                  Lab& lab) { lab.presets().navigation().star(name, has_star); }},
+                 .commands = {[name = preset.preset.entry.id,
+                               has_star = !preset.has_star](PresetCommands& presets) {
+                     presets.navigation().star(name, has_star);
+                 }},
                  .is_present = preset.has_star});
     return section;
 }
@@ -48,7 +50,7 @@ MenuSection browsing_section(const PresetBrowsing& wanted) {
                                .is_present = wanted.only_starred});
     section.entries.push_back(
         {.name = "Search…",
-         .text = AskedText{wanted.search, [](const std::string& words) -> MenuCommands {
+         .text = AskedText{wanted.search, [](const std::string& words) -> std::vector<Edit> {
                                return {[words](WindowState& window) {
                                    window.presets.search = words;
                                    show_preset_pictures(window);
@@ -68,5 +70,5 @@ MenuSection shipped_preset_section() {
     return {"Preset",
             MenuSection::Menu::palette,
             {{.name = "Save to shipped presets",
-              .commands = {[](Lab& lab) { lab.presets().save_into_shipped(); }}}}};
+              .commands = {[](PresetCommands& presets) { presets.save_into_shipped(); }}}}};
 }

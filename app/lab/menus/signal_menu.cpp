@@ -4,7 +4,7 @@
 #include "lab/document/content_edits.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
-#include "lab/lab.h"
+#include "lab/lab_parts.h"
 #include "lab/menus/scope_graticule.h"
 #include "lab/window/window_state.h"
 #include "signals/signal_table.h"
@@ -14,7 +14,7 @@
 #include <cctype>
 
 namespace {
-MenuCommand set_signal_setting(const std::string& key, Spec::Setting value) {
+Edit set_signal_setting(const std::string& key, Spec::Setting value) {
     return [key, value = std::move(value)](Document& document) {
         auto spec = completed(document.state().signal);
         if (!spec)
@@ -38,15 +38,16 @@ void add_words(const SettingFacts& setting, const Spec& spec, std::vector<MenuEn
 }
 
 MenuEntry number_setting(const SettingFacts& setting, const Spec& spec) {
-    return {.name = fmt::format("{}…", full_label(setting)),
-            .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
-                                  .unit = setting.unit,
-                                  .limit = setting.limit,
-                                  .is_whole = setting.step == 1.0,
-                                  .help = setting.help,
-                                  .answer = [key = setting.key](double number) -> MenuCommands {
-                                      return {set_signal_setting(key, number)};
-                                  }}};
+    return {
+        .name = fmt::format("{}…", full_label(setting)),
+        .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
+                              .unit = setting.unit,
+                              .limit = setting.limit,
+                              .is_whole = setting.step == 1.0,
+                              .help = setting.help,
+                              .answer = [key = setting.key](double number) -> std::vector<Edit> {
+                                  return {set_signal_setting(key, number)};
+                              }}};
 }
 
 MenuEntry text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
@@ -55,7 +56,7 @@ MenuEntry text_setting(const SettingFacts& setting, const SignalKind& kind, cons
         return {.name = name, .commands = {command_for(kind)}};
     return {.name = name,
             .text = AskedText{std::get<std::string>(spec.settings.at(setting.key)),
-                              [key = setting.key](const std::string& text) -> MenuCommands {
+                              [key = setting.key](const std::string& text) -> std::vector<Edit> {
                                   return {set_signal_setting(key, text)};
                               }}};
 }
@@ -113,17 +114,15 @@ std::string label_of_word(std::string word) {
     return word;
 }
 
-MenuCommand command_for(const SignalKind& kind) {
+Edit command_for(const SignalKind& kind) {
     if (kind.kind == "drawing")
-        return [](Lab& lab) { lab.drawing().take_pen(true); };
+        return [](DrawingTool& drawing) { drawing.take_pen(true); };
     if (!kind.file_setting.empty())
         return [](WindowState& window) { window.dialog = {.kind = Dialog::Kind::open_file}; };
     if (kind.is_live)
-        return [name = kind.kind](Lab& lab) {
-            (void)lab.player().mute_input(false);  // the user asked for live input
-            lab.edit([&](Document& document) {
-                set_signal(document, with_round_circles(Spec{name, {}}));
-            });
+        return [name = kind.kind](Player& player, Document& document) {
+            (void)player.mute_input(false);  // the user asked for live input
+            set_signal(document, with_round_circles(Spec{name, {}}));
         };
     return [name = kind.kind](Document& document) {
         if (auto spec = completed(with_round_circles(Spec{name, {}})))

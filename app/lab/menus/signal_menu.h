@@ -7,7 +7,7 @@ struct SignalKind;
 
 /// The effect of choosing a kind of signal. A kind with a file opens the file dialog; a drawing
 /// starts empty with the pen active.
-MenuCommand command_for(const SignalKind& kind);
+Edit command_for(const SignalKind& kind);
 
 /// "constant" as "Constant", "xy" as "XY".
 std::string label_of_word(std::string word);

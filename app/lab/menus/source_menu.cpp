@@ -13,7 +13,7 @@
 #include <utility>
 
 namespace {
-MenuCommand set_source_to(const SourceSpec& source) {
+Edit set_source_to(const SourceSpec& source) {
     return [text = to_string(source)](Document& document) { set_source(document, text); };
 }
 
@@ -22,7 +22,7 @@ AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, 
     return {.present = source.*number,
             .unit = std::move(unit),
             .limit = limit,
-            .answer = [source, number](double typed) -> MenuCommands {
+            .answer = [source, number](double typed) -> std::vector<Edit> {
                 SourceSpec changed = source;
                 changed.*number = typed;
                 return {set_source_to(changed)};

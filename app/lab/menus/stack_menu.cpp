@@ -9,8 +9,7 @@
 namespace {
 using StackChange = std::function<void(Stack& stack, std::size_t part)>;
 
-MenuCommand change_of_stack(const std::string& tag, const std::string& step,
-                            const StackChange& change) {
+Edit change_of_stack(const std::string& tag, const std::string& step, const StackChange& change) {
     return [=](Document& document) {
         Stack stack = document.state().stack;
         const auto part = std::ranges::find(stack, tag, &StackPart::tag);
@@ -22,14 +21,14 @@ MenuCommand change_of_stack(const std::string& tag, const std::string& step,
 }
 }  // namespace
 
-MenuCommand bypass_part(const StackPart& part, const std::string& name) {
+Edit bypass_part(const StackPart& part, const std::string& name) {
     const bool next = !part.is_bypassed;
     return change_of_stack(
         part.tag, next ? fmt::format("Bypass {}", name) : fmt::format("Re-enable {}", name),
         [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
 }
 
-MenuCommand move_part(const StackPart& part, const std::string& name, int by) {
+Edit move_part(const StackPart& part, const std::string& name, int by) {
     return change_of_stack(
         part.tag, fmt::format("Move {}", name), [by](Stack& stack, std::size_t place) {
             const std::size_t other = place + static_cast<std::size_t>(by);  // wraps if negative
@@ -38,7 +37,7 @@ MenuCommand move_part(const StackPart& part, const std::string& name, int by) {
         });
 }
 
-MenuCommand remove_part(const StackPart& part, const std::string& name) {
+Edit remove_part(const StackPart& part, const std::string& name) {
     return change_of_stack(part.tag, fmt::format("Remove {}", name),
                            [](Stack& left, std::size_t place) {
                                if (left.size() > 1)
@@ -46,7 +45,7 @@ MenuCommand remove_part(const StackPart& part, const std::string& name) {
                            });
 }
 
-MenuCommand add_part(const ListedLook& look) {
+Edit add_part(const ListedLook& look) {
     return [entry = look.entry, name = look.name](Document& document) {
         Stack stack = document.state().stack;
         stack.push_back({entry.id, entry.folder, free_tag(stack, entry.id)});
@@ -81,8 +80,7 @@ MenuSection stack_section(const Stack& stack, const std::vector<ListedLook>& loo
         return section;
     const std::vector<std::string> names = part_names(stack, looks);
     for (std::size_t i = 0; i < stack.size(); ++i) {
-        const auto offer = [&](const std::string& name, MenuCommand command,
-                               bool is_present = false) {
+        const auto offer = [&](const std::string& name, Edit command, bool is_present = false) {
             section.entries.push_back(
                 {.name = name, .commands = {std::move(command)}, .is_present = is_present});
         };

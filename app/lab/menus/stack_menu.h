@@ -6,10 +6,10 @@
 
 /// Changes of one look of a stack. Looks are identified by their tags, because positions can
 /// change.
-MenuCommand bypass_part(const StackPart& part, const std::string& name);  // or enables it
-MenuCommand move_part(const StackPart& part, const std::string& name, int by);
-MenuCommand remove_part(const StackPart& part, const std::string& name);
-MenuCommand add_part(const ListedLook& look);
+Edit bypass_part(const StackPart& part, const std::string& name);  // or enables it
+Edit move_part(const StackPart& part, const std::string& name, int by);
+Edit remove_part(const StackPart& part, const std::string& name);
+Edit add_part(const ListedLook& look);
 
 /// The names of the looks of a stack: "CRT", and "CRT 2" for a second one.
 std::vector<std::string> part_names(const Stack& stack, const std::vector<ListedLook>& looks);

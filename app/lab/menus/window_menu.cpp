@@ -1,6 +1,6 @@
 #include "lab/menus/window_menu.h"
 
-#include "lab/lab.h"
+#include "lab/lab_parts.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace {
 MenuEntry sized(std::string name, const PictureSize& size, bool is_present) {
     return {.name = std::move(name),
-            .commands = {[size](Lab& lab) { lab.work().size.choose(size); }},
+            .commands = {[size](RenderSize& size) { size.choose(size); }},
             .is_present = is_present};
 }
 
@@ -23,7 +23,7 @@ MenuSection size_section(const SizeInForce& in_force) {
         section.entries.push_back(
             sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
     section.entries.push_back(
-        {.name = "Match pane once", .commands = {[](Lab& lab) { lab.work().size.fix_to_view(); }}});
+        {.name = "Match pane once", .commands = {[](RenderSize& size) { size.fix_to_view(); }}});
     for (const Extent& extent : picture_sizes)
         section.entries.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                         {false, extent, present.scale, present.shape},
@@ -106,16 +106,16 @@ MenuSection waveform_section(const WindowState& window, Extent picture) {
         window.probes.scan_line.start.texel(picture)[1]);
     section.entries.push_back(
         {.name = "Row…",
-         .number = AskedNumber{.present = row,
-                               .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
-                               .is_whole = true,
-                               .answer = [height = picture.height](double typed) -> MenuCommands {
-                                   return {[row = static_cast<int>(typed),
-                                            height](WindowState& changed) {
-                                       changed.probes.scan_line = ScanLine::along_row(row, height);
-                                       show_waveform(changed);
-                                   }};
-                               }}});
+         .number =
+             AskedNumber{.present = row,
+                         .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
+                         .is_whole = true,
+                         .answer = [height = picture.height](double typed) -> std::vector<Edit> {
+                             return {[row = static_cast<int>(typed), height](WindowState& changed) {
+                                 changed.probes.scan_line = ScanLine::along_row(row, height);
+                                 show_waveform(changed);
+                             }};
+                         }}});
     return section;
 }
 
@@ -125,7 +125,7 @@ MenuEntry window_number(const char* name, const char* unit, double present, Limi
             .number = AskedNumber{.present = present,
                                   .unit = unit,
                                   .limit = limit,
-                                  .answer = [set](double number) -> MenuCommands {
+                                  .answer = [set](double number) -> std::vector<Edit> {
                                       return {[set, number](WindowState& window) {
                                           set(window, number);
                                       }};
@@ -175,10 +175,10 @@ void offer_display_size(const RenderSize& size, Messages& messages, Extent displ
     if (present.follows_view || present.room(display) == display)
         return;
     const Extent picture = size.extent();
-    messages.offer(fmt::format("The render size is {} × {} px, the display {} × {} px",
-                               picture.width, picture.height, display.width, display.height),
-                   {.name = "Match display",
-                    .commands = {[](Lab& changed) { changed.work().size.fix_to_view(); }}});
+    messages.offer(
+        fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
+                    picture.height, display.width, display.height),
+        {.name = "Match display", .commands = {[](RenderSize& size) { size.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

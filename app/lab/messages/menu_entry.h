@@ -1,21 +1,12 @@
 #pragma once
 
+#include "lab/messages/edit.h"
 #include "model/look/parameter.h"
 
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
-
-class Document;
-class Lab;
-struct WindowState;
-
-/// An effect on the document, the lab or the window.
-using MenuCommand = std::variant<std::function<void(Document&)>, std::function<void(Lab&)>,
-                                 std::function<void(WindowState&)>>;
-using MenuCommands = std::vector<MenuCommand>;
 
 /// A number that the user must type for an entry.
 struct AskedNumber {
@@ -24,19 +15,19 @@ struct AskedNumber {
     Limit limit = {};
     bool is_whole = false;
     std::string help = {};
-    std::function<MenuCommands(double)> answer = {};  // for a number within the limit
+    std::function<std::vector<Edit>(double)> answer = {};  // for a number within the limit
 };
 
 /// A text that the user must type for an entry.
 struct AskedText {
     std::string present;
-    std::function<MenuCommands(const std::string&)> answer;
+    std::function<std::vector<Edit>(const std::string&)> answer;
 };
 
 /// An entry of a menu, a panel or the command palette.
 struct MenuEntry {
     std::string name;  // "Lissajous"; "Frequency…" if a value must be typed first
-    MenuCommands commands = {};
+    std::vector<Edit> commands = {};
     bool is_present = false;  // it is the current state
     std::optional<AskedNumber> number = {};
     std::optional<AskedText> text = {};

@@ -24,6 +24,6 @@ void AudioControl::update() {
     const PlayedSignal& signal = m_player.signal();
     if (!signal.is_live() || !signal.live_input().is_muted())
         return m_messages.say(m_reported, true, subject);
-    const auto unmute = [this](Lab&) { m_messages.succeeded(m_player.mute_input(false)); };
+    const auto unmute = [this] { m_messages.succeeded(m_player.mute_input(false)); };
     m_messages.ask(m_reported, {{.name = "Unmute", .commands = {unmute}}}, subject, false);
 }

@@ -20,7 +20,7 @@ class RecentMedia {
 public:
     explicit RecentMedia(const Roots& roots) : m_list(roots.state / "media.json") {}
 
-    /// AutomationPoints a file to the front and writes the list. The list is optional, so write
+    /// Moves a file to the front and writes the list. The list is optional, so write
     /// errors are ignored.
     void remember(const std::filesystem::path& file, const std::string& digest) const;
     /// The latest existing file with this name, preferably with this digest.

@@ -186,7 +186,7 @@ Values changed_values(const Look& look, const Values& values);
 /// Names in `values` that are not parameters of the look.
 std::vector<std::string> orphans(const Look& look, const Values& values);
 
-/// AutomationPoints values from previous names (`@was`) to current names.
+/// Moves values from previous names (`@was`) to current names.
 Values renamed_values(const Look& look, Values values);
 
 /// Three letters per parameter from its name and default, sorted. Shows which parameters still

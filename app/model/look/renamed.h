@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-/// AutomationPoints map entries from previous parameter names (`@was`) to the look's current names.
+/// Moves map entries from previous parameter names (`@was`) to the look's current names.
 template <class T>
 std::map<std::string, T> renamed(const Look& look, std::map<std::string, T> named) {
     for (const Parameter& parameter : look.parameters) {

@@ -125,7 +125,7 @@ void pull(const Columns& columns, std::size_t column, Rows& rows) {
     spread(rows[column]);
 }
 
-// AutomationPoints each node to the mean of its neighbours, in sweeps to the right and left.
+// Moves each node to the mean of its neighbours, in sweeps to the right and left.
 // Source: Sugiyama, Tagawa and Toda, "Methods for visual understanding of hierarchical system
 // structures", IEEE Trans. SMC 11 (1981).
 Rows rows_of(const Columns& columns) {

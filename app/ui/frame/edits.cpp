@@ -1,17 +1,9 @@
 #include "ui/frame/edits.h"
 
+#include "lab/lab_parts.h"
 #include "lab/session.h"
 
 #include <imgui/imgui.h>
-
-void Edits::add(const MenuCommand& command) {
-    if (const auto* of_window = std::get_if<std::function<void(WindowState&)>>(&command))
-        arrange(*of_window);
-    else if (const auto* of_document = std::get_if<std::function<void(Document&)>>(&command))
-        change(*of_document);
-    else
-        m_lab.push_back(std::get<std::function<void(Lab&)>>(command));
-}
 
 void Edits::set(const std::string& name, Value value) {
     change([name, value = std::move(value)](Document& document) {
@@ -40,7 +32,7 @@ void Edits::open_file(const std::filesystem::path& file) {
 }
 
 void Edits::open_unsaved(const std::filesystem::path& stored) {
-    m_lab.emplace_back([stored](Lab& lab) { restore_kept(lab, stored); });
+    change([stored](Lab& lab) { restore_kept(lab, stored); });
 }
 
 void Edits::mark(const std::string& name) {
@@ -51,8 +43,6 @@ void Edits::mark(const std::string& name) {
 }
 
 void Edits::apply(Lab& lab, WindowState& window) const {
-    for (const auto& edit : m_window)
-        edit(window);
-    for (const auto& edit : m_lab)
-        edit(lab);
+    for (const Edit& edit : m_edits)
+        edit(mutable_parts(lab, &window));  // an edit may open the first document
 }

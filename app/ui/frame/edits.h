@@ -1,15 +1,14 @@
 #pragma once
 
-#include "lab/lab_parts.h"
-#include "lab/messages/menu_entry.h"
+#include "lab/messages/edit.h"
 #include "lab/window/window_state.h"
 #include "model/look/value.h"
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 /// Where a widget was drawn, in window coordinates from the top left corner.
@@ -23,14 +22,9 @@ struct WidgetRect {
 /// The user's changes in the panels during one frame. They are applied after all panels are drawn.
 class Edits {
 public:
-    /// Changes parts of the lab, which `edit` takes as references: [](Player& player) {...}. Does
-    /// nothing if one of them is not there.
-    template <class Edit>
-    void change(Edit edit) {
-        change_parts(std::function(std::move(edit)));
-    }
-    void arrange(std::function<void(WindowState&)> edit) { m_window.push_back(std::move(edit)); }
-    void add(const MenuCommand& command);
+    void change(Edit edit) { m_edits.push_back(std::move(edit)); }
+    /// Changes the window.
+    void arrange(std::function<void(WindowState&)> edit) { m_edits.emplace_back(std::move(edit)); }
 
     /// Sets a parameter; all calls up to finish() are one undo step.
     void set(const std::string& name, Value value);
@@ -55,22 +49,14 @@ public:
     void apply(Lab& lab, WindowState& window) const;
     const std::optional<std::string>& copied() const { return m_copied; }
     bool is_quitting() const { return m_is_quitting; }
-    /// Whether any edit of the lab was added.
-    bool has_verbs() const { return !m_lab.empty(); }
+    /// Whether any edit changes more than the window.
+    bool change_lab() const {
+        return std::ranges::any_of(m_edits, std::not_fn(&Edit::changes_only_window));
+    }
     const std::map<std::string, WidgetRect>& widget_rects() const { return m_widget_rects; }
 
 private:
-    template <class... Parts>
-    void change_parts(std::function<void(Parts&...)> edit) {
-        m_lab.push_back([edit = std::move(edit)](Lab& lab) {
-            const MutableParts all = mutable_parts(lab);
-            if ((std::get<std::remove_const_t<Parts>*>(all) && ...))
-                edit(*std::get<std::remove_const_t<Parts>*>(all)...);
-        });
-    }
-
-    std::vector<std::function<void(Lab&)>> m_lab;
-    std::vector<std::function<void(WindowState&)>> m_window;
+    std::vector<Edit> m_edits;
     std::optional<std::string> m_copied;
     bool m_is_quitting = false;
     std::map<std::string, WidgetRect> m_widget_rects;

@@ -7,7 +7,7 @@
 /// Starts the preview of one step of the pointed parameter.
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits);
 
-/// AutomationPoints a running preview to the parameter under the pointer while U is held.
+/// Moves a running preview to the parameter under the pointer while U is held.
 void follow_pointer(const Scene& scene, Edits& edits);
 
 /// The preview as menu items; Escape ends it.

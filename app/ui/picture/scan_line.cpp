@@ -44,7 +44,7 @@ void set_line(const ScanLine& line, Edits& edits) {
     edits.arrange([line](WindowState& window) { window.probes.scan_line = line; });
 }
 
-// AutomationPoints the whole line with the pointer, limited to the picture.
+// Moves the whole line with the pointer, limited to the picture.
 ScanLine moved_line(const ScanLine& line, const Ground& ground) {
     const ImVec2 way = ImGui::GetIO().MouseDelta;
     const auto step = [](double by, double a, double b) {

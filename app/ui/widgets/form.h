@@ -25,7 +25,7 @@ FormColumns check_box_columns();
 /// Starts a row with its label; draw the control next. Returns whether the label was clicked. The
 /// label is the last item, so a tooltip can follow.
 bool form_label(const std::string& label, const FormColumns& columns, bool is_changed);
-/// AutomationPoints to the control column of the current row.
+/// Moves to the control column of the current row.
 void form_control(const FormColumns& columns);
 
 /// A slider with its number field.

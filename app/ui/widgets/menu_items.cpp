@@ -4,9 +4,9 @@
 
 #include <imgui/imgui.h>
 
-void run(const MenuCommands& commands, Edits& edits) {
-    for (const MenuCommand& command : commands)
-        edits.add(command);
+void run(const std::vector<Edit>& commands, Edits& edits) {
+    for (const Edit& command : commands)
+        edits.change(command);
 }
 
 void take(const MenuEntry& entry, const std::string& id, Edits& edits) {

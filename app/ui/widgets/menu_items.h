@@ -5,7 +5,7 @@
 #include "ui/frame/scene.h"
 
 /// Runs the commands of an entry.
-void run(const MenuCommands& commands, Edits& edits);
+void run(const std::vector<Edit>& commands, Edits& edits);
 
 /// Runs the entry, or first opens a dialog if it needs a number or text. `id`: its palette entry.
 void take(const MenuEntry& entry, const std::string& id, Edits& edits);

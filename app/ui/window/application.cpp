@@ -163,9 +163,9 @@ void Application::apply(const Edits& edits) {
     for (const std::filesystem::path& file : m_lab.work().opened_files.take())
         note_use(m_state.recent.files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab.document(), m_state);
-    if (edits.has_verbs() || m_panels.toolkit().has_input())  // displayed one frame later
+    if (edits.change_lab() || m_panels.toolkit().has_input())  // displayed one frame later
         m_schedule.stay_awake();
-    if (edits.has_verbs())
+    if (edits.change_lab())
         m_panels.library().refresh();
     if (edits.copied())
         m_window.set_clipboard(*edits.copied());

@@ -105,9 +105,8 @@ TEST_CASE("a preset keeps the user's sound, reports it and offers its own signal
     CHECK(small.lab().messages().notice()->text == "Kept song.wav");
     REQUIRE(offers(small.lab()) == std::vector<std::string>{"Use the preset's signal"});
 
-    const auto command = std::get<std::function<void(Document&)>>(
-        small.lab().messages().notice()->buttons.front().commands.front());
-    small.lab().edit(command);
+    const Edit command = small.lab().messages().notice()->buttons.front().commands.front();
+    command(mutable_parts(small.lab(), nullptr));
     small.update(2);
     CHECK(small.document().state().signal.kind == "waveform");
     CHECK(small.player().signal().sound().sound == nullptr);

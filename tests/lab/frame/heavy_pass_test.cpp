@@ -54,8 +54,8 @@ std::vector<std::string> names_of(const MenuSection& section) {
 }
 
 void take(const MenuEntry& entry, Lab& lab) {
-    for (const MenuCommand& command : entry.commands)
-        std::get<std::function<void(Lab&)>>(command)(lab);
+    for (const Edit& command : entry.commands)
+        command(mutable_parts(lab, nullptr));
 }
 }  // namespace
 

@@ -269,7 +269,7 @@ TEST_CASE("a picture outside a preset's folder needs the user's permission once"
               "\". It was not loaded.");
     const MenuEntry use = small.lab().messages().notice()->buttons.front();
     CHECK(use.name == "Use it");
-    std::get<std::function<void(Lab&)>>(use.commands.front())(small.lab());
+    use.commands.front()(mutable_parts(small.lab(), nullptr));
     CHECK(small.update_until([&] { return small.shown() == 0.5f; }));
     small.lab().looks().open("small");
     REQUIRE(small.update_until([&] { return preset_file(small.document()).empty(); }));

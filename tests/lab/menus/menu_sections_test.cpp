@@ -62,9 +62,11 @@ const MenuEntry& menu_entry_of(const std::vector<MenuSection>& sections, const s
 }
 
 template <class Subject>
-void take(const MenuCommands& commands, Subject& subject) {
-    for (const MenuCommand& command : commands)
-        std::get<std::function<void(Subject&)>>(command)(subject);
+void take(const std::vector<Edit>& commands, Subject& subject) {
+    MutableParts parts;
+    std::get<Subject*>(parts) = &subject;
+    for (const Edit& command : commands)
+        command(parts);
 }
 
 std::string first_found(const std::vector<PaletteEntry>& entries, const char* query) {

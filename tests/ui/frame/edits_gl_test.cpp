@@ -5,15 +5,13 @@ TEST_CASE("an edit gets the parts that it takes, and edits are applied in their 
     SmallLab small;
     WindowState window;
     Edits edits;
-    CHECK_FALSE(edits.has_verbs());
+    edits.change([](WindowState& state) { state.recent.files = {"a"}; });
+    CHECK_FALSE(edits.change_lab());
     edits.change([](Player& player) { player.pause(); });
     edits.change(
         [](const Document& document, Messages& messages) { messages.say(document.look().name); });
-    edits.add(std::function<void(Lab&)>(
-        [](Lab& lab) { lab.messages().say(lab.messages().notice()->text + "!"); }));
-    edits.add(
-        std::function<void(WindowState&)>([](WindowState& state) { state.recent.files = {"a"}; }));
-    CHECK(edits.has_verbs());
+    edits.change([](Messages& messages) { messages.say(messages.notice()->text + "!"); });
+    CHECK(edits.change_lab());
     CHECK(small.player().transport().is_playing());
     edits.apply(small.lab(), window);
     CHECK_FALSE(small.player().transport().is_playing());
