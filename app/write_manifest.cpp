@@ -6,19 +6,19 @@
 #include <fstream>
 
 /// write_manifest ROOT OUTPUT FILE...: FILE is a path below ROOT.
-int main(int count, char** words) {
+int main(int count, char** arguments) {
     if (count < 3)
         return 2;
-    std::ofstream output(words[2]);
+    std::ofstream output(arguments[2]);
     output << "#include \"lab/library/shipped_files.h\"\n\nShippedFiles files_of_build() {\n    "
               "return {\n";
     for (int i = 3; i < count; ++i) {
-        const auto bytes = read_bytes(std::filesystem::path(words[1]) / words[i]);
+        const auto bytes = read_bytes(std::filesystem::path(arguments[1]) / arguments[i]);
         if (!bytes) {
             std::fputs(to_string(bytes.error()).c_str(), stderr);
             return 1;
         }
-        output << "        {\"" << words[i] << "\", " << digest_of(*bytes) << "ULL},\n";
+        output << "        {\"" << arguments[i] << "\", " << digest_of(*bytes) << "ULL},\n";
     }
     output << "    };\n}\n";
     return output.flush() ? 0 : 1;

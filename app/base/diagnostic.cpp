@@ -25,13 +25,13 @@ tl::unexpected<Diagnostics> fail(Diagnostics reasons) {
 }
 
 std::string to_string(const Diagnostic& diagnostic) {
-    std::string place;
+    std::string location;
     if (!diagnostic.file.empty() && diagnostic.line > 0)
-        place = fmt::format("{}:{}: ", diagnostic.file.string(), diagnostic.line);
+        location = fmt::format("{}:{}: ", diagnostic.file.string(), diagnostic.line);
     else if (!diagnostic.file.empty())
-        place = diagnostic.file.string() + ": ";
+        location = diagnostic.file.string() + ": ";
     const char* kind = diagnostic.severity == Severity::error ? "error" : "warning";
-    return printable(fmt::format("{}{}: {}", place, kind, diagnostic.message));
+    return printable(fmt::format("{}{}: {}", location, kind, diagnostic.message));
 }
 
 std::string to_string(const Diagnostics& diagnostics) {

@@ -3,29 +3,29 @@
 #include <fmt/format.h>
 
 namespace {
-unsigned char byte_at(std::string_view text, std::size_t place) {
-    return static_cast<unsigned char>(text[place]);
+unsigned char byte_at(std::string_view text, std::size_t offset) {
+    return static_cast<unsigned char>(text[offset]);
 }
 
 bool is_continuation(unsigned char byte) {
     return (byte & 0xC0U) == 0x80U;
 }
 
-// Bytes of the character at `place` (RFC 3629, table 3-7 of Unicode); 0 if not valid UTF-8.
-std::size_t character_size(std::string_view text, std::size_t place) {
-    const unsigned char first = byte_at(text, place);
+// Bytes of the character at `offset` (RFC 3629, table 3-7 of Unicode); 0 if not valid UTF-8.
+std::size_t character_size(std::string_view text, std::size_t offset) {
+    const unsigned char first = byte_at(text, offset);
     const std::size_t size = first < 0x80   ? 1
                              : first < 0xC2 ? 0
                              : first < 0xE0 ? 2
                              : first < 0xF0 ? 3
                              : first < 0xF5 ? 4
                                             : 0;
-    if (size == 0 || place + size > text.size())
+    if (size == 0 || offset + size > text.size())
         return 0;
     for (std::size_t i = 1; i < size; ++i)
-        if (!is_continuation(byte_at(text, place + i)))
+        if (!is_continuation(byte_at(text, offset + i)))
             return 0;
-    const unsigned char second = size > 2 ? byte_at(text, place + 1) : 0x80;
+    const unsigned char second = size > 2 ? byte_at(text, offset + 1) : 0x80;
     const bool is_overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
     const bool is_outside = (first == 0xED && second > 0x9F) || (first == 0xF4 && second > 0x8F);
     return is_overlong || is_outside ? 0 : size;

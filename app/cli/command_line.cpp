@@ -121,11 +121,11 @@ Option& Option::between(double low, double high) {
     return *this;
 }
 
-Option& Option::one_of(const std::vector<std::string>& words) {
+Option& Option::one_of(const std::vector<std::string>& values) {
     m_option->check([=](const std::string& text) {
-        const bool is_good = std::find(words.begin(), words.end(), text) != words.end();
+        const bool is_good = std::find(values.begin(), values.end(), text) != values.end();
         return is_good ? std::string()
-                       : fmt::format("unknown word '{}'; use {}", text, or_list(words));
+                       : fmt::format("unknown word '{}'; use {}", text, or_list(values));
     });
     return *this;
 }

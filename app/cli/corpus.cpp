@@ -25,7 +25,7 @@ constexpr std::array corpus_examples{
 };
 
 struct CorpusArguments {
-    std::string place;
+    std::string folder;
     CorpusChoice choice;
     std::string size = "320x240";
     int frames = 4;
@@ -137,16 +137,16 @@ int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
     if (!library)
         return report(library.error());
     std::error_code error;
-    if (!fs::is_directory(arguments.place, error)) {
-        if (!fs::exists(arguments.place, error))
-            return report({{arguments.place, 0, "file or folder not found"}});
-        const CorpusTrial trial = try_look(arguments.place, task, *library);
+    if (!fs::is_directory(arguments.folder, error)) {
+        if (!fs::exists(arguments.folder, error))
+            return report({{arguments.folder, 0, "file or folder not found"}});
+        const CorpusTrial trial = try_look(arguments.folder, task, *library);
         print_trials({json_of_trial(trial)}, arguments.as_json);
         return trial.why.empty() ? exit_done : exit_not_good;
     }
-    const std::vector<fs::path> files = corpus_files(arguments.place, arguments.choice);
+    const std::vector<fs::path> files = corpus_files(arguments.folder, arguments.choice);
     if (files.empty())
-        return report({{arguments.place, 0, "the folder contains no shaders of other programs"}});
+        return report({{arguments.folder, 0, "the folder contains no shaders of other programs"}});
     const std::vector<Json> trials = tried_all(files, arguments, data);
     print_trials(trials, arguments.as_json);
     const bool is_good = std::ranges::all_of(
@@ -163,7 +163,7 @@ Command add_corpus(CommandLine& program) {
                                        "process.",
                                        corpus_examples);
     auto arguments = std::make_shared<CorpusArguments>();
-    options.add("FOLDER", arguments->place, "Folder, or a single file").required();
+    options.add("FOLDER", arguments->folder, "Folder, or a single file").required();
     options.add("--only TEXT", arguments->choice.only, "Only files with this text in their path");
     options
         .add("--sample N", arguments->choice.sample,

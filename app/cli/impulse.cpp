@@ -20,7 +20,7 @@ constexpr std::array channels{"red", "green", "blue"};
 
 struct ImpulseArguments {
     LookOptions look{"640x360"};
-    std::string place = "0.5,0.5";
+    std::string pin = "0.5,0.5";
     double seconds = 2.0;
     bool as_json = false;
 };
@@ -28,14 +28,14 @@ struct ImpulseArguments {
 // Fractions of the picture's width and height.
 Pin parse_position(const std::string& text) {
     std::istringstream words(text);
-    Pin place;
+    Pin pin;
     char comma = 0;
     char rest = 0;
     const auto is_share = [](double number) { return number >= 0.0 && number <= 1.0; };
-    if (!(words >> place.x >> comma >> place.y) || comma != ',' || words >> rest ||
-        !is_share(place.x) || !is_share(place.y))
+    if (!(words >> pin.x >> comma >> pin.y) || comma != ',' || words >> rest || !is_share(pin.x) ||
+        !is_share(pin.y))
         throw UsageError(fmt::format("--at: expected X,Y from 0 to 1, got '{}'", text));
-    return place;
+    return pin;
 }
 
 nlohmann::ordered_json json_of(const std::optional<double>& number) {
@@ -47,15 +47,15 @@ void print_json(const ImpulseResponse& response) {
     for (const PassImpulse& pass : response.passes)
         passes.push_back({{"name", pass.pass},
                           {"channel", channels[static_cast<std::size_t>(pass.channel)]},
-                          {"peak", pass.fall.peak},
-                          {"peak_seconds", pass.fall.peak_seconds},
-                          {"seconds_to_10_percent", json_of(pass.fall.to_tenth)},
-                          {"seconds_to_1_percent", json_of(pass.fall.to_hundredth)},
-                          {"seconds_to_0.1_percent", json_of(pass.fall.to_thousandth)},
-                          {"half_life_seconds", json_of(pass.fall.half_life)},
+                          {"peak", pass.decay.peak},
+                          {"peak_seconds", pass.decay.peak_seconds},
+                          {"seconds_to_10_percent", json_of(pass.decay.to_tenth)},
+                          {"seconds_to_1_percent", json_of(pass.decay.to_hundredth)},
+                          {"seconds_to_0.1_percent", json_of(pass.decay.to_thousandth)},
+                          {"half_life_seconds", json_of(pass.decay.half_life)},
                           {"light", pass.light}});
     const nlohmann::ordered_json document{
-        {"at", {response.question.place.x, response.question.place.y}},
+        {"at", {response.question.pin.x, response.question.pin.y}},
         {"fps", response.question.fps},
         {"seconds", response.seconds},
         {"passes", std::move(passes)}};
@@ -72,15 +72,15 @@ void print_table(const ImpulseResponse& response) {
                              "Channel", "10 %", "1 %", "0.1 %", "Half-life");
     for (const PassImpulse& pass : response.passes)
         std::cout << fmt::format(
-            "{:<24} {:>10.4g} {:>8} {:>9} {:>9} {:>9} {:>9}\n", pass.pass, pass.fall.peak,
-            channels[static_cast<std::size_t>(pass.channel)], milliseconds(pass.fall.to_tenth),
-            milliseconds(pass.fall.to_hundredth), milliseconds(pass.fall.to_thousandth),
-            milliseconds(pass.fall.half_life));
+            "{:<24} {:>10.4g} {:>8} {:>9} {:>9} {:>9} {:>9}\n", pass.pass, pass.decay.peak,
+            channels[static_cast<std::size_t>(pass.channel)], milliseconds(pass.decay.to_tenth),
+            milliseconds(pass.decay.to_hundredth), milliseconds(pass.decay.to_thousandth),
+            milliseconds(pass.decay.half_life));
 }
 
 int impulse(const ImpulseArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
-    const ImpulseQuestion question{parse_position(arguments.place), request.fps, arguments.seconds};
+    const ImpulseQuestion question{parse_position(arguments.pin), request.fps, arguments.seconds};
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         Work progress;
         const auto response = fire_impulse(offline, request.size, question, progress);
@@ -100,7 +100,7 @@ Command add_impulse(CommandLine& program) {
     auto arguments = std::make_shared<ImpulseArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
     options
-        .add("--at X,Y", arguments->place,
+        .add("--at X,Y", arguments->pin,
              "Position from 0,0 (top left of the picture) to 1,1 (bottom right)")
         .show_default();
     options.add("--seconds S", arguments->seconds, "Time to measure in seconds")

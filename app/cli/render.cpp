@@ -131,7 +131,7 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
 /// Draws all frames of the part and saves them.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
     Progress progress(Progress::Work::rendering_frames, static_cast<int>(job.part.end));
-    job.go_on = [&](std::int64_t drawn) {
+    job.should_continue = [&](std::int64_t drawn) {
         progress.show(static_cast<int>(drawn));
         return true;
     };

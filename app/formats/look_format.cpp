@@ -3,8 +3,8 @@
 #include "base/text.h"
 #include "formats/foreign_format.h"
 #include "formats/look/look_manifest.h"
+#include "glsl/parameters/constant_parameters.h"
 #include "glsl/parameters/parameters.h"
-#include "glsl/parameters/turned_constants.h"
 #include "glsl/text/include.h"
 #include "glsl/text/shader_files.h"
 #include "model/plan/plan.h"
@@ -67,7 +67,7 @@ Diagnostics check_sizes(const Look& look) {
 
 // Sorts parameters by the groups that the look lists. Parameters of other groups keep their order.
 void order_by_groups(Look& look, Diagnostics& warnings) {
-    const auto place = [&](const Parameter& parameter) {
+    const auto order_of = [&](const Parameter& parameter) {
         const auto found =
             std::ranges::find(look.groups, heading_of(look, parameter), &Heading::name);
         return found - look.groups.begin();
@@ -81,7 +81,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
                                 fmt::format("the group '{}' has no parameters", group.name),
                                 Severity::warning});
     }
-    std::ranges::stable_sort(look.parameters, {}, place);
+    std::ranges::stable_sort(look.parameters, {}, order_of);
 }
 
 Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
@@ -138,6 +138,6 @@ bool is_foreign_look(const fs::path& file) {
     return find_foreign_format(file) != nullptr;
 }
 
-std::string look_id_at(const fs::path& place) {
-    return is_foreign_look(place) ? foreign_look_id(place) : look_id_of(manifest_of(place));
+std::string look_id_at(const fs::path& path) {
+    return is_foreign_look(path) ? foreign_look_id(path) : look_id_of(manifest_of(path));
 }

@@ -19,4 +19,4 @@ LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
 bool is_foreign_look(const std::filesystem::path& file);
 
 /// The id of the look in a folder, manifest or foreign file, from the path only.
-std::string look_id_at(const std::filesystem::path& place);
+std::string look_id_at(const std::filesystem::path& path);

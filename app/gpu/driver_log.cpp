@@ -87,11 +87,11 @@ Diagnostics parse_driver_log(std::string_view log, const Stage& stage) {
         const auto remark = parse_remark(trim(line));
         if (!remark)
             continue;
-        Location place = origin_of(stage.lines, remark->line);
+        Location location = origin_of(stage.lines, remark->line);
         if (stage.lines.empty())
-            place = {stage.file, remark->line};
+            location = {stage.file, remark->line};
         const bool is_warning = remark->kind == "warning";
-        diagnostics.push_back({place.file, place.line,
+        diagnostics.push_back({location.file, location.line,
                                fmt::format("graphics driver: {}", remark->message),
                                is_warning ? Severity::warning : Severity::error});
     }

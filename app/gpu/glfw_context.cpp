@@ -21,9 +21,9 @@ struct GlfwContext::Library {
 
 namespace {
 std::string last_problem() {
-    const char* words = nullptr;
-    glfwGetError(&words);
-    return words ? words : "no reason given";
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text ? text : "no reason given";
 }
 
 void set_hints(const WindowOptions& options) {
@@ -105,7 +105,7 @@ void GlfwContext::start() {
     make_current();
     m_facts = read_facts();
     if (has_glx(m_window))
-        m_glx = current_glx_place();
+        m_glx = current_glx_handles();
 }
 
 Result<std::unique_ptr<Context>> GlfwContext::make_sharing() const {

@@ -49,7 +49,7 @@ private:
 
     std::shared_ptr<Library> m_library;  // terminates GLFW with the last context
     GLFWwindow* m_window;
-    GlxPlace m_glx;
+    GlxHandles m_glx;
 };
 
 }  // namespace gpu

@@ -62,8 +62,8 @@ private:
 };
 
 bool can_choose_version(Display* display, int screen) {
-    const char* words = glXQueryExtensionsString(display, screen);
-    return words && std::strstr(words, "GLX_ARB_create_context_profile");
+    const char* text = glXQueryExtensionsString(display, screen);
+    return text && std::strstr(text, "GLX_ARB_create_context_profile");
 }
 
 // Contexts can share only if their reset notification strategies are the same.
@@ -75,7 +75,7 @@ bool loses_context_on_reset() {
 }
 
 // Uses the same framebuffer configuration, so that the contexts can share. Null on failure.
-GLXContext made_beside(GLXContext context, Display* display) {
+GLXContext create_shared(GLXContext context, Display* display) {
     int kind = 0;
     int screen = 0;
     int count = 0;
@@ -118,16 +118,16 @@ bool can_be_current_alone(Display* display, GLXContext context) {
 }
 }  // namespace
 
-GlxPlace current_glx_place() {
+GlxHandles current_glx_handles() {
     return {glXGetCurrentDisplay(), glXGetCurrentContext()};
 }
 
-std::unique_ptr<Context> share_through_glx(const GlxPlace& place, const Facts& facts) {
-    auto* const display = static_cast<Display*>(place.display);
+std::unique_ptr<Context> share_through_glx(const GlxHandles& handles, const Facts& facts) {
+    auto* const display = static_cast<Display*>(handles.display);
     if (!display)
         return nullptr;
     const HeardRefusals refusals(display);
-    const GLXContext made = made_beside(static_cast<GLXContext>(place.context), display);
+    const GLXContext made = create_shared(static_cast<GLXContext>(handles.context), display);
     if (!made)
         return nullptr;
     const bool is_good = can_be_current_alone(display, made) && !refusals.has_any();

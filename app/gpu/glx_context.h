@@ -7,16 +7,16 @@
 namespace gpu {
 
 /// The context that is current on this thread, as GLX handles.
-struct GlxPlace {
+struct GlxHandles {
     void* display = nullptr;  // null: not a GLX context
     void* context = nullptr;
 };
-GlxPlace current_glx_place();
+GlxHandles current_glx_handles();
 
-/// A context without a window that shares with the one at `place`. A toolkit enumerates all
+/// A context without a window that shares with the one at `handles`. A toolkit enumerates all
 /// framebuffer configurations for each window, which takes ten times as long as creating the
 /// context. `facts` are those of both contexts. Call it on the thread that handles the display,
 /// which must outlive the context. Null on failure.
-std::unique_ptr<Context> share_through_glx(const GlxPlace& place, const Facts& facts);
+std::unique_ptr<Context> share_through_glx(const GlxHandles& handles, const Facts& facts);
 
 }  // namespace gpu

@@ -13,8 +13,8 @@
 namespace gpu {
 
 namespace {
-bool has_word(const char* words, std::string_view word) {
-    const std::string_view all = words ? words : "";
+bool has_word(const char* text, std::string_view word) {
+    const std::string_view all = text ? text : "";
     for (std::size_t at = all.find(word); at != std::string_view::npos;
          at = all.find(word, at + 1)) {
         const std::size_t end = at + word.size();
@@ -115,8 +115,8 @@ std::vector<EGLDeviceEXT> devices(bool software) {
     std::vector<EGLDeviceEXT> wanted;
     for (EGLint i = 0; i < count; ++i) {
         const EGLDeviceEXT device = found[static_cast<std::size_t>(i)];
-        const char* words = query_text ? query_text(device, EGL_EXTENSIONS) : nullptr;
-        if (has_word(words, "EGL_MESA_device_software") == software)
+        const char* text = query_text ? query_text(device, EGL_EXTENSIONS) : nullptr;
+        if (has_word(text, "EGL_MESA_device_software") == software)
             wanted.push_back(device);
     }
     return wanted;

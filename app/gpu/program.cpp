@@ -124,15 +124,15 @@ void Program::list_uniforms() {
     m_uniforms = active_uniforms(m_name.get());
     m_by_name.resize(m_uniforms.size());
     std::iota(m_by_name.begin(), m_by_name.end(), std::size_t{0});
-    std::ranges::sort(m_by_name, {}, [this](std::size_t place) -> std::string_view {
-        return m_uniforms[place].name;
+    std::ranges::sort(m_by_name, {}, [this](std::size_t index) -> std::string_view {
+        return m_uniforms[index].name;
     });
 }
 
 const Uniform* Program::find_uniform(std::string_view name) const {
     const auto found = std::ranges::lower_bound(
         m_by_name, name, {},
-        [this](std::size_t place) -> std::string_view { return m_uniforms[place].name; });
+        [this](std::size_t index) -> std::string_view { return m_uniforms[index].name; });
     return found == m_by_name.end() || m_uniforms[*found].name != name ? nullptr
                                                                        : &m_uniforms[*found];
 }
@@ -159,12 +159,12 @@ void Program::use() const {
     glUseProgram(m_name.get());
 }
 
-std::shared_ptr<const Program> ending_in(std::shared_ptr<Context> home, Program program) {
+std::shared_ptr<const Program> destroyed_in(std::shared_ptr<Context> context, Program program) {
     auto owned = std::make_unique<const Program>(std::move(program));
-    if (!home)
+    if (!context)
         return owned;
-    return {owned.release(), [home = std::move(home)](const Program* ending) {
-                home->bury(std::unique_ptr<const Program>(ending));
+    return {owned.release(), [context = std::move(context)](const Program* ending) {
+                context->bury(std::unique_ptr<const Program>(ending));
             }};
 }
 

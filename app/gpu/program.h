@@ -58,9 +58,9 @@ private:
     mutable std::uint64_t m_writer = 0;
 };
 
-/// The last owner, on any thread, leaves the destruction to `home`: some drivers unbind a context's
-/// program when another context deletes it. Null: the context that is current at that time destroys
-/// it.
-std::shared_ptr<const Program> ending_in(std::shared_ptr<Context> home, Program program);
+/// The last owner, on any thread, leaves the destruction to `context`: some drivers unbind a
+/// context's program when another context deletes it. Null: the context that is current at that
+/// time destroys it.
+std::shared_ptr<const Program> destroyed_in(std::shared_ptr<Context> context, Program program);
 
 }  // namespace gpu

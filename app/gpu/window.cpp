@@ -102,9 +102,9 @@ Extent Window::size() const {
 }
 
 std::array<int, 2> Window::position() const {
-    std::array<int, 2> place{};
-    glfwGetWindowPos(handle(), place.data(), &place[1]);
-    return place;
+    std::array<int, 2> position{};
+    glfwGetWindowPos(handle(), position.data(), &position[1]);
+    return position;
 }
 
 bool Window::is_maximised() const {

@@ -13,22 +13,22 @@ constexpr const char* first_look = "phosphor";
 std::vector<fs::path> looks_in(const Session& session) {
     std::vector<fs::path> places{session.look};
     for (const std::string& id : look_ids(session.current.preset.look))
-        if (const auto place = session.looks.find(id); place != session.looks.end())
-            places.emplace_back(place->second);
+        if (const auto path = session.looks.find(id); path != session.looks.end())
+            places.emplace_back(path->second);
     return places;
 }
 
 bool is_of_session(const UnfinishedOpening& left, const Session& session) {
     return std::ranges::any_of(
-        looks_in(session), [&left](const fs::path& place) { return left.has(manifest_of(place)); });
+        looks_in(session), [&left](const fs::path& path) { return left.has(manifest_of(path)); });
 }
 
 // A look that was moved or deleted since; "": none.
 fs::path missing_look(const Session& session) {
     std::error_code error;
-    for (const fs::path& place : looks_in(session))
-        if (!place.empty() && !fs::exists(place, error))
-            return place;
+    for (const fs::path& path : looks_in(session))
+        if (!path.empty() && !fs::exists(path, error))
+            return path;
     return {};
 }
 
@@ -51,8 +51,8 @@ std::string message_about(const UnfinishedOpening& left) {
 OpenRequest request_of(const UnfinishedOpening& left) {
     OpenRequest request{left.places.front(), {}, {}};
     if (left.places.size() > 1)
-        for (const fs::path& place : left.places)
-            request.stack.push_back({{}, place, {}});
+        for (const fs::path& path : left.places)
+            request.stack.push_back({{}, path, {}});
     return request;
 }
 }  // namespace

@@ -39,10 +39,10 @@ Stack stack_in(const Preset& preset, const LookPaths& paths) {
     if (!fault_of_stack_size(preset.look).empty())
         return stack;
     for (const std::string& id : look_ids(preset.look)) {
-        const auto place = paths.find(id);
-        if (place == paths.end())
+        const auto found = paths.find(id);
+        if (found == paths.end())
             return {};
-        stack.push_back({id, place->second, free_tag(stack, id)});
+        stack.push_back({id, found->second, free_tag(stack, id)});
     }
     return with_bypass(std::move(stack), preset.bypass);
 }

@@ -94,14 +94,14 @@ void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
     const int orientation = spec.get_int_attribute("Orientation", 1);
     if (orientation == 1)
         return;
-    OIIO::ImageSpec turned(picture.extent.width, picture.extent.height, picture.channels,
-                           OIIO::TypeDesc::FLOAT);
-    turned.attribute("Orientation", orientation);
+    OIIO::ImageSpec rotated(picture.extent.width, picture.extent.height, picture.channels,
+                            OIIO::TypeDesc::FLOAT);
+    rotated.attribute("Orientation", orientation);
     const OIIO::ImageBuf upright =
-        OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(turned, picture.pixels.data()));
+        OIIO::ImageBufAlgo::reorient(OIIO::ImageBuf(rotated, picture.pixels.data()));
     const OIIO::ImageSpec& now = upright.spec();
     std::vector<float> pixels(picture.pixels.size());
-    if (now.image_pixels() != turned.image_pixels() ||
+    if (now.image_pixels() != rotated.image_pixels() ||
         !upright.get_pixels(now.roi(), OIIO::TypeDesc::FLOAT, pixels.data()))
         return;
     picture.extent = {now.width, now.height};

@@ -65,10 +65,10 @@ std::string failure(const GError* error) {
     std::string_view message = error ? error->message : "no reason given";
     message = message.substr(0, message.find_last_not_of(" \n") + 1);
     for (const std::string_view mark : {" on line ", " in (null):"}) {
-        const std::size_t place = message.find(mark);
-        if (place == std::string_view::npos)
+        const std::size_t offset = message.find(mark);
+        if (offset == std::string_view::npos)
             continue;
-        const std::string_view behind = message.substr(place + mark.size());
+        const std::string_view behind = message.substr(offset + mark.size());
         const std::size_t words = std::min(behind.find(": "), behind.size());
         return failure(number_at(behind),
                        fmt::format("not well-formed XML{}", behind.substr(words)));

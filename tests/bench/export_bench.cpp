@@ -133,7 +133,7 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
     const ExportJob job{.part = {0, frames},
                         .pass = last_pass(offline),
                         .stages = sequence_stages(names, 0),
-                        .go_on = [](std::int64_t) { return true; }};
+                        .should_continue = [](std::int64_t) { return true; }};
     Run run;
     run.idle = idle_before(patience);
     std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak to the current value

@@ -70,21 +70,21 @@ TEST_CASE_FIXTURE(Headless,
                   "a program is deleted in its own context, whichever thread releases it last") {
     auto made = gpu::Context::shared_with(**context);
     REQUIRE(made.has_value());
-    const std::shared_ptr<gpu::Context> home = std::move(*made);
+    const std::shared_ptr<gpu::Context> look_context = std::move(*made);
     Stage vertex;
     vertex.text = "#version 410 core\nvoid main() { gl_Position = vec4(0.0); }\n";
     Stage fragment;
     fragment.text = "#version 410 core\nout vec4 color;\nvoid main() { color = vec4(1.0); }\n";
-    auto program = gpu::ending_in(home, gpu::Program::build(vertex, fragment).value());
+    auto program = gpu::destroyed_in(look_context, gpu::Program::build(vertex, fragment).value());
     program->use();
     GLint id = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &id);
     glUseProgram(0);
     program.reset();
     CHECK(glIsProgram(static_cast<GLuint>(id)));
-    { const gpu::ContextScope scope(home.get()); }
+    { const gpu::ContextScope scope(look_context.get()); }
     CHECK_FALSE(glIsProgram(static_cast<GLuint>(id)));
-    CHECK(home.use_count() == 1);
+    CHECK(look_context.use_count() == 1);
 }
 
 TEST_CASE("contexts can be created and destroyed while others exist") {

@@ -22,6 +22,6 @@ TEST_CASE("without a display, opening a window fails with an error each time") {
 }
 
 TEST_CASE("without a GLX context there is no shared context") {
-    const gpu::GlxPlace nowhere;
+    const gpu::GlxHandles nowhere;
     CHECK(gpu::share_through_glx(nowhere, {}) == nullptr);
 }

@@ -62,7 +62,7 @@ public:
         const auto go_on = [](std::int64_t) { return true; };
         Diagnostics warnings;
         REQUIRE(export_to((m_folder / "f%d.png").string(), offline,
-                          {.part = {0, 2}, .pass = 0, .go_on = go_on}, warnings));
+                          {.part = {0, 2}, .pass = 0, .should_continue = go_on}, warnings));
         return load_picture(m_folder / ("f" + std::to_string(number) + ".png")).value();
     }
 

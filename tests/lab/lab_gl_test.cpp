@@ -1,4 +1,5 @@
 #include "lab/document/opened_preset.h"
+#include "lab/lab_parts.h"
 #include "lab/menus/window_menu.h"
 #include "lab/small_lab.h"
 

@@ -7,8 +7,8 @@
 #include "formats/fragment/host_names.h"
 #include "formats/fragment/varyings.h"
 #include "glsl/cache/check_cache.h"
+#include "glsl/parameters/constant_parameters.h"
 #include "glsl/parameters/parameters.h"
-#include "glsl/parameters/turned_constants.h"
 #include "glsl/text/include.h"
 #include "glsl/text/tokens.h"
 

@@ -14,15 +14,14 @@ double number_at(const std::vector<double>& numbers, std::size_t index, double f
 std::string isf_label(const IsfInput& input) {
     if (!input.label.empty())
         return input.label;
-    std::string words;
+    std::string text;
     for (const char letter : input.name) {
         const bool is_capital = letter >= 'A' && letter <= 'Z';
         const bool begins_word =
-            is_capital && !words.empty() && words.back() >= 'a' && words.back() <= 'z';
-        words +=
-            begins_word ? "_" + to_lower(std::string_view(&letter, 1)) : std::string(1, letter);
+            is_capital && !text.empty() && text.back() >= 'a' && text.back() <= 'z';
+        text += begins_word ? "_" + to_lower(std::string_view(&letter, 1)) : std::string(1, letter);
     }
-    return label_from_name(words);
+    return label_from_name(text);
 }
 
 bool has_range(const IsfInput& input, std::size_t component) {

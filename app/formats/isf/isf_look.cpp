@@ -4,7 +4,7 @@
 #include "formats/isf/body.h"
 #include "formats/isf/controls.h"
 #include "glsl/cache/check_cache.h"
-#include "glsl/parameters/turned_constants.h"
+#include "glsl/parameters/constant_parameters.h"
 #include "model/plan/expression.h"
 #include "model/plan/parameter_use.h"
 #include "model/plan/plan.h"
@@ -337,7 +337,7 @@ private:
     const IsfSource& m_source;
     const IsfHeader& m_header;
     CheckCache* m_cache;
-    TurnedConstants m_constants;
+    ConstantParameters m_constants;
     std::vector<fs::path>& m_files;
     Diagnostics& m_warnings;
     bool m_listens;

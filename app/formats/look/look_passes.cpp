@@ -87,11 +87,11 @@ bool reads_in_frame(const Pass& reader, const std::string& name) {
 }
 
 std::optional<std::string> problem_of_onto(const Look& look, const Pass& pass) {
-    const auto place = find_pass(look, pass.onto->pass);
-    if (!place)
+    const auto host_index = find_pass(look, pass.onto->pass);
+    if (!host_index)
         return fmt::format("unknown pass '{}'{}", pass.onto->pass,
                            did_you_mean(pass.onto->pass, pass_names(look)));
-    const Pass& host = look.passes[static_cast<std::size_t>(*place)];
+    const Pass& host = look.passes[static_cast<std::size_t>(*host_index)];
     const bool is_once = !pass.accumulate && pass.repeat == Count(1);
     if (pass.blend != Blend::add || !is_once)
         return "'onto' needs 'blend': 'add' and no 'accumulate' or 'repeat'";

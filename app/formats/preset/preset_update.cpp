@@ -106,11 +106,11 @@ private:
     // Inserts before the first later member: in the order of the format at the top level, by name
     // below.
     void insert(std::vector<Chunk>& chunks, Chunk chunk, const Json& after) const {
-        const auto place = [&](const std::string& key) {
+        const auto order_of = [&](const std::string& key) {
             return std::distance(after.begin(), after.find(key));
         };
         const auto later = std::ranges::find_if(chunks, [&](const Chunk& other) {
-            return m_depth == 0 ? place(other.key) > place(chunk.key)
+            return m_depth == 0 ? order_of(other.key) > order_of(chunk.key)
                                 : other.key != "kind" && other.key > chunk.key;
         });
         chunks.insert(later, std::move(chunk));

@@ -108,12 +108,12 @@ private:
             problem(fmt::format("'{}' isn't a vertex index", word));
             return std::nullopt;
         }
-        const int place = *index < 0 ? count + *index : *index - 1;
-        if (*index == 0 || place < 0 || place >= count) {
+        const int from_zero = *index < 0 ? count + *index : *index - 1;
+        if (*index == 0 || from_zero < 0 || from_zero >= count) {
             problem(fmt::format("unknown vertex {}; vertices before this line: {}", *index, count));
             return std::nullopt;
         }
-        return static_cast<std::size_t>(place);
+        return static_cast<std::size_t>(from_zero);
     }
 
     void read_edges(const std::vector<std::string_view>& words, bool is_closed) {

@@ -183,8 +183,8 @@ private:
     void read_session(ObjectReader& reader, Session& session) {
         session.look = reader.text("look");
         if (const JsonValue* looks = reader.find("looks"))
-            for (const JsonValue& place : looks->children)
-                session.looks[place.key] = place.text;
+            for (const JsonValue& entry : looks->children)
+                session.looks[entry.key] = entry.text;
         session.preset_file = reader.text("preset_file");
         session.saved = state(reader.find("saved"));
         session.current = state(reader.find("current"));

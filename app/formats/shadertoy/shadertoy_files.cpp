@@ -19,7 +19,7 @@ constexpr std::array endings{".glsl", ".frag", ".fsh", ".fs", ".txt"};
 /// The pass that a file's name indicates.
 struct NamedPass {
     Kind kind = Kind::image;
-    int place = 0;
+    int index = 0;
     std::string shader;  // the part of the name before the pass
 };
 
@@ -36,7 +36,7 @@ std::optional<NamedPass> pass_named(const fs::path& file) {
     struct Word {
         std::string_view word;
         Kind kind;
-        int place;
+        int index;
     };
     constexpr auto words = std::to_array<Word>({{"common", Kind::common, 0},
                                                 {"buffera", Kind::buffer, 0},
@@ -56,7 +56,7 @@ std::optional<NamedPass> pass_named(const fs::path& file) {
     const std::string plain = plain_name(file);
     for (const Word& word : words)
         if (plain.ends_with(word.word))
-            return NamedPass{word.kind, word.place,
+            return NamedPass{word.kind, word.index,
                              plain.substr(0, plain.size() - word.word.size())};
     return std::nullopt;
 }
@@ -122,7 +122,7 @@ private:
             const bool is_new = pass && pass->shader == named.shader &&
                                 std::ranges::none_of(found, [&](const fs::path& known) {
                                     const auto had = pass_named(known);
-                                    return had->kind == pass->kind && had->place == pass->place;
+                                    return had->kind == pass->kind && had->index == pass->index;
                                 });
             if (is_new)
                 found.push_back(other);
@@ -138,8 +138,8 @@ private:
         }
         ShadertoyPass pass;
         pass.kind = named.kind;
-        pass.place = named.place;
-        pass.name = shadertoy_pass_name(named.kind, named.place);
+        pass.index = named.index;
+        pass.name = shadertoy_pass_name(named.kind, named.index);
         pass.code = std::move(*code);
         pass.is_wired = false;
         const fs::path own = file.lexically_normal();
@@ -153,7 +153,7 @@ private:
     int buffer_of(const fs::path& file, const fs::path& own, const ShadertoyPass& pass) {
         const fs::path named = file.lexically_normal();
         if (named == own && pass.kind != Kind::image)
-            return pass.place;
+            return pass.index;
         if (std::ranges::find(m_buffers, named) == m_buffers.end())
             m_buffers.push_back(named);
         const auto at = std::ranges::find(m_buffers, named) - m_buffers.begin();
@@ -174,10 +174,10 @@ private:
     }
 
     // An Image pass that reads itself becomes a buffer, and a new Image shows it unchanged.
-    void show_as_buffer(ShadertoyPass& image, int place) {
+    void show_as_buffer(ShadertoyPass& image, int index) {
         image.kind = Kind::buffer;
-        image.place = place;
-        image.name = shadertoy_pass_name(Kind::buffer, place);
+        image.index = index;
+        image.name = shadertoy_pass_name(Kind::buffer, index);
         ShadertoyPass shown;
         shown.name = shadertoy_pass_name(Kind::image, 0);
         shown.code = builtin_stage(
@@ -187,7 +187,7 @@ private:
         shown.code.file = image.code.file;
         ShadertoyInput input;
         input.kind = ShadertoyKind::buffer;
-        input.buffer = place;
+        input.buffer = index;
         input.declared = {image.code.file, 1};
         shown.inputs.push_back(std::move(input));
         m_shadertoy.passes.push_back(std::move(shown));

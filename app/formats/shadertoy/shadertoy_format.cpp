@@ -5,8 +5,8 @@
 #include "formats/shadertoy/shadertoy_files.h"
 #include "formats/shadertoy/shadertoy_json.h"
 #include "formats/shadertoy/shadertoy_look.h"
+#include "glsl/parameters/constant_parameters.h"
 #include "glsl/parameters/parameters.h"
-#include "glsl/parameters/turned_constants.h"
 
 #include <algorithm>
 

@@ -163,9 +163,9 @@ private:
             if (text_of(find_member(pass, "type")) != "buffer")
                 continue;
             const std::string id = output_of(pass);
-            const auto place = find_named(buffer_ids, id);
-            if (place && *place < shadertoy_cube_place)
-                is_taken[static_cast<std::size_t>(*place)] = true;
+            const auto index = find_named(buffer_ids, id);
+            if (index && *index < shadertoy_cube_place)
+                is_taken[static_cast<std::size_t>(*index)] = true;
             else
                 unknown.push_back(id);
         }
@@ -194,13 +194,13 @@ private:
             return warn(value, fmt::format("unknown pass type '{}'; the pass is ignored", type));
         ShadertoyPass pass;
         pass.kind = *kind;
-        pass.place = *kind == Kind::buffer ? buffer_of(output_of(value)).value_or(-1)
+        pass.index = *kind == Kind::buffer ? buffer_of(output_of(value)).value_or(-1)
                      : *kind == Kind::cube ? shadertoy_cube_place
                                            : 0;
-        pass.name = shadertoy_pass_name(*kind, pass.place);
+        pass.name = shadertoy_pass_name(*kind, pass.index);
         const bool is_double = std::ranges::find(shadertoy.passes, pass.name,
                                                  &ShadertoyPass::name) != shadertoy.passes.end();
-        if (is_double || pass.place < 0)
+        if (is_double || pass.index < 0)
             return warn(value, is_double ? fmt::format("'{}' already exists; this pass is ignored",
                                                        pass.name)
                                          : "Buffer A to D already exist; this buffer is ignored");
@@ -251,11 +251,11 @@ private:
         input.asset = text_of(member(value, {"filepath", "src"}));
         input.declared = {m_file, value.line};
         read_sampler(find_member(value, "sampler"), input);
-        const auto place = buffer_of(text_of(find_member(value, "id")));
+        const auto index = buffer_of(text_of(find_member(value, "id")));
         if (input.kind == ShadertoyKind::buffer)
-            input.buffer = place.value_or(buffer_in(input.asset));
+            input.buffer = index.value_or(buffer_in(input.asset));
         // The output of Cube A is listed as a cubemap.
-        if (input.kind == ShadertoyKind::cubemap && place == shadertoy_cube_place)
+        if (input.kind == ShadertoyKind::cubemap && index == shadertoy_cube_place)
             input.buffer = shadertoy_cube_place;
         pass.inputs.push_back(std::move(input));
     }

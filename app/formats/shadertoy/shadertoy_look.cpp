@@ -31,7 +31,7 @@ public:
     Result<Look> make();
 
 private:
-    std::optional<std::size_t> find_drawn(int place) const;
+    std::optional<std::size_t> find_drawn(int index) const;
     void order_passes();
     void make_pass(const ShadertoyPass& shadertoy_pass);
     ShadertoyChannel feed(const ShadertoyPass& shadertoy_pass, const GlslWords& words, int channel,
@@ -79,13 +79,13 @@ void ShadertoyLook::order_passes() {
             m_drawn.push_back(&pass);
     }
     std::ranges::stable_sort(m_drawn, {}, [](const ShadertoyPass* pass) {
-        return std::pair(pass->kind == Kind::image, pass->place);
+        return std::pair(pass->kind == Kind::image, pass->index);
     });
 }
 
-std::optional<std::size_t> ShadertoyLook::find_drawn(int place) const {
+std::optional<std::size_t> ShadertoyLook::find_drawn(int index) const {
     for (std::size_t i = 0; i < m_drawn.size(); ++i)
-        if (m_drawn[i]->kind != Kind::image && m_drawn[i]->place == place)
+        if (m_drawn[i]->kind != Kind::image && m_drawn[i]->index == index)
             return i;
     return std::nullopt;
 }

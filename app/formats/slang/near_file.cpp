@@ -44,8 +44,8 @@ std::optional<fs::path> in_other_letters(const fs::path& file) {
 
 std::string near_file(const fs::path& wanted, const fs::path& from) {
     const fs::path folder = from.parent_path();
-    for (const fs::path& place : {wanted, folder / wanted.filename()}) {
-        const auto found = in_other_letters(place);
+    for (const fs::path& candidate : {wanted, folder / wanted.filename()}) {
+        const auto found = in_other_letters(candidate);
         std::error_code error;
         if (!found || !fs::is_regular_file(*found, error))
             continue;

@@ -67,13 +67,13 @@ SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnos
     std::unordered_map<std::string_view, std::size_t> places;
     places.reserve(declared.size());
     for (const auto& parameter : declared) {
-        const auto place = places.find(parameter->id);
-        if (place == places.end()) {
+        const auto found = places.find(parameter->id);
+        if (found == places.end()) {
             places.emplace(parameter->id, unique.size());
             unique.push_back(parameter);
             continue;
         }
-        const SlangParameter& first = *unique[place->second];
+        const SlangParameter& first = *unique[found->second];
         if (are_same_numbers(first, *parameter))
             continue;
         add_new(warnings,

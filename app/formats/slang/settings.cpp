@@ -118,12 +118,12 @@ private:
 
     void add_setting(const Line& line, const Location& at) {
         SlangSetting setting{readable_text(line.key), readable_text(line.value), at};
-        const auto [place, is_new] = m_read.places.emplace(setting.key, m_read.settings.size());
+        const auto [found, is_new] = m_read.places.emplace(setting.key, m_read.settings.size());
         if (is_new) {
             m_read.settings.push_back(std::move(setting));
             return;
         }
-        const SlangSetting& first = m_read.settings[place->second];
+        const SlangSetting& first = m_read.settings[found->second];
         if (first.value != setting.value)
             warn(at, fmt::format("'{}' is already set to '{}' on line {}; this line is ignored",
                                  setting.key, first.value, first.declared.line));
@@ -170,8 +170,8 @@ private:
 }  // namespace
 
 const SlangSetting* SlangSettings::find(const std::string& key) const {
-    const auto place = places.find(key);
-    return place == places.end() ? nullptr : &settings[place->second];
+    const auto found = places.find(key);
+    return found == places.end() ? nullptr : &settings[found->second];
 }
 
 Result<SlangSettings> read_slang_settings(const fs::path& file, SlangFiles& files,

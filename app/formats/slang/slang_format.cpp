@@ -5,7 +5,7 @@
 #include "formats/slang/chain_look.h"
 #include "formats/slang/near_file.h"
 #include "glsl/cache/check_cache.h"
-#include "glsl/parameters/turned_constants.h"
+#include "glsl/parameters/constant_parameters.h"
 
 #include <fmt/format.h>
 
@@ -20,7 +20,7 @@ constexpr const char* pixel_art = "pattern:harbour";
 /// Loads and translates shaders, each once, even if several passes use it.
 class ChainLoader {
 public:
-    ChainLoader(SlangFiles& files, CheckCache* cache, TurnedConstants& constants)
+    ChainLoader(SlangFiles& files, CheckCache* cache, ConstantParameters& constants)
         : m_files(files), m_cache(cache), m_constants(constants) {}
 
     void read(const SlangPass& pass, WholeChain& chain) {
@@ -87,12 +87,12 @@ private:
 
     SlangFiles& m_files;
     CheckCache* m_cache;
-    TurnedConstants& m_constants;
+    ConstantParameters& m_constants;
     std::map<fs::path, std::optional<Read>> m_known;
 };
 
 Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
-                              TurnedConstants& constants, bool& is_parsed) {
+                              ConstantParameters& constants, bool& is_parsed) {
     WholeChain chain;
     if (is_slang_shader(file)) {
         chain.preset = slang_preset_of(file);
@@ -170,7 +170,7 @@ Filter chosen_filter(const ReadingHelp& help) {
 Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
-    TurnedConstants constants(help.values, help.cache);
+    ConstantParameters constants(help.values, help.cache);
     const auto chain = read_chain(file, files, help, constants, loaded.is_parsed);
     if (!chain)
         return fail(chain.error());

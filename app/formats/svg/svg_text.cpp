@@ -7,9 +7,9 @@
 
 namespace {
 // y points down in SVG.
-std::string pair_text(const BeamPosition& place) {
-    return format_number(kept_coordinate(place[0])) + ' ' +
-           format_number(kept_coordinate(-place[1]));
+std::string pair_text(const BeamPosition& position) {
+    return format_number(kept_coordinate(position[0])) + ' ' +
+           format_number(kept_coordinate(-position[1]));
 }
 
 std::string lines_text(const Stroke& stroke) {

@@ -127,7 +127,7 @@ private:
 };
 }  // namespace
 
-bool Hint::says_the_same_as(const Hint& other) const {
+bool Hint::has_same_text_as(const Hint& other) const {
     const auto is_same = [](const std::string& a, const std::string& b) {
         const auto number = parse_number(a);
         return a == b || (number && number == parse_number(b));
@@ -149,7 +149,7 @@ void merge_hints(Hints& hints, const Hints& others, const std::string& name, Dia
         const Hint* const same = find_hint(hints, other.key);
         if (!same)
             hints.push_back(other);
-        else if (!same->says_the_same_as(other))
+        else if (!same->has_same_text_as(other))
             errors.push_back({other.at.file, other.at.line,
                               fmt::format("{} of '{}' differs from another declaration{}",
                                           other.key, name, aside(same->at))});

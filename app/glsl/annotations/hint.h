@@ -12,7 +12,7 @@ struct Hint {
     std::vector<std::string> words;
     Location at;
 
-    bool says_the_same_as(const Hint& other) const;
+    bool has_same_text_as(const Hint& other) const;
 };
 
 using Hints = std::vector<Hint>;

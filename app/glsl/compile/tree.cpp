@@ -138,8 +138,8 @@ private:
         const bool is_block = type.getBasicType() == glslang::EbtBlock;
         uniform.name = is_block ? type.getTypeName().c_str() : symbol.getName().c_str();
         uniform.type_name = type_name_of(type);
-        const auto place = m_places.find(uniform.name);
-        uniform.declared.push_back(place == m_places.end() ? Location{} : place->second);
+        const auto found = m_places.find(uniform.name);
+        uniform.declared.push_back(found == m_places.end() ? Location{} : found->second);
         const auto scalar = scalar_of(type);
         if (scalar && !type.isArray()) {
             uniform.kind = Uniform::Kind::number;

@@ -83,8 +83,8 @@ public:
             return {};
         const bool has_precision =
             is(at + 1, "highp") || is(at + 1, "mediump") || is(at + 1, "lowp");
-        const std::size_t place = at + (has_precision ? 3 : 2);
-        return place < m_tokens.size() ? std::string(m_tokens[place].text) : std::string();
+        const std::size_t index = at + (has_precision ? 3 : 2);
+        return index < m_tokens.size() ? std::string(m_tokens[index].text) : std::string();
     }
 
 private:
@@ -134,8 +134,8 @@ private:
 
 void specialize(const Statement& statement, const SpecializedUniform& uniform,
                 const std::string& text, Copy& copy) {
-    const auto at = [&](std::size_t place) {
-        return text.begin() + static_cast<std::ptrdiff_t>(place);
+    const auto at = [&](std::size_t index) {
+        return text.begin() + static_cast<std::ptrdiff_t>(index);
     };
     copy.up_to(statement.begin);
     copy.without(statement.begin + std::string_view("uniform").size());

@@ -104,8 +104,8 @@ bool is_composite(const TType& type) {
 }
 
 // The root of an access chain such as `a[i].b[j]`.
-TIntermTyped& base_of(TIntermTyped& place) {
-    TIntermTyped* base = &place;
+TIntermTyped& base_of(TIntermTyped& expression) {
+    TIntermTyped* base = &expression;
     for (;;) {
         const glslang::TIntermBinary* binary = base->getAsBinaryNode();
         const bool is_part = binary && (binary->getOp() == glslang::EOpIndexDirect ||

@@ -62,8 +62,8 @@ private:
             return error({file, 1}, too_large);
         }
         if (text->is_once)
-            m_once.push_back(text->place);
-        m_open.push_back({file, text->place});
+            m_once.push_back(text->canonical);
+        m_open.push_back({file, text->canonical});
         add_text(*text);
         m_open.pop_back();
     }

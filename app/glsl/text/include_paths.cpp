@@ -51,9 +51,10 @@ IncludePaths::IncludePaths(const fs::path& file, const IncludeRoots& roots, Shad
 }
 
 bool IncludePaths::is_readable(const fs::path& file) const {
-    const fs::path place = absolute_path(file);
-    return is_below(place, m_tree) || std::ranges::any_of(m_folders, [&](const fs::path& folder) {
-               return is_below(place, absolute_path(folder));
+    const fs::path absolute = absolute_path(file);
+    return is_below(absolute, m_tree) ||
+           std::ranges::any_of(m_folders, [&](const fs::path& folder) {
+               return is_below(absolute, absolute_path(folder));
            });
 }
 

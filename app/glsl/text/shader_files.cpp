@@ -75,7 +75,7 @@ void ShaderFiles::begin_reading() {
         if (!known.stamp || known.stamp != stamp_of(file))
             continue;
         known.reading = m_reading;
-        m_places.emplace(file, known.place);
+        m_places.emplace(file, known.canonical);
     }
 }
 
@@ -90,11 +90,11 @@ std::optional<FileStamp> ShaderFiles::stamp_of(const fs::path& file) const {
 }
 
 const fs::path& ShaderFiles::canonical_path(const fs::path& path) {
-    const auto [place, is_new] = m_places.try_emplace(path.native());
+    const auto [known, is_new] = m_places.try_emplace(path.native());
     std::error_code missing;
     if (is_new)
-        place->second = fs::canonical(path, missing);
-    return place->second;
+        known->second = fs::canonical(path, missing);
+    return known->second;
 }
 
 ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
@@ -105,7 +105,7 @@ ShaderFiles::Known& ShaderFiles::known(const fs::path& file) {
         return known;
     known.reading = m_reading;
     known.stamp = stamp_of(file);
-    known.place = canonical_path(file);
+    known.canonical = canonical_path(file);
     ++m_reads;
     Result<std::string> bytes = read_text(file);
     if (is_new || bytes != known.bytes) {
@@ -122,7 +122,7 @@ const Result<ShaderText>& ShaderFiles::read(const fs::path& file) {
     else if (!text.found)
         text.found = fail(text.bytes.error());
     if (*text.found)
-        (*text.found)->place = canonical_path(file);
+        (*text.found)->canonical = canonical_path(file);
     return *text.found;
 }
 

@@ -25,9 +25,9 @@ struct ShaderText {
     std::string text;  // LF line ends only; `#line` and `#pragma once` are blanked out
     std::vector<Include> includes;
     bool is_once = false;
-    int unclosed_comment = 0;     // line where an unterminated comment starts; 0: none
-    std::size_t file_size = 0;    // bytes; a file larger than most_bytes has no text
-    std::filesystem::path place;  // see canonical_path()
+    int unclosed_comment = 0;         // line where an unterminated comment starts; 0: none
+    std::size_t file_size = 0;        // bytes; a file larger than most_bytes has no text
+    std::filesystem::path canonical;  // see canonical_path()
 };
 
 /// Shader files on disk. Each file is read at most once per reading of a look, and not at all if
@@ -61,9 +61,9 @@ private:
         Result<std::string> bytes;
         std::optional<Result<ShaderText>> found;  // parsed from the bytes
         std::optional<FileStamp> stamp;  // taken before reading; nullopt: too recent to be reliable
-        std::filesystem::path place;     // the canonical path when read
-        std::uint64_t reading = 0;       // the reading in which they were read
-        std::uint64_t asked = 0;         // the last reading that used them
+        std::filesystem::path canonical;  // the canonical path when read
+        std::uint64_t reading = 0;        // the reading in which they were read
+        std::uint64_t asked = 0;          // the last reading that used them
     };
     using Path = std::filesystem::path::string_type;
 

@@ -30,7 +30,7 @@ void main() {
 )";
 
 constexpr const char* fitted_text = R"(
-uniform vec4 place;  // of the picture in the target: left, bottom, width, height; px
+uniform vec4 region;  // of the picture in the target: left, bottom, width, height; px
 uniform bool is_source_encoded;
 
 vec3 light_at(ivec2 texel) {
@@ -60,8 +60,8 @@ vec3 interpolated(vec2 texel) {
 
 void main() {
     vec2 size = vec2(textureSize(shown, 0));
-    vec2 texels_a_pixel = size / place.zw;
-    vec2 texel = (gl_FragCoord.xy - place.xy) * texels_a_pixel;
+    vec2 texels_a_pixel = size / region.zw;
+    vec2 texel = (gl_FragCoord.xy - region.xy) * texels_a_pixel;
     color = vec4(0.0, 0.0, 0.0, 1.0);
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, size))) return;
     vec2 low = max(texel - 0.5 * texels_a_pixel, vec2(0.0));
@@ -72,7 +72,7 @@ void main() {
 )";
 
 // The whole picture, centred in `room`: left, bottom, width, height; px.
-std::array<double, 4> fitted_place(Extent picture, Extent room) {
+std::array<double, 4> fitted_region(Extent picture, Extent room) {
     const double scale = std::min(static_cast<double>(room.width) / picture.width,
                                   static_cast<double>(room.height) / picture.height);
     const double width = std::max(std::round(picture.width * scale), 1.0);
@@ -140,6 +140,6 @@ void Comparer::draw_fitted(const gpu::Texture& from, Encoding from_encoding, con
                            Encoding to_encoding) {
     m_fitted.write("is_encoded", std::array{number_of(to_encoding)});
     m_fitted.write("is_source_encoded", std::array{number_of(from_encoding)});
-    m_fitted.write("place", fitted_place(from.extent(), to.texture().extent()));
+    m_fitted.write("region", fitted_region(from.extent(), to.texture().extent()));
     draw_single(from, m_fitted, to);
 }

@@ -32,7 +32,7 @@ Executor::Parts::Parts(Look look, Programs linked)
 }
 
 Executor::Executor(Look look, Programs programs) {
-    const gpu::ContextScope scope(programs.home.get());
+    const gpu::ContextScope scope(programs.context.get());
     m_parts = std::make_unique<Parts>(std::move(look), std::move(programs));
     note_programs();
 }

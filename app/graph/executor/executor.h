@@ -8,8 +8,8 @@
 #include <vector>
 
 /// A look on the GPU: its programs, targets, history and pictures. Draws one frame after another.
-/// Belongs to the `home` of its programs, whichever context is current for the caller. Without one,
-/// it belongs to the context that it is created in. Call resize() before the first draw.
+/// Belongs to the `context` of its programs, whichever context is current for the caller. Without
+/// one, it belongs to the context that it is created in. Call resize() before the first draw.
 class Executor {
 public:
     /// `programs` are those of `look`.

@@ -423,7 +423,7 @@ bool FrameDrawer::rests(std::size_t index) const {
         return input.frames_ago > 0 || input.from == Input::From::sound ||
                input.from == Input::From::keyboard;
     });
-    return !reads_what_moves && !m_programs[index].built_ins.tell_time();
+    return !reads_what_moves && !m_programs[index].built_ins.uses_time();
 }
 
 void FrameDrawer::set_observer(std::shared_ptr<FrameObserver> observer) {

@@ -59,7 +59,7 @@ void NanWatch::pass_drawn(const FrameInProgress& frame, std::size_t pass) {
     if (m_policy == NanPolicy::clamp)
         m_detector->check_and_sanitize(drawn, frame.number);
     else if (frame.graph.is_overwritten(pass))
-        m_detector->look_at({&drawn, 1}, frame.number);
+        m_detector->check({&drawn, 1}, frame.number);
 }
 
 // All other passes together, after the frame.
@@ -71,7 +71,7 @@ void NanWatch::frame_drawn(const FrameInProgress& frame) {
         if (frame.passes[pass] && is_watched(frame, pass) && !frame.graph.is_overwritten(pass))
             all.push_back({pass, &frame.targets[pass].canvas()});
     if (!all.empty())
-        m_detector->look_at(all, frame.number);
+        m_detector->check(all, frame.number);
 }
 
 // If a stored picture was corrected, an earlier pass that is not watched may be the cause.

@@ -40,7 +40,7 @@ PassFacts PassDrawer::facts_of_pass(std::size_t index) const {
         source,
         pass.source.empty() && m_frame.source_raster ? *m_frame.source_raster : own_raster(source),
         pass.rows,
-        meets_drawn_onto(look, plan, index),
+        is_drawn_onto(look, plan, index),
         [this, source](const BoundInput& input) {
             if (input.from == Input::From::pass && input.pass >= 0)
                 return m_graph.plan().targets[static_cast<std::size_t>(input.pass)].extent;

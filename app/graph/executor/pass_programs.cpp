@@ -22,7 +22,7 @@ std::uint64_t next_writer() {
 PassPrograms::PassPrograms(const FrameGraph& graph, const Shapes& shapes, Programs programs)
     : m_graph(graph),
       m_shapes(shapes),
-      m_context(programs.home),
+      m_context(programs.context),
       m_writer(next_writer()),
       m_generic(bound(std::move(programs), {})) {
     write_all();
@@ -59,7 +59,7 @@ PassPrograms::Bound PassPrograms::bound(Programs programs, std::vector<BoundPass
 std::vector<bool> PassPrograms::reading_mouse() const {
     std::vector<bool> readers;
     for (const BoundPass& pass : active().passes)
-        readers.push_back(pass.built_ins.tell_mouse());
+        readers.push_back(pass.built_ins.uses_mouse());
     return readers;
 }
 

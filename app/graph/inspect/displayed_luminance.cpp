@@ -74,8 +74,8 @@ double displayed_luminance(const std::array<float, 4>& rgba, Format format,
         return luminance_of(*mark);
     if (options.is_false_color) {
         const bool has_colors = options.channels == ChannelChoice::rgb && !is_lone;
-        const double place = has_colors ? luminance_of(light) : light[0];
-        return luminance_of(decoded(false_color(std::clamp(place, 0.0, 1.0))));
+        const double level = has_colors ? luminance_of(light) : light[0];
+        return luminance_of(decoded(false_color(std::clamp(level, 0.0, 1.0))));
     }
     SeenColor display;
     for (std::size_t i = 0; i < light.size(); ++i) {

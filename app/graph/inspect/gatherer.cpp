@@ -8,11 +8,11 @@
 namespace {
 constexpr const char* gather_start = R"(#version 410 core
 out vec4 color;
-uniform ivec2 place;  // texel, from the bottom left
+uniform ivec2 texel;  // from the bottom left
 )";
 
 constexpr const char* gather_end = R"(
-void main() { color = texel_at(place); }
+void main() { color = texel_at(texel); }
 )";
 }  // namespace
 
@@ -37,7 +37,7 @@ void Gatherer::start(const std::vector<TexelPosition>& places) {
         const TexelPosition& one = places[static_cast<std::size_t>(i)];
         const Extent extent = one.target.extent();
         const gpu::Program& program = *m_programs.find(one.target.format());
-        program.write("place",
+        program.write("texel",
                       std::array<double, 2>{static_cast<double>(one.x),
                                             static_cast<double>(extent.height - 1 - one.y)});
         program.use();

@@ -18,8 +18,8 @@ void main() {
     vec3 light = vec3(0.0);
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
-            vec2 place = floor(gl_FragCoord.xy) + (vec2(x, y) + 0.5) / float(side);
-            vec3 numbers = textureLod(shown, place / cells, 0.0).rgb;
+            vec2 position = floor(gl_FragCoord.xy) + (vec2(x, y) + 0.5) / float(side);
+            vec3 numbers = textureLod(shown, position / cells, 0.0).rgb;
             // What is no number is dark; the comparison is false for it.
             numbers = mix(vec3(0.0), min(numbers, 1.0), greaterThan(numbers, vec3(0.0)));
             light += to_light(is_lone ? numbers.rrr : numbers);

@@ -62,15 +62,16 @@ constexpr Sampler nan_sampler{Filter::nearest, Wrap::edge, false};
 }  // namespace
 
 Result<std::shared_ptr<const NanDetectorPrograms>> build_nan_detector(
-    const std::shared_ptr<gpu::Context>& home) {
+    const std::shared_ptr<gpu::Context>& context) {
     auto finder = build_measuring_program(finder_text);
     if (!finder)
         return fail(finder.error());
     auto sanitizer = build_measuring_program(sanitizer_text);
     if (!sanitizer)
         return fail(sanitizer.error());
-    return std::make_shared<const NanDetectorPrograms>(NanDetectorPrograms{
-        gpu::ending_in(home, std::move(*finder)), gpu::ending_in(home, std::move(*sanitizer))});
+    return std::make_shared<const NanDetectorPrograms>(
+        NanDetectorPrograms{gpu::destroyed_in(context, std::move(*finder)),
+                            gpu::destroyed_in(context, std::move(*sanitizer))});
 }
 
 NanDetector::SanitizeMethod NanDetector::best_method() {
@@ -97,7 +98,7 @@ bool NanDetector::Sheet::find_room(Extent part, int& left, int& bottom) {
     return true;
 }
 
-bool NanDetector::place(Watch& watch) {
+bool NanDetector::allocate(Watch& watch) {
     constexpr int usual_side = 256;
     const Extent part = nan_blocks_of(watch.target);
     if (m_sheets.empty() || !m_sheets.back().find_room(part, watch.x, watch.y)) {
@@ -123,7 +124,7 @@ NanDetector::Watch* NanDetector::watch_for(std::size_t pass, const gpu::Texture&
         m_spares.clear();
     }
     Watch watch{target.extent()};
-    return place(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
+    return allocate(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
 }
 
 // Restarts the codes of the blocks, which are limited to `most_frames` frames.
@@ -149,7 +150,7 @@ void NanDetector::draw_found(const Watch& watch, const gpu::Texture& target, std
     gpu::draw_triangle();
 }
 
-void NanDetector::look_at(std::span<const Drawn> all, std::int64_t frame) {
+void NanDetector::check(std::span<const Drawn> all, std::int64_t frame) {
     begin(frame);
     gpu::PixelQuery& query = m_gathered.open_next().query;
     query.begin();

@@ -29,9 +29,9 @@ struct NanDetectorPrograms {
     std::shared_ptr<const gpu::Program> sanitizer;
 };
 
-/// The programs are destroyed in `home`.
+/// The programs are destroyed in `context`.
 Result<std::shared_ptr<const NanDetectorPrograms>> build_nan_detector(
-    const std::shared_ptr<gpu::Context>& home = nullptr);
+    const std::shared_ptr<gpu::Context>& context = nullptr);
 
 /// Detects NaN and infinity in the outputs of passes, and can replace them with finite numbers
 /// before they are read. Each target takes one draw, and all targets of a frame share one picture.
@@ -54,7 +54,7 @@ public:
     };
     /// Checks targets. Call in a DrawScope while the targets hold the contents to check. Frame
     /// numbers must increase.
-    void look_at(std::span<const Drawn> all, std::int64_t frame);
+    void check(std::span<const Drawn> all, std::int64_t frame);
     /// Call directly after the pass. If the check finds something, NaN becomes 0 and infinities
     /// become the largest number of the format.
     void check_and_sanitize(const Drawn& drawn, std::int64_t frame);
@@ -105,7 +105,7 @@ private:
     void begin(std::int64_t frame);
     void draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame);
     Watch* watch_for(std::size_t pass, const gpu::Texture& target);
-    bool place(Watch& watch);
+    bool allocate(Watch& watch);
     void draw_sanitized(const gpu::Canvas& target);
     void draw_sanitizer(const gpu::Canvas& from, const gpu::Canvas& to);
     const gpu::Canvas* spare_for(const gpu::Texture& target);

@@ -13,17 +13,17 @@
 
 namespace {
 constexpr const char* view_vertex = R"(#version 410 core
-out vec2 place;  // 0..1 over the view, from the bottom left
+out vec2 position;  // 0..1 over the view, from the bottom left
 void main() {
-    place = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-    gl_Position = vec4(place * 2.0 - 1.0, 0.0, 1.0);
+    position = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+    gl_Position = vec4(position * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
 
 // Between this and view_end come the options and the functions that read the target: `shown`,
 // `rgba_at(texel)` and those of texel_text.h.
 constexpr const char* view_start = R"(#version 410 core
-in vec2 place;
+in vec2 position;
 out vec4 color;
 uniform vec4 region;        // left, bottom, width, height; texels
 uniform vec2 texels_a_pixel;
@@ -110,11 +110,11 @@ vec3 mark_at(vec2 texel) {
 }
 
 // False_color() of viewer.h.
-vec3 ramp(float place) {
-    float angle = 6.28318530718 * (0.5 / 3.0 - 1.5 * place);
-    float amplitude = place * (1.0 - place) / 2.0;
+vec3 ramp(float level) {
+    float angle = 6.28318530718 * (0.5 / 3.0 - 1.5 * level);
+    float amplitude = level * (1.0 - level) / 2.0;
     mat2x3 turn = mat2x3(-0.14861, -0.29227, 1.97294, 1.78277, -0.90649, 0.0);
-    return place + amplitude * (turn * vec2(cos(angle), sin(angle)));
+    return level + amplitude * (turn * vec2(cos(angle), sin(angle)));
 }
 
 vec3 on_display(vec3 light) {
@@ -135,7 +135,7 @@ vec3 over_checker(vec3 seen, float alpha) {
 }
 
 void main() {
-    vec2 texel = region.xy + place * region.zw;
+    vec2 texel = region.xy + position * region.zw;
     if (any(lessThan(texel, vec2(0.0))) || any(greaterThanEqual(texel, vec2(textureSize(shown, 0))))) {
         color = vec4(0.0);
         return;
@@ -180,13 +180,13 @@ Result<gpu::Program> build_view(const std::string& options, SampleKind kind) {
 }
 }  // namespace
 
-std::array<double, 3> false_color(double place) {
-    const double angle = 2.0 * std::numbers::pi * (0.5 / 3.0 - 1.5 * place);
-    const double amplitude = place * (1.0 - place) / 2.0;
+std::array<double, 3> false_color(double level) {
+    const double angle = 2.0 * std::numbers::pi * (0.5 / 3.0 - 1.5 * level);
+    const double amplitude = level * (1.0 - level) / 2.0;
     const double across = std::cos(angle);
     const double up = std::sin(angle);
     const auto channel = [&](double a, double b) {
-        return std::clamp(place + amplitude * (a * across + b * up), 0.0, 1.0);
+        return std::clamp(level + amplitude * (a * across + b * up), 0.0, 1.0);
     };
     return {channel(-0.14861, 1.78277), channel(-0.29227, -0.90649), channel(1.97294, 0.0)};
 }

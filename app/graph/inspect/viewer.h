@@ -42,7 +42,7 @@ struct ViewOptions {
 /// with increasing brightness. Cubehelix: D. A. Green, "A colour scheme for the display of
 /// astronomical intensity images", Bull. Astr. Soc. India 39 (2011), with start 0.5, rotations
 /// -1.5, hue 1.
-std::array<double, 3> false_color(double place);
+std::array<double, 3> false_color(double position);
 
 /// The programs of a Viewer.
 struct ViewerPrograms {

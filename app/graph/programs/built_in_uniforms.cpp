@@ -119,7 +119,7 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
         case BuiltIn::press:
             return {widened(frame.press.numbers()), 4};
         case BuiltIn::drawn_onto:
-            return {{facts.meets_drawn_onto ? 1.0 : 0.0}, 1};
+            return {{facts.is_drawn_onto ? 1.0 : 0.0}, 1};
         default:  // write_samples() writes samples, ParameterUniforms the orbit
             break;
     }
@@ -152,11 +152,11 @@ std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const Pas
     return all;
 }
 
-bool BuiltInUniforms::tell_time() const {
+bool BuiltInUniforms::uses_time() const {
     return std::ranges::any_of(m_uniforms, tells_time, &BoundBuiltIn::says);
 }
 
-bool BuiltInUniforms::tell_mouse() const {
+bool BuiltInUniforms::uses_mouse() const {
     return std::ranges::any_of(m_uniforms, [](const BoundBuiltIn& bound) {
         return bound.says == BuiltIn::mouse || bound.says == BuiltIn::press;
     });

@@ -18,7 +18,7 @@ struct PassFacts {
     Extent source;
     SourceRaster raster;
     RowOrder rows = RowOrder::bottom_first;  // of the target
-    bool meets_drawn_onto = false;           // see meets_drawn_onto()
+    bool is_drawn_onto = false;              // see is_drawn_onto()
     std::function<Extent(const BoundInput&)> extent_of;
 };
 
@@ -34,8 +34,8 @@ public:
     std::vector<BuiltInReport> report(const Frame& frame, const PassFacts& facts,
                                       int samples) const;
     /// Whether the picture changes if only time advances.
-    bool tell_time() const;
-    bool tell_mouse() const;
+    bool uses_time() const;
+    bool uses_mouse() const;
 
 private:
     struct BoundBuiltIn {

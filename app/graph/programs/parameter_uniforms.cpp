@@ -26,7 +26,7 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
             programs.passes[i].program->write(uniform, value.numbers);
 
     for (std::size_t i = 0; i < programs.passes.size(); ++i)
-        find_turned(look, static_cast<int>(i), *programs.passes[i].program);
+        find_orbits(look, static_cast<int>(i), *programs.passes[i].program);
     for (std::size_t i = 0; i < look.parameters.size(); ++i) {
         if (look.parameters[i].orbit != OrbitPart::none)
             continue;
@@ -36,28 +36,29 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
             const gpu::Uniform* uniform =
                 program ? program->find_uniform(binding.uniform) : nullptr;
             if (uniform && uniform->number)
-                driven.places.push_back({program, uniform});
+                driven.targets.push_back({program, uniform});
         }
-        if (!driven.places.empty())
+        if (!driven.targets.empty())
             m_driven.push_back(std::move(driven));
     }
 }
 
-void ParameterUniforms::find_turned(const Look& look, int pass, const gpu::Program& program) {
+void ParameterUniforms::find_orbits(const Look& look, int pass, const gpu::Program& program) {
     for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
         if (built_in.says != BuiltIn::view && built_in.says != BuiltIn::camera)
             continue;
         if (const gpu::Uniform* uniform = program.find_uniform(built_in.name))
-            m_turned.push_back({pass,
-                                {&program, uniform},
-                                built_in.says == BuiltIn::view ? view_matrix : camera_matrix,
-                                {}});
+            m_orbit_uniforms.push_back(
+                {pass,
+                 {&program, uniform},
+                 built_in.says == BuiltIn::view ? view_matrix : camera_matrix,
+                 {}});
     }
 }
 
 void ParameterUniforms::write_to(const Driven& driven, const Value& usable) {
-    for (const UniformTarget& place : driven.places)
-        place.program->write(*place.uniform, usable.numbers);
+    for (const UniformTarget& target : driven.targets)
+        target.program->write(*target.uniform, usable.numbers);
 }
 
 void ParameterUniforms::end_events() {
@@ -71,18 +72,19 @@ void ParameterUniforms::end_events() {
 }
 
 void ParameterUniforms::forget_written() {
-    for (Turned& turned : m_turned)
-        turned.written.reset();
+    for (OrbitUniform& orbit_uniform : m_orbit_uniforms)
+        orbit_uniform.written.reset();
     for (Driven& driven : m_driven)
         driven.written = {};
 }
 
-void ParameterUniforms::write_turned(const Look& look, const Values& values) {
-    for (Turned& turned : m_turned) {
-        const Orbit orbit = orbit_of(look, values, turned.pass);
-        if (turned.written != orbit)
-            turned.place.program->write(*turned.place.uniform, turned.matrix(orbit));
-        turned.written = orbit;
+void ParameterUniforms::write_orbits(const Look& look, const Values& values) {
+    for (OrbitUniform& orbit_uniform : m_orbit_uniforms) {
+        const Orbit orbit = orbit_of(look, values, orbit_uniform.pass);
+        if (orbit_uniform.written != orbit)
+            orbit_uniform.target.program->write(*orbit_uniform.target.uniform,
+                                                orbit_uniform.matrix(orbit));
+        orbit_uniform.written = orbit;
     }
 }
 
@@ -98,14 +100,14 @@ void ParameterUniforms::write(Driven& driven, const Parameter& parameter, const 
 }
 
 void ParameterUniforms::write(const Look& look, const Values& values) {
-    write_turned(look, values);
+    write_orbits(look, values);
     for (Driven& driven : m_driven)
         write(driven, look.parameters[driven.parameter], values);
 }
 
 void ParameterUniforms::write(const Look& look, const Values& values,
                               const std::vector<std::string>& changed) {
-    write_turned(look, values);
+    write_orbits(look, values);
     for (Driven& driven : m_driven) {
         const Parameter& parameter = look.parameters[driven.parameter];
         if (driven.written.numbers.empty() || std::ranges::binary_search(changed, parameter.name))

@@ -34,23 +34,23 @@ private:
     };
     struct Driven {
         std::size_t parameter;  // in Look::parameters
-        std::vector<UniformTarget> places;
+        std::vector<UniformTarget> targets;
         Value written;  // empty: not written yet
         bool is_event = false;
         bool is_over = false;  // an event that is still held after its frame
     };
-    struct Turned {  // u_view or u_camera
+    struct OrbitUniform {  // u_view or u_camera
         int pass;
-        UniformTarget place;
+        UniformTarget target;
         Matrix (*matrix)(const Orbit&);
         std::optional<Orbit> written;
     };
 
     static void write_to(const Driven& driven, const Value& usable);
     static void write(Driven& driven, const Parameter& parameter, const Values& values);
-    void write_turned(const Look& look, const Values& values);
-    void find_turned(const Look& look, int pass, const gpu::Program& program);
+    void write_orbits(const Look& look, const Values& values);
+    void find_orbits(const Look& look, int pass, const gpu::Program& program);
 
     std::vector<Driven> m_driven;
-    std::vector<Turned> m_turned;
+    std::vector<OrbitUniform> m_orbit_uniforms;
 };

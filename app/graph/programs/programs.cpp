@@ -51,14 +51,14 @@ PassProgram wanted_for(const Pass& pass) {
 }
 
 Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* store,
-                               const std::shared_ptr<gpu::Context>& home) {
+                               const std::shared_ptr<gpu::Context>& context) {
     Diagnostics problems = check_inputs(pass);
     PassProgram made = wanted_for(pass);
     made.program = reusable.take(made);
     if (!made.program) {
         auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, store);
         if (program)
-            made.program = gpu::ending_in(home, std::move(*program));
+            made.program = gpu::destroyed_in(context, std::move(*program));
         else
             problems.insert(problems.end(), program.error().begin(), program.error().end());
     }
@@ -83,8 +83,9 @@ bool serves(const Programs& programs, const Look& look) {
 }
 
 Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteStore* store,
-                                PassProgress* progress, const std::shared_ptr<gpu::Context>& home) {
-    Programs programs{{}, home};
+                                PassProgress* progress,
+                                const std::shared_ptr<gpu::Context>& context) {
+    Programs programs{{}, context};
     Diagnostics problems;
     Reusable reusable(reuse);
     if (progress)
@@ -92,7 +93,7 @@ Result<Programs> build_programs(const Look& look, const Programs* reuse, ByteSto
     for (const Pass& pass : look.passes) {
         if (progress && !progress->next(pass.name))
             return fail({look.manifest, 0, "opening was cancelled"});
-        auto made = build_pass(pass, reusable, store, home);
+        auto made = build_pass(pass, reusable, store, context);
         if (made)
             programs.passes.push_back(std::move(*made));
         else

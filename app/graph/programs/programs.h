@@ -27,12 +27,12 @@ struct PassProgram {
 struct Programs {
     std::vector<PassProgram> passes;
     // The context that executors draw in; null: the one that is current when they are created.
-    std::shared_ptr<gpu::Context> home = {};
+    std::shared_ptr<gpu::Context> context = {};
     // Programs of the NaN detector; null: each executor builds its own.
     std::shared_ptr<const NanDetectorPrograms> nan_detector = {};
-    // The programs that display passes in `home`; null: passes are not displayed.
+    // The programs that display passes in `context`; null: passes are not displayed.
     std::shared_ptr<const ViewPrograms> views = {};
-    // The warm-up of `views`; null without `home`.
+    // The warm-up of `views`; null without `context`.
     std::shared_ptr<FirstViews> first_views = {};
 };
 
@@ -46,7 +46,7 @@ bool serves(const Programs& programs, const Look& look);
 /// pass reuses a program of `reuse` with equal stages, draw mode and fixed uniforms. Fails with the
 /// driver's errors of all passes, at the author's files and lines. `kept` is as in
 /// gpu::Program::build. `progress` may be null; if cancelled there, it fails. New programs are
-/// destroyed in `home`.
+/// destroyed in `context`.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,
                                 ByteStore* store = nullptr, PassProgress* progress = nullptr,
-                                const std::shared_ptr<gpu::Context>& home = nullptr);
+                                const std::shared_ptr<gpu::Context>& context = nullptr);

@@ -7,7 +7,7 @@
 namespace {
 using Uniforms = std::map<std::string, SpecializedUniform>;
 
-bool can_settle(const Parameter& parameter) {
+bool can_be_constant(const Parameter& parameter) {
     const bool is_picked =
         parameter.control == Control::image || parameter.control == Control::sound;
     return !is_picked && parameter.control != Control::event && !parameter.is_constant &&
@@ -40,7 +40,7 @@ Look specialized_look(Look look, const Values& values, const Plan& plan,
     texts.begin_look();
     std::vector<Uniforms> uniforms(look.passes.size());
     for (const Parameter& parameter : look.parameters) {
-        if (!can_settle(parameter) || moves(parameter))
+        if (!can_be_constant(parameter) || moves(parameter))
             continue;
         const Value value = value_for_shaders(parameter, value_of(parameter, values));
         for (const Binding& binding : parameter.bindings)
@@ -52,7 +52,7 @@ Look specialized_look(Look look, const Values& values, const Plan& plan,
         for (const BuiltInUniform& built_in : look.passes[i].built_ins)
             if (built_in.says == BuiltIn::drawn_onto)
                 uniforms[i][built_in.name] = {{Scalar::boolean, 1, 1},
-                                              meets_drawn_onto(look, plan, i) ? 1.0 : 0.0};
+                                              is_drawn_onto(look, plan, i) ? 1.0 : 0.0};
         Pass& pass = look.passes[i];
         pass.vertex.text = texts.of(pass.vertex.text, uniforms[i]);
         pass.fragment.text = texts.of(pass.fragment.text, uniforms[i]);

@@ -11,18 +11,18 @@ void SourceHistory::set_slots(int slots) {
 }
 
 int SourceHistory::free_slot() const {
-    int place = 0;
+    int slot = 0;
     if (m_frames.size() > 1)
-        while (std::ranges::find(m_frames, place) != m_frames.end())
-            ++place;
-    return place;
+        while (std::ranges::find(m_frames, slot) != m_frames.end())
+            ++slot;
+    return slot;
 }
 
 Result<void> SourceHistory::set(const Picture& picture, const SourceForm& form) {
     if (picture.extent.is_empty())
         return fail({{}, 0, "the source picture is empty"});
-    const int place = free_slot();
-    auto& texture = m_textures[static_cast<std::size_t>(place)];
+    const int slot = free_slot();
+    auto& texture = m_textures[static_cast<std::size_t>(slot)];
     if (!texture || texture->extent() != picture.extent || texture->format() != form.format ||
         texture->is_mipmapped() != form.is_mipmapped) {
         auto made = gpu::Texture::make(picture.extent, form.format, form.is_mipmapped);
@@ -32,7 +32,7 @@ Result<void> SourceHistory::set(const Picture& picture, const SourceForm& form) 
     }
     gpu::upload_picture(*texture, picture, form.encoding, m_texels, form.rows);
     texture->generate_mipmaps();
-    m_newest = place;
+    m_newest = slot;
     return {};
 }
 
@@ -47,6 +47,6 @@ void SourceHistory::clear() {
 
 const gpu::Texture* SourceHistory::texture(int frames_ago) const {
     const auto ago = std::min(static_cast<std::size_t>(frames_ago), m_frames.size() - 1);
-    const int place = frames_ago == 0 ? m_newest : m_frames[ago];
-    return place == none ? nullptr : &*m_textures[static_cast<std::size_t>(place)];
+    const int slot = frames_ago == 0 ? m_newest : m_frames[ago];
+    return slot == none ? nullptr : &*m_textures[static_cast<std::size_t>(slot)];
 }

@@ -25,7 +25,7 @@ std::size_t Target::slot_of(int frames_ago) const {
 
 const gpu::Canvas& Target::canvas(int frames_ago) const {
     if (m_slots.empty() || (m_is_newest_lent && frames_ago <= 0))
-        return *m_lent;
+        return *m_shared;
     if (m_is_newest_lent)
         return m_slots[slot_of(frames_ago - 1)];
     if (m_unfinished == Unfinished::no)
@@ -40,7 +40,7 @@ gpu::Canvas& Target::canvas(int frames_ago) {
 }
 
 void Target::advance() {
-    if (m_lent)
+    if (m_shared)
         m_is_newest_lent = true;
     else if (m_unfinished == Unfinished::next)
         take_spare();
@@ -58,7 +58,7 @@ void Target::release(bool is_drawn) {
     if (!std::exchange(m_is_newest_lent, false) || m_slots.empty() || !is_drawn)
         return;
     m_current = (m_current + 1) % m_slots.size();
-    std::swap(*m_lent, m_slots[m_current]);
+    std::swap(*m_shared, m_slots[m_current]);
 }
 
 void Target::make_room() {

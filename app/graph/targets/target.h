@@ -22,7 +22,7 @@ public:
 
     /// As canvas() before begin(): never an unfinished picture.
     const gpu::Canvas& finished(int frames_ago = 0) const {
-        return m_slots.empty() ? *m_lent : m_slots[slot_of(frames_ago)];
+        return m_slots.empty() ? *m_shared : m_slots[slot_of(frames_ago)];
     }
 
     /// Whether canvas(1) is not the picture that is drawn into.
@@ -39,7 +39,7 @@ public:
     /// After advance(): repeats the previous picture.
     void keep();
     /// Sets the common picture for the newest output; null: its own.
-    void lend(gpu::Canvas* common) { m_lent = common; }
+    void set_shared(gpu::Canvas* common) { m_shared = common; }
     /// Releases the common picture, which others may then overwrite. If it was drawn and previous
     /// pictures are kept, it is first swapped with the oldest.
     void release(bool is_drawn);
@@ -74,7 +74,7 @@ private:
 
     PlannedTarget m_planned;
     std::vector<gpu::Canvas> m_slots;  // own pictures
-    gpu::Canvas* m_lent = nullptr;
+    gpu::Canvas* m_shared = nullptr;
     bool m_is_newest_lent = false;
     std::size_t m_current = 0;
     std::optional<gpu::Canvas> m_spare;  // the unfinished picture

@@ -85,6 +85,6 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
 void TargetSet::lend_common() {
     for (Named& named : m_targets) {
         const std::optional<std::size_t> common = named.target.planned().common;
-        named.target.lend(common ? &m_common[*common] : nullptr);
+        named.target.set_shared(common ? &m_common[*common] : nullptr);
     }
 }

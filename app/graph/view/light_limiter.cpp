@@ -29,9 +29,9 @@ uniform sampler2D allowed;
 out vec4 color;
 void main() {
     vec4 numbers = texelFetch(shown, ivec2(gl_FragCoord.xy), 0);
-    vec2 place = gl_FragCoord.xy / vec2(textureSize(shown, 0));
-    vec3 is = textureLod(cells, place, 0.0).rgb;
-    vec3 may = textureLod(allowed, place, 0.0).rgb;
+    vec2 position = gl_FragCoord.xy / vec2(textureSize(shown, 0));
+    vec3 is = textureLod(cells, position, 0.0).rgb;
+    vec3 may = textureLod(allowed, position, 0.0).rgb;
     vec3 light = mix(vec3(0.0), min(numbers.rgb, 1.0), greaterThan(numbers.rgb, vec3(0.0)));
     light = to_light(light);
     vec3 dimmed = light * may / max(is, vec3(1e-6));

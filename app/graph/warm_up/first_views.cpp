@@ -59,13 +59,13 @@ void FirstViews::draw_next() {
     const PendingDraw pending = m_pending.front();
     m_pending.pop_front();
     if (const gpu::Texture* picture = picture_of(pending.kind))
-        look_at(*picture, pending);
+        draw_views_of(*picture, pending);
     if (m_pending.empty())
         m_displayed.reset();
     gpu::finish();
 }
 
-void FirstViews::look_at(const gpu::Texture& texture, const PendingDraw& pending) {
+void FirstViews::draw_views_of(const gpu::Texture& texture, const PendingDraw& pending) {
     if (pending.way == Way::flashes) {
         m_cells.draw(texture, pending.kind.encoding);
     } else if (pending.way == Way::numbers) {

@@ -63,7 +63,7 @@ private:
     };
     void expect(const Kind& kind);
     const gpu::Texture* picture_of(const Kind& kind);
-    void look_at(const gpu::Texture& texture, const PendingDraw& pending);
+    void draw_views_of(const gpu::Texture& texture, const PendingDraw& pending);
     void view(const gpu::Texture& texture, const PendingDraw& pending);
 
     std::shared_ptr<const ViewPrograms> m_programs;

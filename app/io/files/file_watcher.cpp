@@ -109,12 +109,12 @@ Diagnostics FileWatcher::add_watches() {
     Diagnostics problems;
     Folders folders;
     for (const auto& [file, stamp] : m_files) {
-        const fs::path place = absolute_path(file);
+        const fs::path path = absolute_path(file);
         std::error_code error;
-        const fs::path target = fs::weakly_canonical(place, error);
+        const fs::path target = fs::weakly_canonical(path, error);
         const bool is_watched =
-            add_watch(place, file, folders) &&
-            (target.empty() || target == place || add_watch(target, file, folders));
+            add_watch(path, file, folders) &&
+            (target.empty() || target == path || add_watch(target, file, folders));
         if (!is_watched)
             problems.push_back(
                 {file, 0,
@@ -127,9 +127,9 @@ Diagnostics FileWatcher::add_watches() {
     return problems;
 }
 
-bool FileWatcher::add_watch(const fs::path& place, const fs::path& file, Folders& folders) const {
+bool FileWatcher::add_watch(const fs::path& path, const fs::path& file, Folders& folders) const {
     // A watch on the nearest existing folder reports when the next folder of the path appears.
-    for (fs::path next = place; next.has_relative_path(); next = next.parent_path()) {
+    for (fs::path next = path; next.has_relative_path(); next = next.parent_path()) {
         const int number =
             ::inotify_add_watch(m_events.get(), next.parent_path().c_str(), watched_events);
         if (number < 0 && errno != ENOENT && errno != ENOTDIR)
@@ -138,8 +138,8 @@ bool FileWatcher::add_watch(const fs::path& place, const fs::path& file, Folders
             continue;
         folders[number].emplace(next.filename().string(), file);
         std::error_code error;
-        const bool appeared_meanwhile = next != place && fs::is_directory(next, error);
-        return !appeared_meanwhile || add_watch(place, file, folders);
+        const bool appeared_meanwhile = next != path && fs::is_directory(next, error);
+        return !appeared_meanwhile || add_watch(path, file, folders);
     }
     return true;
 }

@@ -50,7 +50,7 @@ private:
 
     static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
     Diagnostics add_watches();
-    bool add_watch(const std::filesystem::path& place, const std::filesystem::path& file,
+    bool add_watch(const std::filesystem::path& path, const std::filesystem::path& file,
                    Folders& folders) const;
     void read_events();
     void handle_event(int folder, std::uint32_t mask, const char* name);

@@ -8,7 +8,7 @@
 /// A file in memory for libsndfile.
 struct MemoryFile {
     std::string bytes;
-    std::size_t place = 0;
+    std::size_t position = 0;
 };
 
 /// libsndfile's callbacks for a MemoryFile, which is the user pointer of sf_open_virtual().

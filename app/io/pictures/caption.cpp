@@ -58,7 +58,7 @@ public:
     /// The width of the text in pixels. Calls `place(glyph, x)` for each glyph; the first has x =
     /// 0.
     template <class Visit>
-    float walk(const std::u32string& text, const Visit& place) const {
+    float walk(const std::u32string& text, const Visit& position) const {
         float x = 0.0f;
         int previous = 0;
         for (const char32_t point : text) {
@@ -66,7 +66,7 @@ public:
             if (previous != 0)
                 x += m_scale *
                      static_cast<float>(stbtt_GetGlyphKernAdvance(&m_info, previous, glyph));
-            place(glyph, x);
+            position(glyph, x);
             int advance = 0;
             int bearing = 0;
             stbtt_GetGlyphHMetrics(&m_info, glyph, &advance, &bearing);
@@ -131,18 +131,20 @@ std::u32string fitted(std::u32string text, float width, const Font& font) {
 }
 }  // namespace
 
-Result<void> draw_caption(Picture& picture, const CaptionPosition& place, const std::string& text) {
+Result<void> draw_caption(Picture& picture, const CaptionPosition& position,
+                          const std::string& text) {
     const std::string file =
         find_font_file({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf"});
     if (file.empty())
         return fail(
             {{}, 0, "no font for captions found. Install the Debian package fonts-dejavu-core."});
-    const auto font = Font::load(file, place.height);
+    const auto font = Font::load(file, position.height);
     if (!font)
         return fail(font.error());
-    const std::u32string line = fitted(code_points(text), static_cast<float>(place.width), *font);
+    const std::u32string line =
+        fitted(code_points(text), static_cast<float>(position.width), *font);
     font->walk(line, [&](int glyph, float x) {
-        font->draw(glyph, static_cast<float>(place.left) + x, place.baseline, picture);
+        font->draw(glyph, static_cast<float>(position.left) + x, position.baseline, picture);
     });
     return {};
 }

@@ -15,4 +15,5 @@ struct CaptionPosition {
 
 /// Draws a line of light grey text into a picture. Fails if the system has none of the fonts that
 /// we use.
-Result<void> draw_caption(Picture& picture, const CaptionPosition& place, const std::string& text);
+Result<void> draw_caption(Picture& picture, const CaptionPosition& position,
+                          const std::string& text);

@@ -14,9 +14,9 @@ void BeamQueue::write(std::span<const float> stereo) {
     const std::int64_t end = m_read.load(std::memory_order_acquire) + m_rate;
     std::int64_t frame = m_written;
     for (std::size_t i = 0; i + 1 < stereo.size() && frame < end; i += 2, ++frame) {
-        const auto place = 2 * static_cast<std::size_t>(frame % m_rate);
-        m_samples[place] = stereo[i];
-        m_samples[place + 1] = stereo[i + 1];
+        const auto index = 2 * static_cast<std::size_t>(frame % m_rate);
+        m_samples[index] = stereo[i];
+        m_samples[index + 1] = stereo[i + 1];
     }
     m_written.store(frame, std::memory_order_release);
 }
@@ -38,8 +38,8 @@ BeamQueue::Position BeamQueue::next() noexcept {
         m_joining = 0;
         return m_last;
     }
-    const auto place = 2 * static_cast<std::size_t>(frame % m_rate);
-    const Position wanted{m_samples[place], m_samples[place + 1]};
+    const auto index = 2 * static_cast<std::size_t>(frame % m_rate);
+    const Position wanted{m_samples[index], m_samples[index + 1]};
     m_read.store(frame + 1, std::memory_order_release);
     const int all = m_rate / 200;
     if (m_has_rested) {

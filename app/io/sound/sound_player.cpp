@@ -90,19 +90,19 @@ void SoundPlayer::add_sound(const Track& track, const Pace& pace,
     const auto length = static_cast<double>(count);
     const auto channels = static_cast<std::size_t>(sound.channels);
     const std::size_t right = channels > 1 ? 1 : 0;
-    double place = pace.loops ? std::fmod(m_position, length) : m_position;
-    for (std::size_t i = 0; i + 1 < stereo.size() && place < length; i += 2) {
-        const auto below = static_cast<std::size_t>(place);
+    double position = pace.loops ? std::fmod(m_position, length) : m_position;
+    for (std::size_t i = 0; i + 1 < stereo.size() && position < length; i += 2) {
+        const auto below = static_cast<std::size_t>(position);
         const bool is_last = below + 1 == count;
         const float* from = samples + below * channels;
         const float* to = is_last ? samples : from + channels;
-        const auto part = static_cast<float>(place - static_cast<double>(below));
+        const auto part = static_cast<float>(position - static_cast<double>(below));
         const float weight = is_last && !pace.loops ? 0.0f : part;  // silence after the end
         stereo[i] = from[0] * (1.0f - part) + to[0] * weight;
         stereo[i + 1] = from[right] * (1.0f - part) + to[right] * weight;
-        place += pace.step;
+        position += pace.step;
         m_position += pace.step;
-        if (pace.loops && place >= length)
-            place = std::fmod(place, length);
+        if (pace.loops && position >= length)
+            position = std::fmod(position, length);
     }
 }

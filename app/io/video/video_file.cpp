@@ -210,7 +210,7 @@ private:
         return picture;
     }
 
-    unsigned byte(std::size_t place) const { return static_cast<unsigned char>(m_bytes[place]); }
+    unsigned byte(std::size_t offset) const { return static_cast<unsigned char>(m_bytes[offset]); }
 
     fs::path m_file;
     Facts m_facts;

@@ -115,11 +115,11 @@ void LookCommands::offer_duplicate(const std::string& reason) {
                                    }}});
 }
 
-void LookCommands::open_in_editor(const Location& place) {
-    if (m_work.document && must_duplicate(place.file))
+void LookCommands::open_in_editor(const Location& location) {
+    if (m_work.document && must_duplicate(location.file))
         return offer_duplicate(fmt::format("\"{}\" is a shipped look in a read-only folder",
                                            m_work.document->look().name));
-    m_work.messages.succeeded(::open_in_editor(place));
+    m_work.messages.succeeded(::open_in_editor(location));
 }
 
 void LookCommands::search_includes() {

@@ -35,7 +35,7 @@ public:
     /// Writes the pass overrides into look.json.
     void write_overrides();
     /// Offers to duplicate a shipped look in a folder that the user cannot write to.
-    void open_in_editor(const Location& place);
+    void open_in_editor(const Location& location);
 
     const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
     /// The user's folders for includes, in addition to those of --include. They are stored.

@@ -45,9 +45,9 @@ std::string PresetCommands::proposed_name() const {
     for (int n = 1;; ++n) {
         std::string mine =
             n == 1 ? fmt::format("{} (mine)", name) : fmt::format("{} (mine {})", name, n);
-        const auto place = m_work.library.preset_path(document->look().id, mine);
+        const auto path = m_work.library.preset_path(document->look().id, mine);
         std::error_code error;
-        if (!place || !fs::exists(*place, error))
+        if (!path || !fs::exists(*path, error))
             return mine;
     }
 }

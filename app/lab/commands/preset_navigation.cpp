@@ -69,17 +69,17 @@ void PresetNavigation::step(int by, bool only_starred) {
 
 void PresetNavigation::note_opened(const OpenRequest& request, bool had_changes) {
     constexpr const char* restore_hint = "Press Ctrl+Z to restore your unsaved changes";
-    std::string words;
+    std::string text;
     m_morphing.reset();
     if (const auto step = std::exchange(m_step, {}); step && step->file == request.preset_file)
-        words = step->number == 0
-                    ? "Default"
-                    : fmt::format("{} · preset {} of {}", preset_name(*m_work.document),
-                                  step->number, step->count);
+        text = step->number == 0
+                   ? "Default"
+                   : fmt::format("{} · preset {} of {}", preset_name(*m_work.document),
+                                 step->number, step->count);
     if (had_changes)
-        words = words.empty() ? restore_hint : fmt::format("{} · {}", words, restore_hint);
-    if (!words.empty())
-        m_work.messages.say(std::move(words));
+        text = text.empty() ? restore_hint : fmt::format("{} · {}", text, restore_hint);
+    if (!text.empty())
+        m_work.messages.say(std::move(text));
 }
 
 void PresetNavigation::morph_to(const fs::path& file, double seconds) {
@@ -120,7 +120,7 @@ void PresetNavigation::end_morph() {
 }
 
 void PresetNavigation::update(double wall_seconds) {
-    if (!m_morphing || m_morphing->go_on(*m_work.document, wall_seconds))
+    if (!m_morphing || m_morphing->update(*m_work.document, wall_seconds))
         return;
     if (m_morphing->has_arrived()) {
         m_work.messages.say(fmt::format("Morphed to \"{}\"", m_morphing->name()));

@@ -136,14 +136,14 @@ std::string override_text(const PassOverrides& overrides, const std::string& pas
     const auto found = overrides.find(pass);
     if (found == overrides.end())
         return "default";
-    std::vector<std::string> words;
+    std::vector<std::string> parts;
     if (found->second.format)
-        words.emplace_back(facts_of(*found->second.format).name);
+        parts.emplace_back(facts_of(*found->second.format).name);
     if (found->second.scale)
-        words.push_back(format_number(*found->second.scale) + "×");
+        parts.push_back(format_number(*found->second.scale) + "×");
     if (found->second.filter)
-        words.emplace_back(*found->second.filter == Filter::nearest ? "nearest" : "linear");
-    return fmt::format("{}", fmt::join(words, ", "));
+        parts.emplace_back(*found->second.filter == Filter::nearest ? "nearest" : "linear");
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 void add_overrides(const PassOverrides& before, const PassOverrides& after,

@@ -26,26 +26,26 @@ std::size_t history_index(const Document& document) {
 }
 
 // The undone states are in reverse order: the next redo is the last.
-const DocumentState& history_state(const Document& document, std::size_t place) {
+const DocumentState& history_state(const Document& document, std::size_t index) {
     const auto& history = document.history();
     const std::size_t present = history.past().size();
-    if (place < present)
-        return history.past()[place].state;
-    if (place == present)
+    if (index < present)
+        return history.past()[index].state;
+    if (index == present)
         return history.current();
-    return history.future()[history.future().size() - (place - present)].state;
+    return history.future()[history.future().size() - (index - present)].state;
 }
 
-HistoryStep history_step(const Document& document, std::size_t place) {
+HistoryStep history_step(const Document& document, std::size_t index) {
     const auto& history = document.history();
     const std::size_t present = history.past().size();
-    const int distance = static_cast<int>(place) - static_cast<int>(present);
-    if (place == 0)
+    const int distance = static_cast<int>(index) - static_cast<int>(present);
+    if (index == 0)
         return {"Start", {}, {}, distance};
     const std::string& name =
-        place <= present ? history.past()[place - 1].name
-                         : history.future()[history.future().size() - (place - present)].name;
-    const auto changes = changes_between(document.look(), history_state(document, place - 1),
-                                         history_state(document, place));
+        index <= present ? history.past()[index - 1].name
+                         : history.future()[history.future().size() - (index - present)].name;
+    const auto changes = changes_between(document.look(), history_state(document, index - 1),
+                                         history_state(document, index));
     return {name, summary_of(changes, name), details_of(changes), distance};
 }

@@ -14,6 +14,6 @@ struct HistoryStep {
 std::size_t history_size(const Document& document);
 /// The index of the current state.
 std::size_t history_index(const Document& document);
-const DocumentState& history_state(const Document& document, std::size_t place);
+const DocumentState& history_state(const Document& document, std::size_t index);
 /// The step that led to a state; for the first state only its name and distance.
-HistoryStep history_step(const Document& document, std::size_t place);
+HistoryStep history_step(const Document& document, std::size_t index);

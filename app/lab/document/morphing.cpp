@@ -32,7 +32,7 @@ Morphing::Morphing(const Document& document, Preset to, std::filesystem::path fi
 }
 
 // Signal, source and modulations cannot be interpolated; they change at the end.
-bool Morphing::go_on(Document& document, double seconds) {
+bool Morphing::update(Document& document, double seconds) {
     const bool is_ours = document.look().id == m_look && !document.is_restacking();
     if (!is_ours || document.values() != m_last)
         return false;

@@ -16,7 +16,7 @@ public:
     Morphing(const Document& document, Preset to, std::filesystem::path file, double seconds);
 
     /// Advances the morph; false when it has ended.
-    bool go_on(Document& document, double seconds);
+    bool update(Document& document, double seconds);
     double share() const { return m_elapsed / m_seconds; }
     const std::string& name() const { return m_to.name; }
     const std::filesystem::path& file() const { return m_file; }

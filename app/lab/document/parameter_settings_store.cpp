@@ -21,16 +21,17 @@ void ParameterSettingsStore::load() {
 
 void ParameterSettingsStore::set_slider_ends(const std::string& parameter,
                                              const std::optional<Limit>& ends) {
-    const Parameter* turned = m_document ? find_parameter(m_document->look(), parameter) : nullptr;
-    if (!turned)
+    const Parameter* declared_parameter =
+        m_document ? find_parameter(m_document->look(), parameter) : nullptr;
+    if (!declared_parameter)
         return;
     ParameterSetting setting = setting_of(parameter, m_document->parameter_settings());
     setting.ends.reset();
     if (ends) {
-        const auto fitted = fitted_ends(*turned, *ends);
+        const auto fitted = fitted_ends(*declared_parameter, *ends);
         if (!m_messages.succeeded(fitted))
             return;
-        const Limit declared{turned->range.low, turned->range.high};
+        const Limit declared{declared_parameter->range.low, declared_parameter->range.high};
         if (*fitted != declared)
             setting.ends = *fitted;
     }

@@ -36,38 +36,39 @@ double pushed_out(double across, double amount) {
     return 1.0 + across * across * amount * 40.0 / 36.0;
 }
 
-BeamPosition shown_crossed(const BeamPosition& place, double amount) {
-    BeamPosition shown = place;
+BeamPosition shown_crossed(const BeamPosition& position, double amount) {
+    BeamPosition shown = position;
     constexpr int rounds = 40;  // fixed-point iteration; converges even for the strongest curve
     for (int i = 0; i < rounds; ++i)
-        shown = {place[0] / pushed_out(shown[1], amount), place[1] / pushed_out(shown[0], amount)};
+        shown = {position[0] / pushed_out(shown[1], amount),
+                 position[1] / pushed_out(shown[0], amount)};
     return shown;
 }
 
 // Newton's method from beyond the root, as in barrel_radial_inverse().
-BeamPosition shown_radial(const BeamPosition& place, double amount) {
-    const double radius = std::hypot(place[0], place[1]);
+BeamPosition shown_radial(const BeamPosition& position, double amount) {
+    const double radius = std::hypot(position[0], position[1]);
     if (radius < 1e-12)
-        return place;
+        return position;
     double root = std::min(std::max(radius, 1.0), radius / (1.0 - amount));
     for (int i = 0; i < 20; ++i) {
         const double square = amount * root * root;
         root -= (root * (1.0 - amount + square) - radius) / (1.0 - amount + 3.0 * square);
     }
-    return {place[0] * root / radius, place[1] * root / radius};
+    return {position[0] * root / radius, position[1] * root / radius};
 }
 }  // namespace
 
-BeamPosition GlassCurve::behind(const BeamPosition& place) const {
-    const auto [x, y] = place;
+BeamPosition GlassCurve::behind(const BeamPosition& position) const {
+    const auto [x, y] = position;
     if (kind == Kind::crossed)
         return {x * pushed_out(y, amount), y * pushed_out(x, amount)};
     const double factor = 1.0 - amount + amount * (x * x + y * y);
     return {x * factor, y * factor};
 }
 
-BeamPosition GlassCurve::shown(const BeamPosition& place) const {
-    return kind == Kind::crossed ? shown_crossed(place, amount) : shown_radial(place, amount);
+BeamPosition GlassCurve::shown(const BeamPosition& position) const {
+    return kind == Kind::crossed ? shown_crossed(position, amount) : shown_radial(position, amount);
 }
 
 BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture,
@@ -87,15 +88,15 @@ BeamPlacing::BeamPlacing(const Look& look, const Values& values, Extent picture,
 }
 
 BeamPosition BeamPlacing::position_of(const PicturePixel& pixel) const {
-    BeamPosition place{2.0 * pixel[0] / m_picture.width - 1.0,
-                       1.0 - 2.0 * pixel[1] / m_picture.height};
+    BeamPosition position{2.0 * pixel[0] / m_picture.width - 1.0,
+                          1.0 - 2.0 * pixel[1] / m_picture.height};
     std::for_each(m_glasses.rbegin(), m_glasses.rend(),
-                  [&place](const GlassCurve& glass) { place = glass.behind(place); });
-    return {place[0] / m_size[0], place[1] / m_size[1]};
+                  [&position](const GlassCurve& glass) { position = glass.behind(position); });
+    return {position[0] / m_size[0], position[1] / m_size[1]};
 }
 
-PicturePixel BeamPlacing::pixel_of(const BeamPosition& place) const {
-    BeamPosition shown{place[0] * m_size[0], place[1] * m_size[1]};
+PicturePixel BeamPlacing::pixel_of(const BeamPosition& position) const {
+    BeamPosition shown{position[0] * m_size[0], position[1] * m_size[1]};
     for (const GlassCurve& glass : m_glasses)
         shown = glass.shown(shown);
     return {0.5 * (shown[0] + 1.0) * m_picture.width, 0.5 * (1.0 - shown[1]) * m_picture.height};

@@ -21,9 +21,9 @@ struct GlassCurve {
     Kind kind = Kind::crossed;
     double amount = 0.0;
 
-    /// The position behind the glass that appears at `place`, and the inverse.
-    BeamPosition behind(const BeamPosition& place) const;
-    BeamPosition shown(const BeamPosition& place) const;
+    /// The position behind the glass that appears at `position`, and the inverse.
+    BeamPosition behind(const BeamPosition& position) const;
+    BeamPosition shown(const BeamPosition& position) const;
 };
 
 /// Maps between pixels of a look's picture and beam positions, for pointing. It depends on three
@@ -39,7 +39,7 @@ public:
 
     /// The beam position that appears in this pixel.
     BeamPosition position_of(const PicturePixel& pixel) const;
-    PicturePixel pixel_of(const BeamPosition& place) const;
+    PicturePixel pixel_of(const BeamPosition& position) const;
     /// The size of a pixel at the centre, in half screens.
     double pixel_size() const;
 

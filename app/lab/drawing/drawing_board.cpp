@@ -20,18 +20,19 @@ std::string move_step(const StrokeGrip& grip) {
 }
 }  // namespace
 
-std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPosition& place, double pixel) const {
+std::optional<StrokeGrip> DrawingBoard::grip_at(const BeamPosition& position, double pixel) const {
     if (m_drag)
         return m_drag->grip;
     if (!m_drawing.get())
         return std::nullopt;
-    return grip_near(m_drawing.strokes(), place, reach_px * pixel);
+    return grip_near(m_drawing.strokes(), position, reach_px * pixel);
 }
 
-std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPosition& place, double pixel) const {
+std::optional<std::size_t> DrawingBoard::stroke_at(const BeamPosition& position,
+                                                   double pixel) const {
     if (!m_drawing.get())
         return std::nullopt;
-    return stroke_near(m_drawing.strokes(), place, reach_px * pixel);
+    return stroke_near(m_drawing.strokes(), position, reach_px * pixel);
 }
 
 Spec DrawingBoard::shown(const Spec& signal) const {
@@ -77,45 +78,45 @@ void DrawingBoard::replace(const Drawing& drawing, const std::string& step, Docu
     m_drawing.replace(drawing, step, document);
 }
 
-void DrawingBoard::press(const BeamPosition& place, double pixel, Document& document) {
+void DrawingBoard::press(const BeamPosition& position, double pixel, Document& document) {
     follow(document);
     if (!has_pen())
         return;
     switch (m_pen.tool) {
         case PenTool::freehand:
             end_line(document);
-            m_line = Stroke{{place}, m_pen.is_smooth, false};
+            m_line = Stroke{{position}, m_pen.is_smooth, false};
             return;
         case PenTool::points:
-            click(place, pixel, document);
+            click(position, pixel, document);
             return;
         case PenTool::edit:
             end_line(document);
-            if (const auto grip = grip_at(place, pixel))
-                m_drag = Drag{*grip, place, m_drawing.strokes()};
+            if (const auto grip = grip_at(position, pixel))
+                m_drag = Drag{*grip, position, m_drawing.strokes()};
             return;
         case PenTool::erase:
-            erase(place, pixel, document);
+            erase(position, pixel, document);
             return;
     }
 }
 
-void DrawingBoard::move(const BeamPosition& place, double pixel, Document& document) {
+void DrawingBoard::move(const BeamPosition& position, double pixel, Document& document) {
     follow(document);
     if (m_drag)
-        drag(place, pixel, document);
+        drag(position, pixel, document);
     if (m_pen.tool == PenTool::freehand && m_line &&
-        distance(place, m_line->points.back()) >= pixel)
-        add_point(place, document);
+        distance(position, m_line->points.back()) >= pixel)
+        add_point(position, document);
 }
 
 // Ignores small movements during a click.
-void DrawingBoard::drag(const BeamPosition& place, double pixel, Document& document) {
-    if (!m_drag->has_moved && distance(place, m_drag->from) < tremble_px * pixel)
+void DrawingBoard::drag(const BeamPosition& position, double pixel, Document& document) {
+    if (!m_drag->has_moved && distance(position, m_drag->from) < tremble_px * pixel)
         return;
     m_drag->has_moved = true;
     set_strokes(with_moved(m_drag->before, m_drag->grip,
-                           {place[0] - m_drag->from[0], place[1] - m_drag->from[1]}),
+                           {position[0] - m_drag->from[0], position[1] - m_drag->from[1]}),
                 move_step(m_drag->grip), document, true);
 }
 
@@ -132,13 +133,13 @@ void DrawingBoard::release(double pixel, Document& document) {
     end_line(document);
 }
 
-void DrawingBoard::press_other(const BeamPosition& place, double pixel, Document& document) {
+void DrawingBoard::press_other(const BeamPosition& position, double pixel, Document& document) {
     follow(document);
     const bool was_under_way = m_line || m_drag;
     end_line(document);
     if (was_under_way || !has_pen() || m_pen.tool != PenTool::edit)
         return;
-    const auto grip = grip_at(place, pixel);
+    const auto grip = grip_at(position, pixel);
     if (!grip || !grip->point)
         return;
     Keyframe strokes = without_point(m_drawing.strokes(), *grip);
@@ -146,25 +147,25 @@ void DrawingBoard::press_other(const BeamPosition& place, double pixel, Document
     set_strokes(std::move(strokes), is_whole ? "Delete stroke" : "Delete point", document);
 }
 
-void DrawingBoard::click(const BeamPosition& place, double pixel, Document& document) {
+void DrawingBoard::click(const BeamPosition& position, double pixel, Document& document) {
     if (!m_line) {
-        m_line = Stroke{{place}, m_pen.is_smooth, false};
+        m_line = Stroke{{position}, m_pen.is_smooth, false};
         return;
     }
     const std::vector<BeamPosition>& points = m_line->points;
-    if (distance(place, points.back()) <= tremble_px * pixel) {
+    if (distance(position, points.back()) <= tremble_px * pixel) {
         end_line(document);
-    } else if (points.size() > 2 && distance(place, points.front()) <= reach_px * pixel) {
+    } else if (points.size() > 2 && distance(position, points.front()) <= reach_px * pixel) {
         m_line->is_closed = true;
         show_line(document);
         end_line(document);
     } else {
-        add_point(place, document);
+        add_point(position, document);
     }
 }
 
-void DrawingBoard::erase(const BeamPosition& place, double pixel, Document& document) {
-    const auto stroke = stroke_at(place, pixel);
+void DrawingBoard::erase(const BeamPosition& position, double pixel, Document& document) {
+    const auto stroke = stroke_at(position, pixel);
     if (!stroke)
         return;
     Keyframe strokes = m_drawing.strokes();
@@ -173,10 +174,10 @@ void DrawingBoard::erase(const BeamPosition& place, double pixel, Document& docu
 }
 
 // Ignores points beyond the limit of a drawing.
-void DrawingBoard::add_point(const BeamPosition& place, Document& document) {
+void DrawingBoard::add_point(const BeamPosition& position, Document& document) {
     if (point_count(*m_drawing.get()) + 2 > most_drawing_points)
         return;
-    m_line->points.push_back(place);
+    m_line->points.push_back(position);
     show_line(document);
 }
 

@@ -12,7 +12,7 @@
 enum class PenTool { freehand, points, edit, erase };
 
 struct Pen {
-    bool is_in_hand = false;
+    bool is_active = false;
     PenTool tool = PenTool::freehand;
     bool is_smooth = true;  // of new strokes
 
@@ -29,14 +29,14 @@ public:
     const Drawing* drawing() const { return m_drawing.get(); }
     std::size_t keyframe() const { return m_drawing.keyframe(); }
     const Pen& pen() const { return m_pen; }
-    bool has_pen() const { return m_pen.is_in_hand && m_drawing.get(); }
+    bool has_pen() const { return m_pen.is_active && m_drawing.get(); }
     /// The points clicked so far; null: no open line.
     const Stroke* open_line() const { return m_line ? &*m_line : nullptr; }
     /// The point or stroke at this position that would be moved, or is being moved. `pixel`: the
     /// size of a pixel in beam coordinates.
-    std::optional<StrokeGrip> grip_at(const BeamPosition& place, double pixel) const;
+    std::optional<StrokeGrip> grip_at(const BeamPosition& position, double pixel) const;
     /// The stroke of the keyframe at this position.
-    std::optional<std::size_t> stroke_at(const BeamPosition& place, double pixel) const;
+    std::optional<std::size_t> stroke_at(const BeamPosition& position, double pixel) const;
     /// The signal for display. While the pen is active, it shows its keyframe without animation.
     Spec shown(const Spec& signal) const;
 
@@ -47,11 +47,11 @@ public:
     void edit_keyframes(const KeyframeChange& change, Document& document);
 
     /// Input on the picture; `pixel`: the size of a pixel in beam coordinates.
-    void press(const BeamPosition& place, double pixel, Document& document);
-    void move(const BeamPosition& place, double pixel, Document& document);
+    void press(const BeamPosition& position, double pixel, Document& document);
+    void move(const BeamPosition& position, double pixel, Document& document);
     void release(double pixel, Document& document);
     /// The right button ends the open line, or deletes the point under it.
-    void press_other(const BeamPosition& place, double pixel, Document& document);
+    void press_other(const BeamPosition& position, double pixel, Document& document);
     /// Ends the open line or drag.
     void end_line(Document& document);
 
@@ -61,11 +61,11 @@ public:
 private:
     void set_strokes(Keyframe strokes, const std::string& step, Document& document,
                      bool goes_on = false);
-    void click(const BeamPosition& place, double pixel, Document& document);
-    void erase(const BeamPosition& place, double pixel, Document& document);
-    void add_point(const BeamPosition& place, Document& document);
+    void click(const BeamPosition& position, double pixel, Document& document);
+    void erase(const BeamPosition& position, double pixel, Document& document);
+    void add_point(const BeamPosition& position, Document& document);
     void show_line(Document& document);
-    void drag(const BeamPosition& place, double pixel, Document& document);
+    void drag(const BeamPosition& position, double pixel, Document& document);
 
     /// A point or stroke being dragged, with the keyframe before the drag.
     struct Drag {

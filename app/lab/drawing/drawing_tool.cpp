@@ -47,13 +47,13 @@ void DrawingTool::edit_keyframes(const KeyframeChange& change) {
     edit([&](DrawingBoard& board, Document& document) { board.edit_keyframes(change, document); });
 }
 
-void DrawingTool::take_pen(bool is_in_hand) {
+void DrawingTool::take_pen(bool is_active) {
     if (!m_document)
         return;
     if (m_document->look().driven_by != Driver::signal)
         return m_messages.say(needs_signal_look, true);
     m_board.follow(*m_document);
-    if (is_in_hand && !m_board.drawing()) {
+    if (is_active && !m_board.drawing()) {
         const Spec& signal = m_document->state().signal;
         if (const std::string file = file_of(signal); signal.kind == "drawing" && !file.empty())
             load(file);
@@ -61,7 +61,7 @@ void DrawingTool::take_pen(bool is_in_hand) {
             m_board.replace(Drawing{{{}}}, "New drawing", *m_document);
     }
     Pen pen = m_board.pen();
-    pen.is_in_hand = is_in_hand && m_board.drawing();
+    pen.is_active = is_active && m_board.drawing();
     m_board.set_pen(pen, *m_document);
 }
 

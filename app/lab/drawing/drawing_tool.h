@@ -22,7 +22,7 @@ public:
 
     /// Activates or deactivates the pen. A signal other than a hand drawing is replaced by the
     /// drawing in its file, otherwise by an empty drawing.
-    void take_pen(bool is_in_hand);
+    void take_pen(bool is_active);
     void pen_down(const PicturePixel& pixel);
     void pen_move(const PicturePixel& pixel);
     void pen_up();

@@ -67,13 +67,13 @@ void EditedDrawing::insert_keyframe(Keyframe strokes, const std::string& step, D
     if (!m_drawing || m_drawing->keyframes.size() >= most_keyframes)
         return;
     Drawing drawing = *m_drawing;
-    const std::size_t place = keyframe() + 1;
-    drawing.keyframes.insert(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(place),
+    const std::size_t index = keyframe() + 1;
+    drawing.keyframes.insert(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(index),
                              std::move(strokes));
     if (point_count(drawing) > most_drawing_points)
         return;
     set(drawing, step, document);
-    m_keyframe = place;
+    m_keyframe = index;
 }
 
 void EditedDrawing::add_keyframe(Document& document) {
@@ -89,21 +89,21 @@ void EditedDrawing::remove_keyframe(Document& document) {
     if (!m_drawing || m_drawing->keyframes.size() < 2)
         return;
     Drawing drawing = *m_drawing;
-    const std::size_t place = keyframe();
-    drawing.keyframes.erase(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(place));
+    const std::size_t index = keyframe();
+    drawing.keyframes.erase(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(index));
     set(drawing, "Remove keyframe", document);
-    m_keyframe = place > 0 ? place - 1 : 0;
+    m_keyframe = index > 0 ? index - 1 : 0;
 }
 
 void EditedDrawing::move_keyframe(int places, Document& document) {
     if (!m_drawing)
         return;
     Drawing drawing = *m_drawing;
-    const std::size_t place = keyframe();
+    const std::size_t index = keyframe();
     const auto last = static_cast<std::ptrdiff_t>(drawing.keyframes.size()) - 1;
     const auto next = static_cast<std::size_t>(
-        std::clamp(static_cast<std::ptrdiff_t>(place) + places, std::ptrdiff_t{0}, last));
-    std::swap(drawing.keyframes[place], drawing.keyframes[next]);
+        std::clamp(static_cast<std::ptrdiff_t>(index) + places, std::ptrdiff_t{0}, last));
+    std::swap(drawing.keyframes[index], drawing.keyframes[next]);
     set(drawing, "Move keyframe", document);
     m_keyframe = next;
 }

@@ -2,30 +2,30 @@
 
 #include "signals/drawing/stroke_line.h"
 
-std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& place,
+std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& position,
                                        double reach) {
     std::optional<std::size_t> found;
     double nearest = reach;
     for (std::size_t i = 0; i < strokes.size(); ++i)
-        if (const double away = distance_to_line(place, line_of(strokes[i])); away <= nearest) {
+        if (const double away = distance_to_line(position, line_of(strokes[i])); away <= nearest) {
             nearest = away;
             found = i;
         }
     return found;
 }
 
-std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& place,
+std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& position,
                                     double reach) {
     std::optional<StrokeGrip> found;
     double nearest = reach;
     for (std::size_t i = 0; i < strokes.size(); ++i)
         for (std::size_t k = 0; k < strokes[i].points.size(); ++k)
-            if (const double away = distance(place, strokes[i].points[k]); away <= nearest) {
+            if (const double away = distance(position, strokes[i].points[k]); away <= nearest) {
                 nearest = away;
                 found = StrokeGrip{i, k};
             }
     if (!found)
-        if (const auto stroke = stroke_near(strokes, place, reach))
+        if (const auto stroke = stroke_near(strokes, position, reach))
             found = StrokeGrip{*stroke};
     return found;
 }

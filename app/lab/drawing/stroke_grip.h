@@ -13,11 +13,11 @@ struct StrokeGrip {
 };
 
 /// The stroke with the nearest line within `reach` of a position.
-std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& place,
+std::optional<std::size_t> stroke_near(const Keyframe& strokes, const BeamPosition& position,
                                        double reach);
 
 /// The nearest point within `reach`, otherwise the nearest stroke within `reach`.
-std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& place,
+std::optional<StrokeGrip> grip_near(const Keyframe& strokes, const BeamPosition& position,
                                     double reach);
 
 /// Moves the point or stroke by an offset.

@@ -1,5 +1,11 @@
 #include "lab/frame/heavy_pass.h"
 
+#include "lab/frame/pass_control.h"
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
+
+#include <fmt/format.h>
+
 std::optional<std::size_t> heavy_pass(const PassTimes& times) {
     constexpr std::size_t enough_frames = 4;
     constexpr double most_milliseconds = 100000.0;  // times above are not plausible
@@ -16,4 +22,28 @@ std::optional<std::size_t> heavy_pass(const PassTimes& times) {
             return pass;
     }
     return std::nullopt;
+}
+
+MenuSection heavy_pass_section(const Pass& pass, const PictureSize& size) {
+    MenuSection section{"Heavy pass"};
+    if (passed_input(pass))
+        section.entries.push_back(
+            {.name = fmt::format("Bypass {}", pass.name),
+             .commands = {[name = pass.name](PassControl& passes, Messages& messages) {
+                 passes.toggle(PassSwitch::bypass, name);
+                 messages.say(fmt::format(
+                     "Bypassed \"{}\". Right-click it in the pass strip to undo this.", name));
+             }}});
+    if (const auto half = size.halved())
+        section.entries.push_back(
+            {.name = "Halve render size",
+             .commands = {[half = *half](RenderSize& changed, Messages& messages) {
+                 use_half_size(changed, messages, half);
+             }}});
+    return section;
+}
+
+void use_half_size(RenderSize& size, Messages& messages, const PictureSize& half) {
+    size.choose(half);
+    messages.say("Render size halved. Change it in View > Render size.");
 }

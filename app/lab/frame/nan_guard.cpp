@@ -9,14 +9,14 @@ void NanGuard::prepare() {
     if (m_work.player.transport().is_playing()) {
         m_plays_after = false;
         if (m_found)
-            answer(NonFiniteAction::go_on);
+            answer(NonFiniteAction::ignore);
     }
     const bool clamps = m_is_unattended || m_answer == NonFiniteAction::clamp;
     const bool is_first =
         !m_work.renderer->has_drawn();  // its history is checked with the next frame
     NanPolicy policy =
         m_work.player.transport().is_playing() ? NanPolicy::watch : NanPolicy::search;
-    if (m_answer == NonFiniteAction::go_on || (is_first && policy == NanPolicy::watch))
+    if (m_answer == NonFiniteAction::ignore || (is_first && policy == NanPolicy::watch))
         policy = NanPolicy::off;
     else if (clamps)
         policy = NanPolicy::clamp;

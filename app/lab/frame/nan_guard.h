@@ -8,9 +8,9 @@
 
 /// The user's action for NaN and infinity.
 enum class NonFiniteAction {
-    clear,  // clears the history
-    clamp,  // replaces them by finite values
-    go_on,  // ignores them until the look changes
+    clear,   // clears the history
+    clamp,   // replaces them by finite values
+    ignore,  // ignores them until the look changes
 };
 
 /// Pauses when a pass writes NaN or infinity, and finds the pass that wrote it first.

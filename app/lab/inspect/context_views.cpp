@@ -4,8 +4,8 @@
 
 ContextViews::ContextViews(const Programs& drawn)
     : programs(drawn.views),
-      home(drawn.home),
-      scope(std::make_unique<gpu::ContextScope>(home.get())),
+      context(drawn.context),
+      scope(std::make_unique<gpu::ContextScope>(context.get())),
       viewer(part_of(programs, &ViewPrograms::viewer)),
       inspection(part_of(programs, &ViewPrograms::meter)),
       gains(part_of(programs, &ViewPrograms::meter)),

@@ -36,6 +36,6 @@ void Pins::update(const Executor& executor, const std::vector<Pin>& pins, double
 }
 
 const std::array<float, 4>* Pins::value(std::size_t pin, std::size_t pass) const {
-    const std::size_t place = pin * m_passes + pass;
-    return pass < m_passes && place < m_values.size() ? &m_values[place] : nullptr;
+    const std::size_t index = pin * m_passes + pass;
+    return pass < m_passes && index < m_values.size() ? &m_values[index] : nullptr;
 }

@@ -20,10 +20,10 @@ Span seen_texels(double start, double length, int texels, int view) {
 
 CellNumbers::Sight sight_of(const CellNumbers::Subject& subject) {
     const Extent own = subject.texture.extent();
-    return {.left = subject.place.left,
-            .top = subject.place.top,
-            .texel_width = subject.place.zoom * subject.whole.width / own.width,
-            .texel_height = subject.place.zoom * subject.whole.height / own.height,
+    return {.left = subject.position.left,
+            .top = subject.position.top,
+            .texel_width = subject.position.zoom * subject.whole.width / own.width,
+            .texel_height = subject.position.zoom * subject.whole.height / own.height,
             .format = subject.texture.format(),
             .options = subject.options};
 }

@@ -16,7 +16,7 @@ public:
         const gpu::Texture& texture;
         std::string name;  // of the texture's content
         Extent whole;      // displayed size in px
-        PicturePosition place;
+        PicturePosition position;
         Extent size;                // of the view
         Extent least;               // device pixels per texel needed for text; empty: no text
         std::uint64_t picture = 0;  // Executor::picture_number

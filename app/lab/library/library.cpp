@@ -116,17 +116,17 @@ std::vector<PresetEntry> Library::presets_in_program_folder() const {
 }
 
 Result<fs::path> Library::move_to_user_folder(const PresetEntry& preset) const {
-    auto place = preset_path(preset.look, preset.name);
+    auto path = preset_path(preset.look, preset.name);
     std::error_code error;
-    for (int n = 2; place && fs::exists(*place, error); ++n)
-        place = preset_path(preset.look, fmt::format("{} {}", preset.name, n));
-    if (!place)
-        return place;
+    for (int n = 2; path && fs::exists(*path, error); ++n)
+        path = preset_path(preset.look, fmt::format("{} {}", preset.name, n));
+    if (!path)
+        return path;
     const auto text = read_bytes(preset.file);
     if (!text)
         return fail(text.error());
     // Copied, because the folders can be on different volumes.
-    if (auto written = write_atomically(*place, *text); !written)
+    if (auto written = write_atomically(*path, *text); !written)
         return fail(written.error());
     fs::remove(preset.file, error);
     if (error)
@@ -134,7 +134,7 @@ Result<fs::path> Library::move_to_user_folder(const PresetEntry& preset) const {
                      fmt::format("was copied to your presets, but the original can't be deleted: "
                                  "{}",
                                  error.message())});
-    return place;
+    return path;
 }
 
 std::vector<std::string> Library::stacks() const {

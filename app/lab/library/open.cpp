@@ -154,9 +154,9 @@ Values values_of(const OpenRequest& request) {
 std::string name_of(const OpenRequest& request) {
     std::string name;
     for (const StackPart& part : stack_of(request)) {
-        const fs::path& place = part.path;
-        const bool is_in_folder = place.filename() == "look.json" || !place.has_filename();
-        const fs::path named = is_in_folder ? place.parent_path() : place;
+        const fs::path& part_path = part.path;
+        const bool is_in_folder = part_path.filename() == "look.json" || !part_path.has_filename();
+        const fs::path named = is_in_folder ? part_path.parent_path() : part_path;
         name += (name.empty() ? "" : "+") + named.filename().string();
     }
     return name;

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 namespace {
-int wrapped(int place, int count) {
-    return (place % count + count) % count;
+int wrapped(int index, int count) {
+    return (index % count + count) % count;
 }
 
 // The index from 1; 0: not in the list.

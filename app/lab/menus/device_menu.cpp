@@ -1,6 +1,8 @@
 #include "lab/menus/device_menu.h"
 
-#include "lab/lab_parts.h"
+#include "lab/playback/audio_control.h"
+#include "lab/playback/player.h"
+#include "lab/remote/remote_control.h"
 
 #include <fmt/format.h>
 
@@ -26,14 +28,14 @@ MenuEntry sound_number(const char* name, const char* unit, double present, Limit
                                   }}};
 }
 
-void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, const char* words,
+void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, const char* text,
                  std::vector<MenuEntry>& entries) {
     const bool is_out = device == &SoundSettings::output;
     const auto offer = [&](const std::string& name, const std::string& label) {
         SoundSettings next = facts.settings;
         next.*device = name;
         entries.push_back(
-            sound_entry(fmt::format("{}: {}", words, label), next, facts.settings.*device == name));
+            sound_entry(fmt::format("{}: {}", text, label), next, facts.settings.*device == name));
     };
     offer("", "System default");
     for (const SoundDevice& one : facts.devices)
@@ -77,7 +79,7 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<MenuEntry>& entries)
         return Edit([typed](Player& player) { player.set_level(typed); });
     }));
     entries.push_back(sound_number(
-        "Go to…", "s", facts.place, {0.0, facts.sound_seconds},
+        "Go to…", "s", facts.position, {0.0, facts.sound_seconds},
         [](double typed) { return Edit([typed](Player& player) { player.seek(typed); }); }));
 }
 

@@ -10,7 +10,7 @@ struct SoundFacts {
     SoundSettings settings;
     std::vector<SoundDevice> devices;
     double level = 1.0;
-    double place = 0.0;  // s
+    double position = 0.0;  // s
     double sound_seconds = 0.0;
 };
 MenuSection sound_section(const SoundFacts& facts);

@@ -119,10 +119,10 @@ Filter filter_of_pass(const Look& look, const std::string& pass) {
 // Does not copy the look, because it can have a megabyte of texts.
 std::optional<PassSetting> pass_setting(const Document& document, const std::string& pass) {
     const Look& look = document.look();
-    const auto place = find_pass(look, pass);
-    if (!place)
+    const auto index = find_pass(look, pass);
+    if (!index)
         return std::nullopt;
-    const Pass& written = look.passes[static_cast<std::size_t>(*place)];
+    const Pass& written = look.passes[static_cast<std::size_t>(*index)];
     const auto found = document.state().overrides.find(pass);
     const PassOverride tried =
         found == document.state().overrides.end() ? PassOverride{} : found->second;

@@ -1,6 +1,8 @@
 #include "lab/menus/menu_sections.h"
 
+#include "lab/commands/look_commands.h"
 #include "lab/document/opened_preset.h"
+#include "lab/drawing/drawing_tool.h"
 #include "lab/lab_parts.h"
 #include "lab/menus/device_menu.h"
 #include "lab/menus/inspector_menu.h"
@@ -10,6 +12,7 @@
 #include "lab/menus/source_menu.h"
 #include "lab/menus/stack_menu.h"
 #include "lab/menus/window_menu.h"
+#include "lab/playback/player.h"
 #include "lab/previews/previews.h"
 #include "lab/session.h"
 #include "lab/storage/include_store.h"
@@ -82,9 +85,9 @@ void add_pens(const Pen& pen, std::vector<MenuEntry>& entries) {
     for (const auto& [tool, name] :
          {std::pair{PenTool::freehand, "Freehand"}, std::pair{PenTool::points, "Points"},
           std::pair{PenTool::edit, "Edit"}, std::pair{PenTool::erase, "Erase"}})
-        offer(name, {pen.is_in_hand, tool, pen.is_smooth});
-    offer("Smooth lines", {pen.is_in_hand, pen.tool, true});
-    offer("Straight lines", {pen.is_in_hand, pen.tool, false});
+        offer(name, {pen.is_active, tool, pen.is_smooth});
+    offer("Smooth lines", {pen.is_active, pen.tool, true});
+    offer("Straight lines", {pen.is_active, pen.tool, false});
 }
 
 void add_keyframes(const DrawingBoard& board, std::vector<MenuEntry>& entries) {
@@ -156,7 +159,7 @@ MenuSection nan_section(const LabParts& lab) {
     if (lab.frames.nan_guard().found())
         for (const auto& [answer, name] : {std::pair{NonFiniteAction::clear, "Restart history"},
                                            std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
-                                           std::pair{NonFiniteAction::go_on, "Ignore NaN/Inf"}})
+                                           std::pair{NonFiniteAction::ignore, "Ignore NaN/Inf"}})
             section.entries.push_back({.name = name, .commands = {[to = answer](FrameLoop& frames) {
                                                          frames.nan_guard().answer(to);
                                                      }}});
@@ -165,8 +168,8 @@ MenuSection nan_section(const LabParts& lab) {
         section.entries.push_back(
             {.name =
                  fmt::format("{}:{} {}", said.file.filename().string(), said.line, said.message),
-             .commands = {[place = Location{said.file, said.line}](LookCommands& looks) {
-                 looks.open_in_editor(place);
+             .commands = {[location = Location{said.file, said.line}](LookCommands& looks) {
+                 looks.open_in_editor(location);
              }}});
     }
     return section;
@@ -200,16 +203,16 @@ void add_of_look(const LabParts& lab, const WindowState& window,
 
 void add_further(const LabParts& lab, const WindowState& window, Sections& all) {
     const Document& document = *lab.document;
-    const Parameter* in_hand =
+    const Parameter* selected =
         find_parameter(document.look(), window.parameters.revealed.parameter);
-    if (in_hand)
-        add_sections(all, parameter_sections(document, *in_hand));
+    if (selected)
+        add_sections(all, parameter_sections(document, *selected));
     all.push_back(pass_setting_section(document, window.views.inspected.pass));
     const VariantSheet& sheet = lab.frames.previews().sheet();
     std::vector<SweepCell> cells;
     for (const VariantSheet::Cell& cell : sheet.cells())
         cells.push_back(cell.values);
-    all.push_back(sheet_section(sheet.request(), cells, in_hand));
+    all.push_back(sheet_section(sheet.request(), cells, selected));
     add_sections(all, parameter_list_sections(document, window));
     all.push_back(drawing_section(lab.drawing.board()));
 }
@@ -227,7 +230,7 @@ std::vector<MenuSection> menu_sections(const LabParts& lab, const WindowState& w
     all.push_back(sound_section({.settings = player.devices().settings(),
                                  .devices = lab.audio.devices(),
                                  .level = player.devices().level(),
-                                 .place = player.transport().time(),
+                                 .position = player.transport().time(),
                                  .sound_seconds = player.signal().sound_seconds()}));
     all.push_back(remote_section(lab.remote.settings(), lab.remote.osc().is_listening(),
                                  lab.remote.midi().is_listening()));

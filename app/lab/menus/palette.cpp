@@ -68,7 +68,7 @@ std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query)
     if (!match)
         return match;
     match->score -= for_detail;
-    std::erase_if(match->places, [&](std::size_t place) { return place >= entry.label.size(); });
+    std::erase_if(match->places, [&](std::size_t index) { return index >= entry.label.size(); });
     return match;
 }
 }  // namespace

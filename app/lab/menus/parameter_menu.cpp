@@ -1,7 +1,10 @@
 #include "lab/menus/parameter_menu.h"
 
+#include "lab/commands/look_commands.h"
 #include "lab/document/parameter_edits.h"
-#include "lab/lab_parts.h"
+#include "lab/document/parameter_settings_store.h"
+#include "lab/previews/previews.h"
+#include "lab/remote/remote_control.h"
 #include "lab/window/parameter_list.h"
 #include "lab/window/window_state.h"
 #include "model/look/value_text.h"
@@ -84,7 +87,7 @@ void add_parts(const Parameter& parameter, const Value& value, std::vector<MenuE
 }
 
 void add_midi(const Parameter& parameter, std::vector<MenuEntry>& entries) {
-    if (!can_be_turned(parameter))
+    if (!has_slider_numbers(parameter))
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
     for (std::size_t i = 0; i < count; ++i)
@@ -119,10 +122,11 @@ MenuSection parameter_section(const Document& document, const Parameter& paramet
     add_ends(parameter, setting, section.entries);
     add_midi(parameter, section.entries);
     if (!parameter.declared.file.empty())
-        section.entries.push_back({.name = "Open declaration",
-                                   .commands = {[place = parameter.declared](LookCommands& looks) {
-                                       looks.open_in_editor(place);
-                                   }}});
+        section.entries.push_back(
+            {.name = "Open declaration",
+             .commands = {[location = parameter.declared](LookCommands& looks) {
+                 looks.open_in_editor(location);
+             }}});
     return section;
 }
 
@@ -242,15 +246,15 @@ std::vector<Edit> sheet_commands(const SheetRequest& request) {
 }
 
 MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCell>& cells,
-                          const Parameter* in_hand) {
+                          const Parameter* selected) {
     MenuSection section{"Sheet"};
-    if (in_hand && can_be_varied(*in_hand)) {
-        section.entries.push_back({.name = fmt::format("Filmstrip of {}", in_hand->label),
-                                   .commands = sheet_commands({.across = in_hand->name})});
+    if (selected && can_be_varied(*selected)) {
+        section.entries.push_back({.name = fmt::format("Filmstrip of {}", selected->label),
+                                   .commands = sheet_commands({.across = selected->name})});
         SheetRequest next = request;
-        next.down = in_hand->name;
-        if (!request.across.empty() && request.across != in_hand->name)
-            section.entries.push_back({.name = fmt::format("Rows: {}", in_hand->label),
+        next.down = selected->name;
+        if (!request.across.empty() && request.across != selected->name)
+            section.entries.push_back({.name = fmt::format("Rows: {}", selected->label),
                                        .commands = sheet_commands(next)});
     }
     if (request.across.empty())

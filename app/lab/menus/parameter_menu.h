@@ -12,10 +12,10 @@ std::vector<MenuSection> parameter_sections(const Document& document, const Para
 std::vector<MenuSection> parameter_list_sections(const Document& document,
                                                  const WindowState& window);
 
-/// The sheet settings and the values of its cells. `in_hand` can be used as an axis; null: no
+/// The sheet settings and the values of its cells. `selected` can be used as an axis; null: no
 /// parameter.
 MenuSection sheet_section(const SheetRequest& request, const std::vector<SweepCell>& cells,
-                          const Parameter* in_hand);
+                          const Parameter* selected);
 
 /// Draws the sheet and shows its panel.
 std::vector<Edit> sheet_commands(const SheetRequest& request);

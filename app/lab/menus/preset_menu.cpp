@@ -1,6 +1,6 @@
 #include "lab/menus/preset_menu.h"
 
-#include "lab/lab_parts.h"
+#include "lab/commands/preset_commands.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
@@ -11,8 +11,8 @@ MenuSection morph_section(const std::vector<ListedPreset>& presets, double secon
     for (const ListedPreset& preset : presets)
         section.entries.push_back(
             {.name = fmt::format("To {}", preset.preset.name),
-             .commands = {[file = preset.preset.entry.file, seconds](PresetCommands& presets) {
-                 presets.navigation().morph_to(file, seconds);
+             .commands = {[file = preset.preset.entry.file, seconds](PresetCommands& commands) {
+                 commands.navigation().morph_to(file, seconds);
              }}});
     for (const double length : morph_lengths)
         section.entries.push_back(
@@ -29,8 +29,8 @@ MenuSection star_section(const std::vector<ListedPreset>& presets) {
             section.entries.push_back(
                 {.name = preset.preset.name,
                  .commands = {[name = preset.preset.entry.id,
-                               has_star = !preset.has_star](PresetCommands& presets) {
-                     presets.navigation().star(name, has_star);
+                               has_star = !preset.has_star](PresetCommands& commands) {
+                     commands.navigation().star(name, has_star);
                  }},
                  .is_present = preset.has_star});
     return section;
@@ -50,9 +50,9 @@ MenuSection browsing_section(const PresetBrowsing& wanted) {
                                .is_present = wanted.only_starred});
     section.entries.push_back(
         {.name = "Search…",
-         .text = AskedText{wanted.search, [](const std::string& words) -> std::vector<Edit> {
-                               return {[words](WindowState& window) {
-                                   window.presets.search = words;
+         .text = AskedText{wanted.search, [](const std::string& search) -> std::vector<Edit> {
+                               return {[search](WindowState& window) {
+                                   window.presets.search = search;
                                    show_preset_pictures(window);
                                }};
                            }}});
@@ -70,5 +70,5 @@ MenuSection shipped_preset_section() {
     return {"Preset",
             MenuSection::Menu::palette,
             {{.name = "Save to shipped presets",
-              .commands = {[](PresetCommands& presets) { presets.save_into_shipped(); }}}}};
+              .commands = {[](PresetCommands& commands) { commands.save_into_shipped(); }}}}};
 }

@@ -4,8 +4,9 @@
 #include "lab/document/content_edits.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
-#include "lab/lab_parts.h"
+#include "lab/drawing/drawing_tool.h"
 #include "lab/menus/scope_graticule.h"
+#include "lab/playback/player.h"
 #include "lab/window/window_state.h"
 #include "signals/signal_table.h"
 

@@ -25,23 +25,23 @@ Edit bypass_part(const StackPart& part, const std::string& name) {
     const bool next = !part.is_bypassed;
     return change_of_stack(
         part.tag, next ? fmt::format("Bypass {}", name) : fmt::format("Re-enable {}", name),
-        [next](Stack& stack, std::size_t place) { stack[place].is_bypassed = next; });
+        [next](Stack& stack, std::size_t index) { stack[index].is_bypassed = next; });
 }
 
 Edit move_part(const StackPart& part, const std::string& name, int by) {
     return change_of_stack(
-        part.tag, fmt::format("Move {}", name), [by](Stack& stack, std::size_t place) {
-            const std::size_t other = place + static_cast<std::size_t>(by);  // wraps if negative
+        part.tag, fmt::format("Move {}", name), [by](Stack& stack, std::size_t index) {
+            const std::size_t other = index + static_cast<std::size_t>(by);  // wraps if negative
             if (other < stack.size())
-                std::swap(stack[place], stack[other]);
+                std::swap(stack[index], stack[other]);
         });
 }
 
 Edit remove_part(const StackPart& part, const std::string& name) {
     return change_of_stack(part.tag, fmt::format("Remove {}", name),
-                           [](Stack& left, std::size_t place) {
+                           [](Stack& left, std::size_t index) {
                                if (left.size() > 1)
-                                   left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+                                   left.erase(left.begin() + static_cast<std::ptrdiff_t>(index));
                            });
 }
 

@@ -1,6 +1,7 @@
 #include "lab/menus/window_menu.h"
 
-#include "lab/lab_parts.h"
+#include "lab/media/render_size.h"
+#include "lab/messages/messages.h"
 #include "lab/window/window_state.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace {
 MenuEntry sized(std::string name, const PictureSize& size, bool is_present) {
     return {.name = std::move(name),
-            .commands = {[size](RenderSize& size) { size.choose(size); }},
+            .commands = {[size](RenderSize& render_size) { render_size.choose(size); }},
             .is_present = is_present};
 }
 
@@ -22,8 +23,9 @@ MenuSection size_section(const SizeInForce& in_force) {
     for (const auto& [shape, name] : picture_shapes)
         section.entries.push_back(
             sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
-    section.entries.push_back(
-        {.name = "Match pane once", .commands = {[](RenderSize& size) { size.fix_to_view(); }}});
+    section.entries.push_back({.name = "Match pane once", .commands = {[](RenderSize& render_size) {
+                                                              render_size.fix_to_view();
+                                                          }}});
     for (const Extent& extent : picture_sizes)
         section.entries.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
                                         {false, extent, present.scale, present.shape},
@@ -166,19 +168,19 @@ std::string times_text(double factor) {
     return fmt::format("{:g}×", factor);
 }
 
-SizeInForce size_in_force(const RenderSize& size) {
-    return {size.chosen(), size.shape(), size.extent()};
+SizeInForce size_in_force(const RenderSize& render_size) {
+    return {render_size.chosen(), render_size.shape(), render_size.extent()};
 }
 
-void offer_display_size(const RenderSize& size, Messages& messages, Extent display) {
-    const PictureSize& present = size.chosen();
+void offer_display_size(const RenderSize& render_size, Messages& messages, Extent display) {
+    const PictureSize& present = render_size.chosen();
     if (present.follows_view || present.room(display) == display)
         return;
-    const Extent picture = size.extent();
+    const Extent picture = render_size.extent();
     messages.offer(
         fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
                     picture.height, display.width, display.height),
-        {.name = "Match display", .commands = {[](RenderSize& size) { size.fix_to_view(); }}});
+        {.name = "Match display", .commands = {[](RenderSize& fixed) { fixed.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

@@ -13,10 +13,10 @@ void BackgroundJobs::show_rate_pair(std::size_t pair) {
         m_messages.succeeded(m_rate_pictures.show(**outcome, pair));
 }
 
-void BackgroundJobs::fire_impulse(const Pin& place) {
+void BackgroundJobs::fire_impulse(const Pin& pin) {
     if (m_document)
-        m_impulse.start([document = *m_document, picture = m_size.extent(), place](Work& work) {
-            return ::fire_impulse(document, picture, {.place = place}, work);
+        m_impulse.start([document = *m_document, picture = m_size.extent(), pin](Work& work) {
+            return ::fire_impulse(document, picture, {.pin = pin}, work);
         });
 }
 

@@ -23,7 +23,7 @@ public:
     void show_rate_pair(std::size_t pair);
     const RatePictures& rate_pictures() const { return m_rate_pictures; }
     /// Draws an impulse and measures its decay in every pass.
-    void fire_impulse(const Pin& place);
+    void fire_impulse(const Pin& pin);
     void cancel_impulse() { m_impulse.cancel(); }
     const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
     /// Writes a film or an image sequence.

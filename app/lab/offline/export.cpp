@@ -126,7 +126,7 @@ FramePipeline::Stages watched(const ExportJob& job) {
 Result<bool> export_frames(Offline& offline, const ExportJob& job) {
     FramePipeline pipeline(watched(job));
     for (std::int64_t number = 0; number < job.part.end; ++number) {
-        if (!job.go_on(number)) {
+        if (!job.should_continue(number)) {
             pipeline.cancel();
             return false;
         }

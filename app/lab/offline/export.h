@@ -30,7 +30,7 @@ struct ExportJob {
     FramePipeline::Stages stages = {};
     FlashLog* flashes = nullptr;  // null: not counted
     /// Reports the number of drawn frames; false: cancel.
-    std::function<bool(std::int64_t drawn)> go_on = {};
+    std::function<bool(std::int64_t drawn)> should_continue = {};
 };
 
 /// Separate pictures, .png or .exr, numbered as on the look's clock. Either all PNGs have alpha or

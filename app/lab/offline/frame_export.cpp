@@ -27,10 +27,10 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
                                  Work& work) {
     if (auto good = check_export(document, wishes.file); !good)
         return fail(good.error());
-    Document turned = document;  // the window may not have applied its constants yet
-    if (auto done = turn_texts(turned); !done)
+    Document changed = document;  // the window may not have applied its constants yet
+    if (auto done = apply_constants(changed); !done)
         return fail(done.error());
-    auto offline = Offline::create({std::move(turned), {}}, size, wishes.fps);
+    auto offline = Offline::create({std::move(changed), {}}, size, wishes.fps);
     if (!offline)
         return fail(offline.error());
     const auto usual = usual_film_seconds(*offline, 0.0);
@@ -41,7 +41,7 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
                   .pass = static_cast<int>(document.look().passes.size()) - 1,
                   .fps = wishes.fps};
     const std::int64_t count = job.part.count();
-    job.go_on = [&work, count](std::int64_t drawn) {
+    job.should_continue = [&work, count](std::int64_t drawn) {
         work.share = static_cast<double>(drawn) / static_cast<double>(count);
         return !work.is_cancelled;
     };

@@ -53,7 +53,7 @@ Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& questio
         return offline.hold_source(even(size, 0.0f));
     const BeamPlacing placing(look, offline.document().values(), size,
                               beam_fit_of(offline.document().state().signal));
-    const PicturePixel pixel{question.place.x * size.width, question.place.y * size.height};
+    const PicturePixel pixel{question.pin.x * size.width, question.pin.y * size.height};
     const Beam flash = flash_at(placing, pixel, 1.0 / question.fps);
     offline.drive_by([flash](const PlayedFrame& frame) {
         return frame.number == dark_frames + 1 ? flash : Beam();
@@ -63,10 +63,10 @@ Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& questio
 
 using Numbers = std::array<double, 3>;
 
-Numbers light_at(const Offline& offline, std::size_t pass, const Pin& place) {
+Numbers light_at(const Offline& offline, std::size_t pass, const Pin& pin) {
     const int index = static_cast<int>(pass);
     const gpu::Texture& target = offline.executor().target(index);
-    const auto [x, y] = place.texel(target.extent());
+    const auto [x, y] = pin.texel(target.extent());
     const auto stored = gpu::read_pixel(target, x, y);
     const bool is_display = encoding_of(offline.executor().look(), index) == Encoding::display;
     Numbers light{};
@@ -93,7 +93,7 @@ PassImpulse impulse_of(std::string pass, const std::vector<Numbers>& frames,
     const auto channel = static_cast<std::size_t>(impulse.channel);
     for (std::size_t i = dark_frames; i < frames.size(); ++i)
         impulse.light.push_back(frames[i][channel] - dark[channel]);
-    impulse.fall = decay_curve(seconds, impulse.light);
+    impulse.decay = decay_curve(seconds, impulse.light);
     return impulse;
 }
 }  // namespace
@@ -117,7 +117,7 @@ Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const Impuls
                 return fail(held.error());
         offline.advance();
         for (std::size_t pass = 0; pass < passes.size(); ++pass)
-            passes[pass].push_back(light_at(offline, pass, question.place));
+            passes[pass].push_back(light_at(offline, pass, question.pin));
         if (frame > dark_frames)
             response.seconds.push_back((frame - dark_frames - 1) / question.fps);
         work.share = static_cast<double>(frame) / all;

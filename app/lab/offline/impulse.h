@@ -12,7 +12,7 @@ class Offline;
 
 /// The position of an impulse and its measurement.
 struct ImpulseQuestion {
-    Pin place;
+    Pin pin;
     double fps = 60.0;
     double seconds = 2.0;
 };
@@ -22,7 +22,7 @@ struct PassImpulse {
     std::string pass;
     int channel = 0;            // 0 red, 1 green, 2 blue: the brightest
     std::vector<double> light;  // above the background; per frame, linear
-    DecayCurve fall;            // times from the end of the impulse's frame
+    DecayCurve decay;           // times from the end of the impulse's frame
 };
 
 /// The response of all passes to an impulse of one frame.

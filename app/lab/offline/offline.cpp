@@ -36,7 +36,7 @@ Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
     auto context = gpu::create_headless_context();
     if (!context)
         return fail(context.error());
-    if (auto done = turn_texts(prepared.document); !done)
+    if (auto done = apply_constants(prepared.document); !done)
         return fail(done.error());
     const Look look = prepared.document.drawn_look();
     auto programs = build_programs(look, nullptr, prepared.shader_cache.get(), prepared.progress);
@@ -154,7 +154,7 @@ Result<void> Offline::load_pictures() {
 
 // Rebuilds the programs after changes of constants. Unchanged programs are kept.
 Result<void> Offline::follow_constants() {
-    if (auto done = turn_texts(m_document); !done)
+    if (auto done = apply_constants(m_document); !done)
         return done;
     if (executor().look().constants == m_document.look().constants)
         return {};
@@ -254,10 +254,10 @@ Result<void> Offline::start_again(Document document) {
 
 // The values also go into the document, because pictures are saved with it as a preset.
 void Offline::apply_automation(double seconds) {
-    const Values turned = m_automation.take(seconds);
-    if (turned.empty())
+    const Values changed = m_automation.take(seconds);
+    if (changed.empty())
         return;
-    set_values(m_document, turned, "Automation");
+    set_values(m_document, changed, "Automation");
     forget_past(m_document);
     if (auto done = follow_constants(); !done)
         m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());

@@ -57,7 +57,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
 }
 }  // namespace
 
-Result<void> turn_texts(Document& document, const ReadingHelp& help) {
+Result<void> apply_constants(Document& document, const ReadingHelp& help) {
     if (constants_of(document.look(), document.values()) == document.look().constants)
         return {};
     const Values& values = document.values();
@@ -156,7 +156,7 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
         return fail(std::move(*problem));
     if (auto done = apply_values(request, prepared.document); !done)
         return fail(done.error());
-    if (auto done = turn_texts(prepared.document, {&checks, request.progress}); !done)
+    if (auto done = apply_constants(prepared.document, {&checks, request.progress}); !done)
         return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)
         return fail(done.error());

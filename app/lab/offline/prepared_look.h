@@ -48,7 +48,7 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library);
 
 /// Reads the look of a document again if the constants in its texts have other values than when it
 /// was read.
-Result<void> turn_texts(Document& document, const ReadingHelp& help = {});
+Result<void> apply_constants(Document& document, const ReadingHelp& help = {});
 
 /// Opens `request.preset` in the document of its look, with warnings about it. Fails if it is for
 /// another look or its values are invalid.

@@ -85,12 +85,12 @@ Result<Picture> sheet_of(const std::vector<SheetCell>& cells, int columns) {
     for (int i = 0; i < count; ++i) {
         const SheetCell& cell = cells[static_cast<std::size_t>(i)];
         copy(cell.picture, sheet, layout.left(i), layout.top(i));
-        const CaptionPosition place{
+        const CaptionPosition position{
             .left = layout.left(i),
             .baseline = layout.top(i) + layout.cell.height + layout.letters * 3 / 2,
             .width = layout.cell.width,
             .height = layout.letters};
-        if (auto written = draw_caption(sheet, place, cell.caption); !written)
+        if (auto written = draw_caption(sheet, position, cell.caption); !written)
             return fail(written.error());
     }
     return sheet;

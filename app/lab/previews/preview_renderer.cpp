@@ -28,7 +28,7 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
     inputs.sound = subject.player.signal().sound_texels();
     inputs.date = local_date();
     inputs.patience_seconds = patience_seconds;
-    inputs.hand.move(subject.shown.executors().inputs().hand.place());
+    inputs.input_state.move(subject.shown.executors().inputs().input_state.position());
     executors.picture().set_values(values);
     const Extent source = subject.media.source().extent(subject.picture);
     if (auto sized = executors.picture().resize(subject.picture,
@@ -98,7 +98,7 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
         draw_unseen(m_executors, frame, beam);
 }
 
-bool PreviewRenderer::go_on(const PreviewSubject& subject, double seconds) {
+bool PreviewRenderer::update(const PreviewSubject& subject, double seconds) {
     if (!is_running())
         return false;
     const auto start = std::chrono::steady_clock::now();

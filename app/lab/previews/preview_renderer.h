@@ -35,7 +35,7 @@ public:
     /// Restarts with other values and the same frames.
     Result<void> start_again(const Values& values);
     /// Draws for about `seconds`; true when it has just finished.
-    bool go_on(const PreviewSubject& subject, double seconds);
+    bool update(const PreviewSubject& subject, double seconds);
 
     bool is_running() const { return m_done < m_frames.size() || !has_samples(); }
     std::size_t done() const { return m_done; }

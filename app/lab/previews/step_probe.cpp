@@ -155,7 +155,7 @@ void StepProbe::update(const PreviewSubject& subject, double slice_seconds) {
     if (!m_trial)
         return;
     if (m_trial->is_running()) {
-        m_trial->go_on(subject, slice_seconds);
+        m_trial->update(subject, slice_seconds);
         const std::size_t share = 100 * m_trial->done() / m_trial->total();
         m_text = fmt::format("{}: rendering, {} %", m_change, share);
         return;

@@ -22,8 +22,8 @@ std::string stops_text(const Parameter& parameter, int count) {
         range.step = step_of(parameter);
         const auto steps = steps_in(range, parameter.range.low);
         for (int i = 0; i < count; ++i) {
-            const double place = static_cast<double>(i) / std::max(count - 1, 1);
-            const double value = value_at(range, parameter.scale, place);
+            const double ratio = static_cast<double>(i) / std::max(count - 1, 1);
+            const double value = value_at(range, parameter.scale, ratio);
             const double stop =
                 steps ? steps->nearest(value) : readable(range, parameter.scale, value);
             if (stops.empty() || stops.back() != stop)
@@ -164,7 +164,7 @@ void VariantSheet::update(const PreviewSubject& whole, double slice_seconds) {
     m_shown_as = whole.picture;
     const bool is_drawing = m_trial && m_trial->is_running();
     Result<void> done = is_drawing ? Result<void>() : start_cell(subject);
-    if (done && m_trial->go_on(subject, slice_seconds)) {
+    if (done && m_trial->update(subject, slice_seconds)) {
         done = keep_picture();
         ++m_next;
     }

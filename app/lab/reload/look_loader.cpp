@@ -68,7 +68,7 @@ void LookLoader::submit(OpenRequest request, bool is_reload, const fs::path& edi
     } else {
         create_worker_context();
         job.shown = m_programs.shown();
-        job.context = job.shown->home;
+        job.context = job.shown->context;
         job.key = m_programs.key();
     }
     const bool is_opening = job.is_opening;
@@ -97,7 +97,7 @@ void LookLoader::build(Job job) {
     create_worker_context();
     job.is_reload = true;
     job.shown = m_programs.shown();
-    job.context = job.shown ? job.shown->home : nullptr;
+    job.context = job.shown ? job.shown->context : nullptr;
     if (job.kind == JobKind::constants && m_asked) {
         OpenRequest same = job.request;
         same.constants = m_asked->constants;
@@ -204,7 +204,7 @@ void LookLoader::note_update(bool is_quiet) {
     if (m_worker.builder().is_prepared() && !is_loading()) {  // one per update
         if (!m_worker.context().is_created())
             create_worker_context();
-        else if (m_programs.shown() && m_programs.shown()->home)
+        else if (m_programs.shown() && m_programs.shown()->context)
             m_contexts.have_spare();
     }
     m_worker.allow_preparation();

@@ -3,7 +3,7 @@
 #include "base/elapsed.h"
 
 void PendingLook::start(const OpenLook& open_look) {
-    m_warm_up = std::make_unique<WarmUp>(m_built.programs ? m_built.programs->home : nullptr);
+    m_warm_up = std::make_unique<WarmUp>(m_built.programs ? m_built.programs->context : nullptr);
     if (!m_built.look || !m_built.programs || m_built.is_warm)
         return;
     const auto add_draws = [&](const Look& look, const Programs& programs) {

@@ -66,7 +66,7 @@ Result<Programs> ProgramBuilder::link(const Job& job, BuiltLook& built) {
     const std::optional<Programs> reusable = known_programs(job, *built.look);
     const Programs* const known = reusable ? &*reusable : nullptr;
     auto programs = build_programs(*built.look, known, is_look ? m_store.get() : nullptr,
-                                   job.progress.get(), known ? known->home : job.context);
+                                   job.progress.get(), known ? known->context : job.context);
     if (!programs)
         return programs;
     if (known)
@@ -89,7 +89,7 @@ Result<Programs> ProgramBuilder::link(const Job& job, BuiltLook& built) {
 // same look.
 std::optional<Programs> ProgramBuilder::known_programs(const Job& job, const Look& look) const {
     const bool serves_linked =
-        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->home == job.context);
+        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->context == job.context);
     if (serves_linked && job.shown)
         return joined(*m_linked, *job.shown);
     if (serves_linked)
@@ -129,7 +129,7 @@ std::optional<SpecializedLook> ProgramBuilder::specialize(const Job& job, const 
                                 {},
                                 job.key};
     auto programs =
-        build_programs(specialized.look, known, nullptr, job.progress.get(), generic.home);
+        build_programs(specialized.look, known, nullptr, job.progress.get(), generic.context);
     if (!programs)
         return std::nullopt;
     specialized.programs = std::move(*programs);
@@ -162,7 +162,7 @@ BuiltLook ProgramBuilder::build_specialized(const Job& job) {
 // Draws in the context that will draw the look if no other thread draws there, otherwise here.
 void ProgramBuilder::draw_first(const Job& job, const Programs* known, Programs& programs,
                                 BuiltLook& built) {
-    built.is_warm = job.is_opening && job.context && programs.home == job.context;
+    built.is_warm = job.is_opening && job.context && programs.context == job.context;
     if (built.is_warm)
         draw_first_in_look_context(job, programs, built);
     else
@@ -200,7 +200,7 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
     if (!m_warm_up)
         return;
     Programs drawn = programs;
-    drawn.home = nullptr;
+    drawn.context = nullptr;
     drawn.nan_detector = nullptr;  // their uniforms are in use on another thread
     drawn.views = nullptr;
     m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsOf::Size::whole},
@@ -212,7 +212,7 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
 // Views are drawn in the context that draws the passes. The first look is displayed without this
 // warm-up.
 void ProgramBuilder::view_first(const Job& job, const BuiltLook& built) {
-    if (!is_prepared() || !job.look_context || built.programs->home != job.context)
+    if (!is_prepared() || !job.look_context || built.programs->context != job.context)
         return;
     WarmUp warm_up(job.context);
     warm_up.add_views(*built.look, *built.programs, m_picture, values_of(job.request));
@@ -239,7 +239,7 @@ void ProgramBuilder::prepare() {
 }
 
 void ProgramBuilder::clear() {
-    const gpu::ContextScope scope(m_context.borrowed().get());
+    const gpu::ContextScope scope(m_context.look_context().get());
     m_linked.reset();
     m_images.clear();
     m_warm_up.reset();

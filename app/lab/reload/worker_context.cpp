@@ -26,23 +26,23 @@ bool WorkerContext::use_own() {
         return false;
     if (gpu::Context::current() != m_own.get())
         m_own->make_current();
-    m_borrowed.reset();
+    m_look_context.reset();
     return true;
 }
 
-bool WorkerContext::use(const std::shared_ptr<gpu::Context>& borrowed,
+bool WorkerContext::use(const std::shared_ptr<gpu::Context>& look_context,
                         std::optional<gpu::ContextScope>& scope) {
     if (use_own())
         return true;
-    if (!borrowed)
+    if (!look_context)
         return false;
-    m_borrowed = borrowed;
-    scope.emplace(m_borrowed.get());
+    m_look_context = look_context;
+    scope.emplace(m_look_context.get());
     return true;
 }
 
 void WorkerContext::release() {
-    m_borrowed.reset();
+    m_look_context.reset();
     if (gpu::Context* const own = gpu::Context::current())
         own->release();
 }

@@ -23,11 +23,13 @@ public:
     // On the worker thread.
     /// Makes its own context current; false: it does not exist yet.
     bool use_own();
-    /// Makes its own context current, or `borrowed` for as long as `scope`. False: neither exists.
-    bool use(const std::shared_ptr<gpu::Context>& borrowed,
+    /// Makes its own context current, or `look_context` for as long as `scope`. False: neither
+    /// exists.
+    bool use(const std::shared_ptr<gpu::Context>& look_context,
              std::optional<gpu::ContextScope>& scope);
-    /// The owner of objects that were created in a borrowed context; null: they belong to its own.
-    const std::shared_ptr<gpu::Context>& borrowed() const { return m_borrowed; }
+    /// The owner of objects that were created in the context of a look; null: they belong to its
+    /// own.
+    const std::shared_ptr<gpu::Context>& look_context() const { return m_look_context; }
     /// Releases both.
     void release();
 
@@ -36,5 +38,5 @@ private:
     mutable std::mutex m_mutex;
     std::unique_ptr<gpu::Context> m_own;
     bool m_was_tried = false;
-    std::shared_ptr<gpu::Context> m_borrowed;
+    std::shared_ptr<gpu::Context> m_look_context;
 };

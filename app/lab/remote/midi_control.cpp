@@ -10,7 +10,7 @@ Result<void> MidiControl::listen(bool listens) {
     m_learnt.reset();
     m_pick_ups.clear();
     m_problem.clear();
-    m_turned = m_refused = 0;
+    m_applied = m_refused = 0;
     if (!listens)
         return {};
     auto opened = m_inputs->open();
@@ -24,16 +24,16 @@ void MidiControl::learn(std::optional<MidiGoal> goal) {
 }
 
 // A 14-bit device sends the lower half immediately after the upper one. Then both are bound.
-std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& turn,
+std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& change,
                                                   double now_seconds) {
     constexpr double right_behind = 0.05;  // s
     if (m_goal) {
-        m_learnt = MidiBinding{*std::exchange(m_goal, {}), turn.channel, turn.controller};
+        m_learnt = MidiBinding{*std::exchange(m_goal, {}), change.channel, change.controller};
         m_learnt_seconds = now_seconds;
         return m_learnt;
     }
     auto previous = std::exchange(m_learnt, {});
-    if (!previous || !is_lower_half(turn, *previous) ||
+    if (!previous || !is_lower_half(change, *previous) ||
         now_seconds - m_learnt_seconds > right_behind)
         return std::nullopt;
     previous->is_fine = true;
@@ -41,24 +41,24 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& turn,
 }
 
 std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
-                                               RemoteEdits& hand, double now_seconds) {
+                                               RemoteEdits& edits, double now_seconds) {
     std::optional<MidiBinding> learnt;
     constexpr int most = 1000;  // per update, so that endless input cannot block the picture
     for (int i = 0; i < most; ++i) {
         const auto message = m_inputs->take();
         if (!message)
             break;
-        const auto turned = parse_midi(*message);
-        if (!turned)
+        const auto message_read = parse_midi(*message);
+        if (!message_read)
             continue;
-        m_last = turned;
-        if (auto now = learnt_of(*turned, now_seconds))
+        m_last = message_read;
+        if (auto now = learnt_of(*message_read, now_seconds))
             learnt = now;
         else if (document && !document->is_restacking())
             for (const MidiBinding& binding : settings.midi)
-                if (const auto share = m_pairs.share(binding, *turned))
-                    set_value(binding, *share, settings, *document, hand, now_seconds);
-        m_pairs.note(*turned);
+                if (const auto share = m_pairs.share(binding, *message_read))
+                    set_value(binding, *share, settings, *document, edits, now_seconds);
+        m_pairs.note(*message_read);
     }
     if (learnt)
         m_pick_ups.erase({learnt->goal.parameter, learnt->goal.component});
@@ -67,20 +67,20 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
 
 // A parameter that the open look does not have belongs to another look and is ignored.
 void MidiControl::set_value(const MidiBinding& binding, double share,
-                            const RemoteSettings& settings, Document& document, RemoteEdits& hand,
+                            const RemoteSettings& settings, Document& document, RemoteEdits& edits,
                             double now_seconds) {
     const auto meant = meant_parameter(binding.goal.parameter, document.look());
-    if (!meant || !can_be_turned(**meant))
+    if (!meant || !has_slider_numbers(**meant))
         return;
     const Parameter& parameter = **meant;
-    const TurnedNumber number{parameter, setting_of(parameter.name, document.parameter_settings()),
+    const SliderNumber number{parameter, setting_of(parameter.name, document.parameter_settings()),
                               binding.goal.component};
     PickUp& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
     const double present = share_at(number, document.value(parameter));
     const bool takes = pick_up.takes(share, present);
     if (settings.picks_up && is_gradual(parameter) && !takes)
         return;
-    const auto done = hand.apply(
+    const auto done = edits.apply(
         document, {parameter.name, value_at_share(number, document.value(parameter), share)},
         now_seconds);
     if (!done) {
@@ -88,7 +88,7 @@ void MidiControl::set_value(const MidiBinding& binding, double share,
         m_problem = done.error().front().message;
         return;
     }
-    ++m_turned;
+    ++m_applied;
     pick_up.gave(share_at(number, document.value(parameter)));
 }
 

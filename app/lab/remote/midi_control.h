@@ -30,19 +30,19 @@ public:
 
     /// Applies the received messages; `document` null: no look is open. Returns a learnt binding.
     std::optional<MidiBinding> update(const RemoteSettings& settings, Document* document,
-                                      RemoteEdits& hand, double now_seconds);
+                                      RemoteEdits& edits, double now_seconds);
 
     /// The last received controller value, bound or not.
     const std::optional<MidiControlChange>& last() const { return m_last; }
     /// The number of applied and refused changes, and the last reason for refusal; "": not refused.
-    std::size_t turned() const { return m_turned; }
+    std::size_t applied() const { return m_applied; }
     std::size_t refused() const { return m_refused; }
     const std::string& problem() const { return m_problem; }
 
 private:
-    std::optional<MidiBinding> learnt_of(const MidiControlChange& turn, double now_seconds);
+    std::optional<MidiBinding> learnt_of(const MidiControlChange& change, double now_seconds);
     void set_value(const MidiBinding& binding, double share, const RemoteSettings& settings,
-                   Document& document, RemoteEdits& hand, double now_seconds);
+                   Document& document, RemoteEdits& edits, double now_seconds);
 
     std::unique_ptr<MidiInputs> m_inputs;
     bool m_is_listening = false;
@@ -52,7 +52,7 @@ private:
     MidiPairs m_pairs;
     std::map<std::pair<std::string, std::size_t>, PickUp> m_pick_ups;  // by goal
     std::optional<MidiControlChange> m_last;
-    std::size_t m_turned = 0;
+    std::size_t m_applied = 0;
     std::size_t m_refused = 0;
     std::string m_problem;
 };

@@ -41,7 +41,7 @@ Result<RemoteChange> change_of(const OscMessage& message, const Look& look) {
 Result<void> OscControl::listen(int port) {
     m_port.reset();
     m_problem.clear();
-    m_turned = m_refused = 0;
+    m_applied = m_refused = 0;
     m_messages.clear();
     m_next = 0;
     if (port == 0)
@@ -58,7 +58,7 @@ void OscControl::refuse(const Diagnostics& reasons) {
     m_problem = reasons.front().message;
 }
 
-void OscControl::update(Document* document, RemoteEdits& hand, double now_seconds) {
+void OscControl::update(Document* document, RemoteEdits& edits, double now_seconds) {
     if (!m_port)
         return;
     // Per update, so that an endless sender cannot block the picture. A bundle can contain
@@ -73,7 +73,7 @@ void OscControl::update(Document* document, RemoteEdits& hand, double now_second
                 return;
             read(*packet);
         }
-        take(m_messages[m_next++], document, hand, now_seconds);
+        take(m_messages[m_next++], document, edits, now_seconds);
     }
 }
 
@@ -87,13 +87,14 @@ void OscControl::read(const std::vector<std::uint8_t>& packet) {
         refuse(messages.error());
 }
 
-void OscControl::take(const OscMessage& message, Document* document, RemoteEdits& hand,
+void OscControl::take(const OscMessage& message, Document* document, RemoteEdits& edits,
                       double now_seconds) {
     const auto change = document ? change_of(message, document->look())
                                  : fail(Diagnostic{{}, 0, "no look is open"});
-    const auto turned = change ? hand.apply(*document, *change, now_seconds) : fail(change.error());
-    if (turned)
-        ++m_turned;
+    const auto applied =
+        change ? edits.apply(*document, *change, now_seconds) : fail(change.error());
+    if (applied)
+        ++m_applied;
     else
-        refuse(turned.error());
+        refuse(applied.error());
 }

@@ -24,23 +24,24 @@ public:
 
     /// Applies up to 1000 received messages; the remaining ones wait for the next call. Null: no
     /// look is open.
-    void update(Document* document, RemoteEdits& hand, double now_seconds);
+    void update(Document* document, RemoteEdits& edits, double now_seconds);
 
     /// Whether messages wait for the next call.
     bool has_more() const { return m_next < m_messages.size(); }
 
-    std::size_t turned() const { return m_turned; }
+    std::size_t applied() const { return m_applied; }
     std::size_t refused() const { return m_refused; }
     /// The last reason for refusal; "": not refused.
     const std::string& problem() const { return m_problem; }
 
 private:
     void read(const std::vector<std::uint8_t>& packet);
-    void take(const OscMessage& message, Document* document, RemoteEdits& hand, double now_seconds);
+    void take(const OscMessage& message, Document* document, RemoteEdits& edits,
+              double now_seconds);
     void refuse(const Diagnostics& reasons);
 
     std::optional<UdpPort> m_port;
-    std::size_t m_turned = 0;   // messages
+    std::size_t m_applied = 0;  // messages
     std::size_t m_refused = 0;  // packets and messages
     std::string m_problem;
     std::vector<OscMessage> m_messages;  // of the latest packet

@@ -52,7 +52,7 @@ void RemoteControl::learn_midi(const MidiGoal& goal) {
         m_document ? find_parameter(m_document->look(), goal.parameter) : nullptr;
     if (!parameter)
         return;
-    if (!can_be_turned(*parameter))
+    if (!has_slider_numbers(*parameter))
         return m_messages.say(fmt::format("\"{}\" can't be controlled by MIDI", parameter->label));
     if (!listen_to_midi(true))  // also finds new devices
         return;

@@ -30,7 +30,7 @@ public:
     /// Applies the messages received since the last update.
     void update(double wall_seconds);
     /// Whether the next update has work without any event.
-    bool is_busy() const { return m_hand.is_turning() || m_osc.has_more(); }
+    bool is_busy() const { return m_hand.is_in_gesture() || m_osc.has_more(); }
 
 private:
     bool listen_to_midi(bool listens);

@@ -33,7 +33,7 @@ public:
     /// Call it in every update after the messages. It ends undo steps.
     void update(Document* document, double now_seconds);
     /// Whether an undo step is still open.
-    bool is_turning() const { return m_gesture.is_open(); }
+    bool is_in_gesture() const { return m_gesture.is_open(); }
 
 private:
     RemoteGesture m_gesture;

@@ -71,7 +71,7 @@ void Executors::draw(const PlayedFrame& played, const Beam& beam, const std::vec
         m_picture.draw(frame, passes, slices);
     if (m_variant)
         m_variant->draw(frame, passes, slices);
-    m_inputs.hand.note_drawn();
+    m_inputs.input_state.note_drawn();
 }
 
 void Executors::redraw(const PlayedFrame& played, const Beam& beam, const std::vector<bool>& passes,

@@ -5,9 +5,9 @@ Frame frame_of(const FrameInputs& inputs, const PlayedFrame& played, const Beam&
     frame.time = played.span.end;
     frame.time_delta = played.span.seconds();
     frame.number = played.number;
-    frame.mouse = inputs.hand.place();
-    frame.press = inputs.hand.press();
-    frame.keys = inputs.hand.keys();
+    frame.mouse = inputs.input_state.position();
+    frame.press = inputs.input_state.press();
+    frame.keys = inputs.input_state.keys();
     frame.pixel_aspect = inputs.pixel_aspect;
     frame.source_raster = inputs.source_raster;
     frame.patience_seconds = inputs.patience_seconds;

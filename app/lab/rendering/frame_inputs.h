@@ -8,7 +8,7 @@
 
 /// What the frames of a look get besides beam and time.
 struct FrameInputs {
-    Hand hand = {};
+    InputState input_state = {};
     double pixel_aspect = 1.0;  // of the source: width / height of a pixel
     // The position of the source's lines in the picture; nullopt: they fill it.
     std::optional<SourceRaster> source_raster = {};

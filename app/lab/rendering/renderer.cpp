@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <utility>
 
-void Renderer::change_hand(const std::function<void(Hand&)>& change) {
-    Hand& hand = m_executors.inputs().hand;
-    const auto position = hand.place();
-    const bool was_down = hand.press().is_down;
-    change(hand);
-    if (hand.place() != position || hand.press().is_down != was_down)
+void Renderer::change_input_state(const std::function<void(InputState&)>& change) {
+    InputState& input_state = m_executors.inputs().input_state;
+    const auto position = input_state.position();
+    const bool was_down = input_state.press().is_down;
+    change(input_state);
+    if (input_state.position() != position || input_state.press().is_down != was_down)
         note_mouse();
 }
 

@@ -24,9 +24,9 @@ public:
     const Replay& replay() const { return m_replay; }
     const FrameTimes& times() const { return m_times; }
 
-    const Hand& hand() const { return m_executors.inputs().hand; }
+    const InputState& input_state() const { return m_executors.inputs().input_state; }
     /// Changes mouse and keys for the next frames.
-    void change_hand(const std::function<void(Hand&)>& change);
+    void change_input_state(const std::function<void(InputState&)>& change);
     /// Draws slow frames in slices of about this time. The draws below begin a frame, and
     /// continue_frame() continues it. 0: frames are drawn whole.
     void set_slice(double seconds) { m_slicing.set_slice(seconds); }

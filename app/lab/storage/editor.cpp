@@ -37,10 +37,10 @@ Result<std::vector<std::string>> editor_command(const char* variable_name,
 }
 
 // An absolute path cannot be mistaken for an option or a command such as "+!ls".
-std::vector<std::string> with_location(std::vector<std::string> command, const Location& place) {
+std::vector<std::string> with_location(std::vector<std::string> command, const Location& location) {
     const std::string name = std::filesystem::path(command.front()).filename();
-    const std::string file = std::filesystem::absolute(place.file).string();
-    const int line = std::max(1, place.line);
+    const std::string file = std::filesystem::absolute(location.file).string();
+    const int line = std::max(1, location.line);
     if (is_one_of(name, {"code", "codium", "code-insiders", "cursor"})) {
         command.emplace_back("--goto");
         command.push_back(fmt::format("{}:{}", file, line));
@@ -59,33 +59,33 @@ std::vector<std::string> with_location(std::vector<std::string> command, const L
 
 // A pass inside a JSON file has a path below that file. Opens the file at line 1, because the line
 // in the pass differs.
-Location location_on_disk(const Location& place) {
+Location location_on_disk(const Location& location) {
     std::error_code error;
-    const std::filesystem::path whole = place.file.parent_path();
-    return std::filesystem::is_regular_file(whole, error) ? Location{whole, 1} : place;
+    const std::filesystem::path whole = location.file.parent_path();
+    return std::filesystem::is_regular_file(whole, error) ? Location{whole, 1} : location;
 }
 }  // namespace
 
 Result<std::vector<std::string>> editor_command(const Location& asked) {
     if (asked.file.empty())
         return fail({{}, 0, "there is no shader file to open"});
-    const Location place = location_on_disk(asked);
+    const Location location = location_on_disk(asked);
     for (const char* name : {"VISUAL", "EDITOR"})
         if (const std::string editor = variable(name); !editor.empty()) {
             auto words = editor_command(name, editor);
             if (!words)
                 return fail(words.error());
-            return with_location(std::move(*words), place);
+            return with_location(std::move(*words), location);
         }
-    return with_location({"xdg-open"}, place);
+    return with_location({"xdg-open"}, location);
 }
 
-Result<void> open_in_editor(const Location& place) {
-    const auto command = editor_command(place);
+Result<void> open_in_editor(const Location& location) {
+    const auto command = editor_command(location);
     if (!command)
         return fail(command.error());
     if (const int error = start_detached(*command); error != 0)
-        return fail({place.file, place.line,
+        return fail({location.file, location.line,
                      fmt::format("can't start '{}': {}. Set $VISUAL to your editor.",
                                  command->front(), std::strerror(error))});
     return {};

@@ -5,7 +5,7 @@ CellNumbers::Subject DisplayedTexture::cells(Extent room, Extent least,
     return {.texture = *texture,
             .name = name,
             .whole = whole,
-            .place = position_of(view, whole, room),
+            .position = position_of(view, whole, room),
             .size = room,
             .least = least,
             .picture = picture,
@@ -28,16 +28,16 @@ bool fit(std::optional<gpu::Canvas>& canvas, Extent extent) {
 
 void draw_view(ContextViews& context, const gpu::Texture& from, std::optional<gpu::Canvas>& to,
                Extent size, const DisplayedTexture& displayed) {
-    const gpu::ContextScope home(context.home.get());
+    const gpu::ContextScope scope(context.context.get());
     if (!fit(to, size))
         return;
-    const PicturePosition place = position_of(displayed.view, displayed.whole, size);
+    const PicturePosition position = position_of(displayed.view, displayed.whole, size);
     const double across = static_cast<double>(from.extent().width) / displayed.whole.width;
     const double up = static_cast<double>(from.extent().height) / displayed.whole.height;
     ViewOptions options = displayed.options;
-    options.width = size.width / place.zoom * across;
-    options.height = size.height / place.zoom * up;
-    options.left = -place.left / place.zoom * across;
-    options.bottom = from.extent().height + place.top / place.zoom * up - options.height;
+    options.width = size.width / position.zoom * across;
+    options.height = size.height / position.zoom * up;
+    options.left = -position.left / position.zoom * across;
+    options.bottom = from.extent().height + position.top / position.zoom * up - options.height;
     context.viewer.draw(from, *to, options);
 }

@@ -11,8 +11,8 @@ bool is_copy_due(int frame) {
 }
 
 std::size_t farthest_index(const std::vector<std::size_t>& places, std::size_t present) {
-    const auto distance = [present](std::size_t place) {
-        return place > present ? place - present : present - place;
+    const auto distance = [present](std::size_t index) {
+        return index > present ? index - present : present - index;
     };
     return *std::max_element(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
         return distance(a) < distance(b);
@@ -37,7 +37,7 @@ void HistoryPictures::update(const Lab& lab, Views& views) {
 }
 
 // Without memory a step has no picture.
-void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
+void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t index) {
     constexpr int height = 72;
     const Executor& executor = lab.renderer()->executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
@@ -48,23 +48,23 @@ void HistoryPictures::copy(const Lab& lab, Views& views, std::size_t place) {
     auto picture = views.small_picture(lab, last, small);
     if (!picture)
         return;
-    m_copies.insert_or_assign(place, Copy{*m_present, std::move(*picture)});
-    forget_far(place);
+    m_copies.insert_or_assign(index, Copy{*m_present, std::move(*picture)});
+    forget_far(index);
 }
 
-void HistoryPictures::forget_far(std::size_t place) {
+void HistoryPictures::forget_far(std::size_t index) {
     constexpr std::size_t most = 64;  // about 2 MB
     if (m_copies.size() <= most)
         return;
     std::vector<std::size_t> places;
     for (const auto& [at, copy] : m_copies)
         places.push_back(at);
-    m_copies.erase(farthest_index(places, place));
+    m_copies.erase(farthest_index(places, index));
 }
 
-ViewImage HistoryPictures::picture(const Document& document, std::size_t place) const {
-    const auto found = m_copies.find(place);
-    if (found == m_copies.end() || found->second.state != history_state(document, place))
+ViewImage HistoryPictures::picture(const Document& document, std::size_t index) const {
+    const auto found = m_copies.find(index);
+    if (found == m_copies.end() || found->second.state != history_state(document, index))
         return {};
     return image_of(&found->second.picture);
 }

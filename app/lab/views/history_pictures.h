@@ -23,11 +23,11 @@ public:
     /// Copies the picture if due. Call it after Views::update().
     void update(const Lab& lab, Views& views);
     /// Row 0 at the bottom, as from Views; a handle of 0: no picture.
-    ViewImage picture(const Document& document, std::size_t place) const;
+    ViewImage picture(const Document& document, std::size_t index) const;
 
 private:
-    void copy(const Lab& lab, Views& views, std::size_t place);
-    void forget_far(std::size_t place);
+    void copy(const Lab& lab, Views& views, std::size_t index);
+    void forget_far(std::size_t index);
 
     struct Copy {
         DocumentState state;  // the history may have another state here now

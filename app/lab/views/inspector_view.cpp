@@ -35,7 +35,7 @@ void InspectorView::update(const Executor& executor, const WindowState& window,
     shown.view = inspector_view(window.views);
     const Extent room = window.views.sizes.inspector;
     {
-        const gpu::ContextScope home(m_context->home.get());
+        const gpu::ContextScope scope(m_context->context.get());
         draw_view(*m_context, *shown.texture, m_context->inspected, room, shown);
         m_context->inspection.update(
             *shown.texture, {shown.name, shown.options.channels, shown.options.levels}, seconds);

@@ -56,7 +56,7 @@ void MainView::count_flashes(const Subject& subject) {
         return m_context->flash_meter.stop();
     const Executor& executor = subject.renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
-    const gpu::ContextScope home(m_context->home.get());
+    const gpu::ContextScope scope(m_context->context.get());
     m_context->flash_meter.update(
         {executor.target(last), encoding_of(executor.look(), last), executor.textures().number()},
         subject.seconds);

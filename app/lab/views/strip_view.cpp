@@ -12,7 +12,7 @@ void StripView::update(const Executor& executor, const Values& values, int heigh
         m_thumbnails.stop();
         return m_context->gains.stop();
     }
-    const gpu::ContextScope home(m_context->home.get());
+    const gpu::ContextScope scope(m_context->context.get());
     m_measures_gains = !m_measures_gains;
     if (m_measures_gains)
         m_context->gains.update(executor, values, seconds);

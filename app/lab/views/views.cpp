@@ -29,7 +29,7 @@ std::optional<gpu::Texture> Views::small_picture(const Lab& lab, int pass, Exten
     const Executor& executor = lab.renderer()->executor();
     if (!m_context || !m_context->serve(executor.programs().generic()))
         return std::nullopt;
-    const gpu::ContextScope home(m_context->home.get());
+    const gpu::ContextScope scope(m_context->context.get());
     auto canvas = gpu::Canvas::make(extent, Format::rgba8);
     if (!canvas)
         return std::nullopt;
@@ -63,14 +63,14 @@ void Views::probe(const Executor& executor, const std::optional<Probe>& probe) {
 }
 
 Probe picture_probe(const Executor& executor, int pass, Extent picture,
-                    const std::array<double, 2>& place) {
+                    const std::array<double, 2>& position) {
     const Extent own = executor.target(pass).extent();
     const auto texel = [](double at, int whole, int length) {
         return static_cast<int>(std::floor(at * length / std::max(whole, 1)));
     };
     return {.pass = executor.look().passes[static_cast<std::size_t>(pass)].name,
-            .x = texel(place[0], picture.width, own.width),
-            .y = texel(place[1], picture.height, own.height),
+            .x = texel(position[0], picture.width, own.width),
+            .y = texel(position[1], picture.height, own.height),
             .extent = own};
 }
 

@@ -55,4 +55,4 @@ private:
 
 /// The probed texel of the displayed pass at a position of the picture, px from the top left.
 Probe picture_probe(const Executor& executor, int pass, Extent picture,
-                    const std::array<double, 2>& place);
+                    const std::array<double, 2>& position);

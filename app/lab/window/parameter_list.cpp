@@ -17,7 +17,7 @@ public:
         : m_document(document),
           m_filter(query.filter),
           m_pass(find_pass(document.look(), query.pass)) {
-        const std::string lower = to_lower(query.words);
+        const std::string lower = to_lower(query.search);
         for (const std::string_view word : split(lower, ' '))
             if (!word.empty())
                 m_words.emplace_back(word);
@@ -103,7 +103,7 @@ std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
 }
 
 std::string why_nothing_is_listed(const ParameterQuery& query) {
-    if (!query.words.empty())
+    if (!query.search.empty())
         return query.filter == ParameterFilter::all ? "No matches."
                                                     : "No matches among the filtered parameters.";
     switch (query.filter) {

@@ -11,7 +11,7 @@ struct ParameterGroup {
 
 /// The filter of the parameter list.
 struct ParameterQuery {
-    std::string words = {};  // each must occur in name, label, group, unit or help
+    std::string search = {};  // each word must occur in name, label, group, unit or help
     ParameterFilter filter = ParameterFilter::all;
     std::string pass = {};  // for ParameterFilter::of_pass
 };

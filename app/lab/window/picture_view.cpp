@@ -52,19 +52,19 @@ struct Columns {
     double right;
 };
 
-Columns seen_columns(const PicturePosition& place, Extent picture, Extent size) {
-    return {std::max(place.left, 0.0),
-            std::min(place.left + place.zoom * picture.width, static_cast<double>(size.width))};
+Columns seen_columns(const PicturePosition& position, Extent picture, Extent size) {
+    return {std::max(position.left, 0.0), std::min(position.left + position.zoom * picture.width,
+                                                   static_cast<double>(size.width))};
 }
 }  // namespace
 
-int wipe_column(const PicturePosition& place, Extent picture, Extent size, double share) {
-    const Columns columns = seen_columns(place, picture, size);
+int wipe_column(const PicturePosition& position, Extent picture, Extent size, double share) {
+    const Columns columns = seen_columns(position, picture, size);
     return static_cast<int>(std::lround(columns.left + share * (columns.right - columns.left)));
 }
 
-double wipe_share(const PicturePosition& place, Extent picture, Extent size, double column) {
-    const Columns columns = seen_columns(place, picture, size);
+double wipe_share(const PicturePosition& position, Extent picture, Extent size, double column) {
+    const Columns columns = seen_columns(position, picture, size);
     return std::clamp((column - columns.left) / std::max(columns.right - columns.left, 1.0), 0.0,
                       1.0);
 }

@@ -43,6 +43,6 @@ PicturePosition position_of(const PictureView& view, Extent picture, Extent size
 
 /// The position of a wipe line, in device pixels from the left of the view. `share` is relative to
 /// the visible part of the picture.
-int wipe_column(const PicturePosition& place, Extent picture, Extent size, double share);
+int wipe_column(const PicturePosition& position, Extent picture, Extent size, double share);
 /// The share at a position of the line.
-double wipe_share(const PicturePosition& place, Extent picture, Extent size, double column);
+double wipe_share(const PicturePosition& position, Extent picture, Extent size, double column);

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 namespace {
-bool holds_words(const ListedLookPreset& preset, const std::string& words) {
+bool matches(const ListedLookPreset& preset, const std::string& search) {
     const std::string text = to_lower(preset.name + ' ' + preset.entry.name + ' ' + preset.about);
-    const std::string lower = to_lower(words);
+    const std::string lower = to_lower(search);
     return std::ranges::all_of(split(lower, ' '), [&](std::string_view word) {
         return text.find(word) != std::string::npos;
     });
@@ -37,7 +37,7 @@ std::vector<ListedPreset> listed_presets(const Document& document,
     std::vector<ListedPreset> listed;
     const auto add = [&](const ListedLookPreset& preset) {
         ListedPreset entry = as_listed(preset, document, stars);
-        if ((entry.has_star || !wanted.only_starred) && holds_words(preset, wanted.search))
+        if ((entry.has_star || !wanted.only_starred) && matches(preset, wanted.search))
             listed.push_back(std::move(entry));
     };
     add({{document.look().id, {}, {}}, "Default", "All parameters at their defaults."});

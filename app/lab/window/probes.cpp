@@ -3,10 +3,10 @@
 #include <algorithm>
 
 std::array<int, 2> Pin::texel(Extent extent) const {
-    const auto place = [](double share, int length) {
+    const auto texel = [](double share, int length) {
         return std::clamp(static_cast<int>(share * length), 0, std::max(length - 1, 0));
     };
-    return {place(x, extent.width), place(y, extent.height)};
+    return {texel(x, extent.width), texel(y, extent.height)};
 }
 
 Pin pin_at(const Probe& probe) {

@@ -43,7 +43,7 @@ struct ExportRange {
 
 /// The history state to which the history panel was last scrolled.
 struct HistorySeen {
-    std::size_t place = 0;
+    std::size_t index = 0;
     std::size_t size = 0;
 
     bool operator==(const HistorySeen&) const = default;

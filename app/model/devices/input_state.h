@@ -29,20 +29,20 @@ struct Keys {
 };
 
 /// Mouse and keyboard input of a look.
-class Hand {
+class InputState {
 public:
-    void move(const std::array<double, 2>& place);
+    void move(const std::array<double, 2>& position);
     void set_button(bool is_down);
     void set_key(std::size_t key, bool is_down);
     /// Call after a frame is drawn: resets the new presses.
     void note_drawn();
 
-    const std::array<double, 2>& place() const { return m_place; }
+    const std::array<double, 2>& position() const { return m_position; }
     const Press& press() const { return m_press; }
     const Keys& keys() const { return m_keys; }
 
 private:
-    std::array<double, 2> m_place{};
+    std::array<double, 2> m_position{};
     Press m_press;
     Keys m_keys;
 };

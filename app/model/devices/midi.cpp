@@ -25,34 +25,35 @@ std::string to_string(const MidiBinding& binding) {
     return fmt::format("CC {}, channel {}", binding.controller, binding.channel);
 }
 
-bool is_lower_half(const MidiControlChange& turn, const MidiBinding& binding) {
-    return binding.controller < lower_half && turn.channel == binding.channel &&
-           turn.controller == binding.controller + lower_half;
+bool is_lower_half(const MidiControlChange& change, const MidiBinding& binding) {
+    return binding.controller < lower_half && change.channel == binding.channel &&
+           change.controller == binding.controller + lower_half;
 }
 
 std::optional<double> MidiPairs::share(const MidiBinding& binding,
-                                       const MidiControlChange& turn) const {
+                                       const MidiControlChange& change) const {
     if (!binding.is_fine) {
-        const bool is_it = turn.channel == binding.channel && turn.controller == binding.controller;
-        return is_it ? std::optional(turn.value / 127.0) : std::nullopt;
+        const bool is_it =
+            change.channel == binding.channel && change.controller == binding.controller;
+        return is_it ? std::optional(change.value / 127.0) : std::nullopt;
     }
     const auto upper = m_upper.find({binding.channel, binding.controller});
-    if (!is_lower_half(turn, binding) || upper == m_upper.end())
+    if (!is_lower_half(change, binding) || upper == m_upper.end())
         return std::nullopt;
-    return (upper->second * 128 + turn.value) / 16383.0;
+    return (upper->second * 128 + change.value) / 16383.0;
 }
 
-void MidiPairs::note(const MidiControlChange& turn) {
-    if (turn.controller < lower_half)
-        m_upper[{turn.channel, turn.controller}] = turn.value;
+void MidiPairs::note(const MidiControlChange& change) {
+    if (change.controller < lower_half)
+        m_upper[{change.channel, change.controller}] = change.value;
 }
 
 bool PickUp::takes(double share, double present) {
     constexpr double close = 1.0 / 127.0 + 1e-9;  // a step of a plain controller
     constexpr double same = 1e-9;
-    const bool is_in_hand = m_given && std::abs(*m_given - present) <= same;
+    const bool is_picked_up = m_given && std::abs(*m_given - present) <= same;
     const bool comes_by = m_last && (*m_last - present) * (share - present) <= 0.0;
-    const bool takes = is_in_hand || comes_by || std::abs(share - present) <= close;
+    const bool takes = is_picked_up || comes_by || std::abs(share - present) <= close;
     m_last = share;
     if (!takes)
         m_given.reset();

@@ -42,16 +42,16 @@ struct MidiBinding {
 std::string to_string(const MidiBinding& binding);
 
 /// Whether the message is the lower half of the binding's 14-bit controller.
-bool is_lower_half(const MidiControlChange& turn, const MidiBinding& binding);
+bool is_lower_half(const MidiControlChange& change, const MidiBinding& binding);
 
 /// Combines the two halves of 14-bit controllers.
 class MidiPairs {
 public:
     /// The position of the bound controller, 0 .. 1. nullopt if the message does not change it, or
     /// is the upper half: the lower half follows.
-    std::optional<double> share(const MidiBinding& binding, const MidiControlChange& turn) const;
+    std::optional<double> share(const MidiBinding& binding, const MidiControlChange& change) const;
     /// Call with every message, after share().
-    void note(const MidiControlChange& turn);
+    void note(const MidiControlChange& change);
 
 private:
     std::map<std::pair<int, int>, int> m_upper;  // by channel and controller

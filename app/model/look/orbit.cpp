@@ -50,10 +50,10 @@ Matrix camera_matrix(const Orbit& orbit) {
 
 Orbit with_object_turned(Orbit orbit, double right, double up) {
     const glm::dquat camera = camera_turn(orbit);
-    const glm::dquat turned = glm::angleAxis(glm::radians(right), camera * upwards) *
-                              glm::angleAxis(-glm::radians(up), camera * to_the_right) *
-                              turn_of(orbit);
-    const glm::dvec3 degrees = glm::degrees(glm::eulerAngles(turned));
+    const glm::dquat rotated = glm::angleAxis(glm::radians(right), camera * upwards) *
+                               glm::angleAxis(-glm::radians(up), camera * to_the_right) *
+                               turn_of(orbit);
+    const glm::dvec3 degrees = glm::degrees(glm::eulerAngles(rotated));
     orbit.turn_degrees = {rounded_degrees(degrees.x), rounded_degrees(degrees.y),
                           rounded_degrees(degrees.z)};
     return orbit;

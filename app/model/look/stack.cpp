@@ -86,8 +86,8 @@ std::optional<std::string> moved_name(const std::string& name, const Stack& from
     const auto there = std::ranges::find(to, from[*part].tag, &StackPart::tag);
     if (there == to.end())
         return std::nullopt;
-    const auto place = static_cast<std::size_t>(there - to.begin());
-    return scope_of(to, place) + name.substr(scope_of(from, *part).size());
+    const auto index = static_cast<std::size_t>(there - to.begin());
+    return scope_of(to, index) + name.substr(scope_of(from, *part).size());
 }
 
 std::optional<std::string> meant_name(const std::vector<std::string>& names, std::string_view text,

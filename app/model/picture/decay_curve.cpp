@@ -50,16 +50,16 @@ std::optional<double> fitted_half_life(Samples seconds, Samples light, std::size
 
 DecayCurve decay_curve(Samples seconds, Samples light) {
     assert(seconds.size() == light.size());
-    DecayCurve fall;
+    DecayCurve decay;
     const auto greatest = std::ranges::max_element(light);
     if (greatest == light.end() || !(*greatest > 0.0))
-        return fall;
+        return decay;
     const auto peak = static_cast<std::size_t>(greatest - light.begin());
-    fall.peak = light[peak];
-    fall.peak_seconds = seconds[peak];
-    fall.to_tenth = time_to(0.1, seconds, light, peak);
-    fall.to_hundredth = time_to(0.01, seconds, light, peak);
-    fall.to_thousandth = time_to(0.001, seconds, light, peak);
-    fall.half_life = fitted_half_life(seconds, light, peak);
-    return fall;
+    decay.peak = light[peak];
+    decay.peak_seconds = seconds[peak];
+    decay.to_tenth = time_to(0.1, seconds, light, peak);
+    decay.to_hundredth = time_to(0.01, seconds, light, peak);
+    decay.to_thousandth = time_to(0.001, seconds, light, peak);
+    decay.half_life = fitted_half_life(seconds, light, peak);
+    return decay;
 }

@@ -12,9 +12,9 @@ public:
     float operator()(float x) const {
         if (!(x >= 0.0f && x <= 1.0f))
             return static_cast<float>(x < 0.0f ? -m_formula(-x) : m_formula(x));
-        const float place = x * steps;
-        const auto step = static_cast<std::size_t>(place);
-        const float part = place - static_cast<float>(step);
+        const float position = x * steps;
+        const auto step = static_cast<std::size_t>(position);
+        const float part = position - static_cast<float>(step);
         return m_table[step] + part * (m_table[step + 1] - m_table[step]);
     }
 

@@ -45,8 +45,8 @@ std::vector<Light> cells_by(Extent extent, const LightAt& light) {
         for (int column = 0; column < columns; ++column) {
             const int x = (2 * column + 1) * extent.width / (2 * columns);
             const int y = (2 * row + 1) * extent.height / (2 * rows);
-            const int place = row / places * flash_cells.width + column / places;
-            Light& cell = cells[static_cast<std::size_t>(place)];
+            const int index = row / places * flash_cells.width + column / places;
+            Light& cell = cells[static_cast<std::size_t>(index)];
             for (std::size_t i = 0; i < 3; ++i)
                 cell[i] += light(x, y, i) / static_cast<float>(places * places);
         }
@@ -62,7 +62,7 @@ std::vector<Light> cells_of(const Picture& picture) {
 }
 
 std::vector<Light> cells_of(const RawPicture& picture) {
-    const auto place = [&](int x, int y, std::size_t channel) {
+    const auto index_of = [&](int x, int y, std::size_t channel) {
         const auto row = static_cast<std::size_t>(picture.extent.height - 1 - y);
         return row * picture.row_length() +
                static_cast<std::size_t>(x) * static_cast<std::size_t>(picture.channels) +
@@ -73,11 +73,11 @@ std::vector<Light> cells_of(const RawPicture& picture) {
             if constexpr (sizeof(Number) < sizeof(float)) {
                 const float* const lights = known_lights<Number>(picture.encoding);
                 return cells_by(picture.extent, [&](int x, int y, std::size_t channel) {
-                    return lights[numbers[place(x, y, channel)]];
+                    return lights[numbers[index_of(x, y, channel)]];
                 });
             } else {
                 return cells_by(picture.extent, [&](int x, int y, std::size_t channel) {
-                    return light_of(numbers[place(x, y, channel)], picture.encoding);
+                    return light_of(numbers[index_of(x, y, channel)], picture.encoding);
                 });
             }
         },

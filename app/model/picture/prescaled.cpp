@@ -10,8 +10,8 @@ struct Changes {
     int divisor = 0;
     int count = 0;
 
-    void add(int place) {
-        divisor = std::gcd(divisor, place);
+    void add(int position) {
+        divisor = std::gcd(divisor, position);
         ++count;
     }
 };
@@ -37,9 +37,9 @@ bool is_column_new(const Picture& picture, int x) {
 template <class IsNew>
 Changes changes_along(int length, const IsNew& is_new) {
     Changes changes{length};
-    for (int place = 1; place < length && changes.divisor > 1; ++place)
-        if (is_new(place))
-            changes.add(place);
+    for (int position = 1; position < length && changes.divisor > 1; ++position)
+        if (is_new(position))
+            changes.add(position);
     return changes;
 }
 }  // namespace

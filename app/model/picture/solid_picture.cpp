@@ -37,11 +37,11 @@ void append_texel(const Picture& flat, int x, int y, Picture& solid) {
 Picture from_cross(const Picture& flat, int side,
                    const std::array<FacePosition, cube_faces>& places) {
     Picture solid = empty_solid(flat, side, cube_faces, PictureShape::cube);
-    for (const FacePosition& place : places)
+    for (const FacePosition& face : places)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
-                append_texel(flat, place.column * side + (place.is_turned ? side - 1 - x : x),
-                             place.row * side + (place.is_turned ? side - 1 - y : y), solid);
+                append_texel(flat, face.column * side + (face.is_turned ? side - 1 - x : x),
+                             face.row * side + (face.is_turned ? side - 1 - y : y), solid);
     return solid;
 }
 

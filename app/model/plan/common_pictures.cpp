@@ -42,8 +42,8 @@ public:
         : m_look(look), m_terms(terms), m_plan(plan), m_readings(readings_of(look, terms, plan)) {
         m_order = draw_order(plan);
         m_places.resize(m_order.size());
-        for (std::size_t place = 0; place < m_order.size(); ++place)
-            m_places[m_order[place]] = place;
+        for (std::size_t index = 0; index < m_order.size(); ++index)
+            m_places[m_order[index]] = index;
         find_makers_of_rings();
     }
 
@@ -153,16 +153,16 @@ Plan with_order_kept(const Look& look, Plan plan, const PlanTerms& terms) {
             continue;
         const CommonPicture wanted = picture_of(plan.targets[pass]);
         const Span span = lifetimes.span_of(pass);
-        std::size_t place = 0;
-        while (place < plan.common.size() &&
-               (plan.common[place] != wanted || busy_until[place] >= span.first))
-            ++place;
-        if (place == plan.common.size()) {
+        std::size_t index = 0;
+        while (index < plan.common.size() &&
+               (plan.common[index] != wanted || busy_until[index] >= span.first))
+            ++index;
+        if (index == plan.common.size()) {
             plan.common.push_back(wanted);
             busy_until.push_back(0);
         }
-        busy_until[place] = span.last;
-        plan.targets[pass].common = place;
+        busy_until[index] = span.last;
+        plan.targets[pass].common = index;
         plan.targets[pass].held_until = lifetimes.order()[span.last];
     }
     drop_lonely(plan);

@@ -15,10 +15,10 @@ std::size_t node_read_by(const Input& input, std::vector<Node>& nodes) {
                                  : Input{{}, input.from, {}, 0, {}, input.sound}.reference();
     const auto found = std::ranges::find_if(
         nodes, [&](const Node& node) { return node.kind == input.from && node.name == name; });
-    const auto place = static_cast<std::size_t>(found - nodes.begin());
+    const auto index = static_cast<std::size_t>(found - nodes.begin());
     if (found == nodes.end())
         nodes.push_back({input.from, name});
-    return place;
+    return index;
 }
 
 void add_edges(const Look& look, std::size_t reader, PassGraph& graph) {
@@ -87,13 +87,13 @@ Columns stops_of(const PassGraph& graph, std::vector<std::size_t>& place_of_node
         const int end = graph.nodes[edge.to].column;
         for (int at = before.first + 1; at <= end; ++at) {
             auto& column = columns[static_cast<std::size_t>(at)];
-            const std::size_t place = at == end ? place_of_node[edge.to] : column.size();
+            const std::size_t index = at == end ? place_of_node[edge.to] : column.size();
             if (at < end)
                 column.push_back({std::nullopt, i, {}});
-            column[place].neighbours.push_back(before);
+            column[index].neighbours.push_back(before);
             columns[static_cast<std::size_t>(before.first)][before.second].neighbours.emplace_back(
-                at, place);
-            before = {at, place};
+                at, index);
+            before = {at, index};
         }
     }
     return columns;
@@ -117,8 +117,8 @@ void pull(const Columns& columns, std::size_t column, Rows& rows) {
     for (std::size_t i = 0; i < columns[column].size(); ++i) {
         const auto& neighbours = columns[column][i].neighbours;
         double sum = 0.0;
-        for (const auto& [at, place] : neighbours)
-            sum += rows[static_cast<std::size_t>(at)][place];
+        for (const auto& [at, index] : neighbours)
+            sum += rows[static_cast<std::size_t>(at)][index];
         if (!neighbours.empty())
             rows[column][i] = sum / static_cast<double>(neighbours.size());
     }

@@ -260,7 +260,7 @@ std::vector<std::size_t> draw_order(const Plan& plan) {
     return order;
 }
 
-bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass) {
+bool is_drawn_onto(const Look& look, const Plan& plan, std::size_t pass) {
     const auto has_guest = [&plan](std::size_t host) {
         return std::ranges::any_of(
             plan.targets, [host](const PlannedTarget& target) { return target.onto == host; });
@@ -331,10 +331,10 @@ std::vector<bool> reached_from(const Look& look, std::vector<bool> changed) {
 }
 
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters) {
-    const auto turned = found_parameters(look, parameters);
+    const auto found = found_parameters(look, parameters);
     std::vector<bool> driven;
     for (std::size_t i = 0; i < look.passes.size(); ++i)
-        driven.push_back(is_driven(look, i, turned));
+        driven.push_back(is_driven(look, i, found));
     return redraw_of(look, std::move(driven));
 }
 

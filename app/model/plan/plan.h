@@ -89,7 +89,7 @@ Result<Plan> plan_targets(const Look& look, Extent viewport, Extent source, cons
 std::vector<std::size_t> draw_order(const Plan& plan);
 
 /// Whether another pass is drawn onto the target of this pass, or of one that it reads.
-bool meets_drawn_onto(const Look& look, const Plan& plan, std::size_t pass);
+bool is_drawn_onto(const Look& look, const Plan& plan, std::size_t pass);
 
 /// The smallest spot of a `segments` pass whose target has `extent`. The default is half a texel of
 /// a target that the signal fills. Fails if an expression is invalid.

@@ -33,10 +33,10 @@ bool ends_in(const Look& look, std::size_t pass, const Parameter& parameter,
 }
 
 std::string quoted(const std::vector<std::string>& names) {
-    std::vector<std::string> words;
+    std::vector<std::string> quoted;
     for (const std::string& name : names)
-        words.push_back('"' + name + '"');
-    return fmt::format("{}", fmt::join(words, ", "));
+        quoted.push_back('"' + name + '"');
+    return fmt::format("{}", fmt::join(quoted, ", "));
 }
 
 std::string levels_text(double share) {
@@ -58,8 +58,8 @@ double change_ratio(const PassChange& change) {
     if (share <= 0.0)
         return 0.0;
     constexpr double least_seen = 0.02;  // of the bar, for any change
-    const double place = 1.0 - std::log(share) / std::log(least_shown_share);
-    return std::clamp(place, least_seen, 1.0);
+    const double position = 1.0 - std::log(share) / std::log(least_shown_share);
+    return std::clamp(position, least_seen, 1.0);
 }
 
 StepEffect effect_of(const Look& look, const Parameter& parameter,

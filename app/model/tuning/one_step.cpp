@@ -35,8 +35,8 @@ double next_number(const Parameter& parameter, const Range& range, double number
     if (const double step = step_of(parameter); step > 0.0)
         return std::clamp(number + sign * step, std::min(range.low, number),
                           std::max(range.high, number));
-    const double place = ratio_in(range, parameter.scale, number);
-    return value_at(range, parameter.scale, place + sign * share_of_slider);
+    const double ratio = ratio_in(range, parameter.scale, number);
+    return value_at(range, parameter.scale, ratio + sign * share_of_slider);
 }
 
 Result<Value> brighter(const Parameter& parameter, const Value& value, bool up) {

@@ -15,8 +15,8 @@ double ratio_in(const Range& range, Scale scale, double value) {
     return std::cbrt((inside - range.low) / span);
 }
 
-double value_at(const Range& range, Scale scale, double place) {
-    const double t = std::clamp(place, 0.0, 1.0);
+double value_at(const Range& range, Scale scale, double ratio) {
+    const double t = std::clamp(ratio, 0.0, 1.0);
     const double span = range.high - range.low;
     if (scale == Scale::linear)
         return range.low + t * span;

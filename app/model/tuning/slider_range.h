@@ -7,7 +7,7 @@
 /// The position of a value on a slider, 0 low .. 1 high, and back. A logarithmic slider whose low
 /// end is not above zero uses a cubic instead, which also gives small values the most room.
 double ratio_in(const Range& range, Scale scale, double value);
-double value_at(const Range& range, Scale scale, double place);
+double value_at(const Range& range, Scale scale, double ratio);
 
 /// The nearest short decimal within `range`. A slider has about a thousand of them (a logarithmic
 /// slider: the same number per magnitude), divided by `coarseness`.

@@ -10,8 +10,8 @@ bool is_switch(const Parameter& parameter) {
     return parameter.type.scalar == Scalar::boolean || parameter.control == Control::event;
 }
 
-double number_at(const TurnedNumber& turned, double share) {
-    const Parameter& parameter = turned.parameter;
+double number_at(const SliderNumber& at, double share) {
+    const Parameter& parameter = at.parameter;
     if (parameter.control == Control::list) {
         const auto count = static_cast<double>(parameter.items.size());
         const double item = std::min(std::floor(share * count), count - 1.0);
@@ -19,7 +19,7 @@ double number_at(const TurnedNumber& turned, double share) {
     }
     if (is_switch(parameter))
         return share >= 0.5 ? 1.0 : 0.0;
-    Range range = range_of(with_ends(parameter, turned.setting), turned.component);
+    Range range = range_of(with_ends(parameter, at.setting), at.component);
     range.step = step_of(parameter);
     const double value = value_at(range, parameter.scale, share);
     const auto steps = steps_in(range, parameter.range.low);
@@ -27,7 +27,7 @@ double number_at(const TurnedNumber& turned, double share) {
 }
 }  // namespace
 
-bool can_be_turned(const Parameter& parameter) {
+bool has_slider_numbers(const Parameter& parameter) {
     const bool is_other = parameter.control == Control::image ||
                           parameter.control == Control::sound ||
                           parameter.control == Control::color || parameter.type.columns > 1;
@@ -38,23 +38,22 @@ bool is_gradual(const Parameter& parameter) {
     return !is_switch(parameter) && parameter.control != Control::list;
 }
 
-Value value_at_share(const TurnedNumber& turned, Value present, double share) {
-    if (turned.component < present.numbers.size())
-        present.numbers[turned.component] = number_at(turned, std::clamp(share, 0.0, 1.0));
-    return clamped(turned.parameter, std::move(present));
+Value value_at_share(const SliderNumber& at, Value present, double share) {
+    if (at.component < present.numbers.size())
+        present.numbers[at.component] = number_at(at, std::clamp(share, 0.0, 1.0));
+    return clamped(at.parameter, std::move(present));
 }
 
-double share_at(const TurnedNumber& turned, const Value& value) {
-    const Parameter& parameter = turned.parameter;
-    const double number =
-        turned.component < value.numbers.size() ? value.numbers[turned.component] : 0.0;
+double share_at(const SliderNumber& at, const Value& value) {
+    const Parameter& parameter = at.parameter;
+    const double number = at.component < value.numbers.size() ? value.numbers[at.component] : 0.0;
     if (parameter.control == Control::list) {
         const auto item = std::ranges::find(parameter.items, number, &Item::value);
-        const auto place = static_cast<double>(item - parameter.items.begin());
-        return std::min((place + 0.5) / static_cast<double>(parameter.items.size()), 1.0);
+        const auto index = static_cast<double>(item - parameter.items.begin());
+        return std::min((index + 0.5) / static_cast<double>(parameter.items.size()), 1.0);
     }
     if (is_switch(parameter))
         return number >= 0.5 ? 1.0 : 0.0;
-    const Range range = range_of(with_ends(parameter, turned.setting), turned.component);
+    const Range range = range_of(with_ends(parameter, at.setting), at.component);
     return std::clamp(ratio_in(range, parameter.scale, number), 0.0, 1.0);
 }

@@ -7,13 +7,13 @@
 
 /// Whether a device's knob can control it: numbers, switches, lists, triggers and vector
 /// components; not files, colours or matrices.
-bool can_be_turned(const Parameter& parameter);
+bool has_slider_numbers(const Parameter& parameter);
 
 /// Whether it has intermediate values, so that a jump would be visible.
 bool is_gradual(const Parameter& parameter);
 
 /// A number of a parameter, and the user's ends of its slider.
-struct TurnedNumber {
+struct SliderNumber {
     const Parameter& parameter;
     const ParameterSetting& setting;
     std::size_t component = 0;
@@ -21,7 +21,7 @@ struct TurnedNumber {
 
 /// The value with this number at `share` of the slider, 0 low .. 1 high, rounded to a step if it
 /// has steps. Items of a list have equal parts; a switch is on from the middle.
-Value value_at_share(const TurnedNumber& turned, Value present, double share);
+Value value_at_share(const SliderNumber& at, Value present, double share);
 
 /// The position on the slider, 0 .. 1; for a list the middle of its item's part.
-double share_at(const TurnedNumber& turned, const Value& value);
+double share_at(const SliderNumber& at, const Value& value);

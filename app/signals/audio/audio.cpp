@@ -72,11 +72,11 @@ Result<std::unique_ptr<Signal>> make_mapped(const Settings& settings, const Open
         return fail(good.error());
     const ScopeControls controls = scope_controls(settings);
     const SoundPlug plug = plug_of(settings, controls);
-    auto place = std::make_unique<SoundScope>(open({map.x, map.y}), plug, controls);
+    auto scope = std::make_unique<SoundScope>(open({map.x, map.y}), plug, controls);
     if (map.is_plain())
-        return place;
+        return scope;
     return std::make_unique<MappedSound>(
-        std::move(place), MappedSound::Streams{open({map.intensity, map.r}), open({map.g, map.b})},
+        std::move(scope), MappedSound::Streams{open({map.intensity, map.r}), open({map.g, map.b})},
         map, plug.upsample);
 }
 

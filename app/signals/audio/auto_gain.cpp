@@ -44,9 +44,9 @@ float AutoGain::gain_at(std::int64_t block) const {
     return 1.0f / peak;
 }
 
-float AutoGain::at(double place) const {
+float AutoGain::at(double position) const {
     const double delay = m_sound.is_live() ? live_delay : 0.0;
-    const double blocks = std::max(place / static_cast<double>(m_block) - delay, 0.0);
+    const double blocks = std::max(position / static_cast<double>(m_block) - delay, 0.0);
     const auto below = std::min(static_cast<std::int64_t>(blocks), m_count - 1);
     const double between = std::min(blocks - static_cast<double>(below), 1.0);
     if (below != m_below)

@@ -14,7 +14,7 @@ public:
     explicit AutoGain(const SampleStream& sound);
 
     /// At a position in samples of the sound.
-    float at(double place) const;
+    float at(double position) const;
 
 private:
     struct Peak {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-MappedSound::MappedSound(std::unique_ptr<Signal> place, Streams streams, const ChannelMap& map,
+MappedSound::MappedSound(std::unique_ptr<Signal> signal, Streams streams, const ChannelMap& map,
                          int factor)
-    : m_place(std::move(place)), m_streams(std::move(streams)), m_map(map), m_factor(factor) {}
+    : m_signal(std::move(signal)), m_streams(std::move(streams)), m_map(map), m_factor(factor) {}
 
 namespace {
 float light(float from, float to, float part) {
@@ -23,7 +23,7 @@ std::vector<StereoSample> samples_around(const SampleStream& stream, std::int64_
 
 void MappedSound::trace(const TimeSpan& span, Beam& beam) const {
     const std::size_t begin = beam.size();
-    m_place->trace(span, beam);
+    m_signal->trace(span, beam);
     const std::size_t count = beam.size() - begin;
     const double rate = static_cast<double>(m_streams.current_and_red->rate()) * m_factor;
     const std::int64_t first = instants_in(span, rate).first;

@@ -14,14 +14,14 @@ public:
         std::shared_ptr<const SampleStream> green_and_blue;
     };
 
-    /// `place` draws each sample of the sound `factor` times at constant full current.
-    MappedSound(std::unique_ptr<Signal> place, Streams streams, const ChannelMap& map, int factor);
+    /// `signal` draws each sample of the sound `factor` times at constant full current.
+    MappedSound(std::unique_ptr<Signal> signal, Streams streams, const ChannelMap& map, int factor);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
-    double seconds() const override { return m_place->seconds(); }
+    double seconds() const override { return m_signal->seconds(); }
 
 private:
-    std::unique_ptr<Signal> m_place;
+    std::unique_ptr<Signal> m_signal;
     Streams m_streams;
     ChannelMap m_map;
     int m_factor;

@@ -39,15 +39,15 @@ public:
     }
 
 private:
-    StereoSample at(std::int64_t place) const {
-        if (place < 0 || place >= m_length) {
+    StereoSample at(std::int64_t index) const {
+        if (index < 0 || index >= m_length) {
             if (!m_part.loops)
                 return {};
-            place = ((place % m_length) + m_length) % m_length;
+            index = ((index % m_length) + m_length) % m_length;
         }
         const auto channels = static_cast<std::size_t>(m_sound->channels);
         const float* frame =
-            m_sound->samples.data() + static_cast<std::size_t>(m_part.first + place) * channels;
+            m_sound->samples.data() + static_cast<std::size_t>(m_part.first + index) * channels;
         return m_picker.from(frame);
     }
 

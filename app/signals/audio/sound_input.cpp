@@ -50,9 +50,9 @@ void SoundInput::read_plugged(std::int64_t first, std::span<StereoSample> sample
         sample = plugged(sample);
 }
 
-float SoundInput::gain_at(double place) const {
+float SoundInput::gain_at(double position) const {
     const auto level = static_cast<float>(m_plug.level);
-    return m_gain ? level * m_gain->at(place) : level;
+    return m_gain ? level * m_gain->at(position) : level;
 }
 
 void SoundInput::couple(StereoSample& sample, StereoSample slow) const {

@@ -46,7 +46,7 @@ public:
 private:
     StereoSample plugged(StereoSample sample) const;
     void read_plugged(std::int64_t first, std::span<StereoSample> samples) const;
-    float gain_at(double place) const;  // position in samples of the sound
+    float gain_at(double position) const;  // position in samples of the sound
     void couple(StereoSample& sample, StereoSample slow) const;
     LowPass low_pass() const;
 

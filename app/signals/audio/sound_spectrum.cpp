@@ -57,13 +57,13 @@ void SoundSpectrum::show_hop(std::int64_t hop) const {
     m_ring = m_controls.radius * (1.0 + push);
 }
 
-BeamPoint SoundSpectrum::on_line(std::int64_t place) const {
-    const SweepPoint point = sweep_point(place, points, m_charge);
-    return {point.x, 2.0f * m_levels[static_cast<std::size_t>(place)] - 1.0f, point.intensity};
+BeamPoint SoundSpectrum::on_line(std::int64_t index) const {
+    const SweepPoint point = sweep_point(index, points, m_charge);
+    return {point.x, 2.0f * m_levels[static_cast<std::size_t>(index)] - 1.0f, point.intensity};
 }
 
-BeamPoint SoundSpectrum::on_ring(std::int64_t place) const {
-    const double turns = static_cast<double>(place + 1) / points;
+BeamPoint SoundSpectrum::on_ring(std::int64_t index) const {
+    const double turns = static_cast<double>(index + 1) / points;
     const double along = 1.0 - std::abs(2.0 * turns - 1.0);  // 0 at the top .. 1 at the bottom
     const auto column = static_cast<std::size_t>(along * (points - 1));
     const double room = std::max(1.0 - m_controls.radius * (1.0 + m_controls.pulse), 0.0);

@@ -40,8 +40,8 @@ private:
     };
     void show_hop(std::int64_t hop) const;
     double decibels_of(const Column& column, const std::vector<float>& amplitudes) const;
-    BeamPoint on_line(std::int64_t place) const;
-    BeamPoint on_ring(std::int64_t place) const;
+    BeamPoint on_line(std::int64_t index) const;
+    BeamPoint on_ring(std::int64_t index) const;
 
     SoundInput m_input;
     SpectrumControls m_controls;

@@ -29,9 +29,9 @@ struct Spectrum::Transform {
           samples(size),
           bins(size / 2 + 1) {
         for (std::size_t i = 0; i < size; ++i) {
-            const double place = static_cast<double>(i) / static_cast<double>(size);
-            window[i] = static_cast<float>(weights.mean - weights.once * cosine(place) +
-                                           weights.twice * cosine(2.0 * place));
+            const double position = static_cast<double>(i) / static_cast<double>(size);
+            window[i] = static_cast<float>(weights.mean - weights.once * cosine(position) +
+                                           weights.twice * cosine(2.0 * position));
         }
     }
     ~Transform() { kiss_fftr_free(plan); }

@@ -66,17 +66,17 @@ StereoSample Upsampler::filtered(const StereoSample* window, const Phase& phase)
 
 void Upsampler::read(std::int64_t first, std::span<StereoSample> samples) const {
     Window window;
-    std::int64_t place = first / m_factor - (first % m_factor < 0 ? 1 : 0);
-    auto phase = static_cast<std::size_t>(first - place * m_factor);
+    std::int64_t index = first / m_factor - (first % m_factor < 0 ? 1 : 0);
+    auto phase = static_cast<std::size_t>(first - index * m_factor);
     std::size_t written = 0;
     while (written < samples.size()) {
-        m_sound->read(place - before, window);
+        m_sound->read(index - before, window);
         for (std::int64_t i = 0; i < block && written < samples.size(); ++i) {
             const StereoSample* at = window.data() + i;
             for (; phase < m_phases.size() && written < samples.size(); ++phase)
                 samples[written++] = phase == 0 ? at[before] : filtered(at, m_phases[phase]);
             phase = 0;
         }
-        place += block;
+        index += block;
     }
 }

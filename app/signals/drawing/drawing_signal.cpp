@@ -14,8 +14,8 @@
 namespace {
 ScenePath path_of(const std::vector<BeamPosition>& line) {
     ScenePath path;
-    for (const BeamPosition& place : line)
-        path.points.push_back({place[0], place[1]});
+    for (const BeamPosition& position : line)
+        path.points.push_back({position[0], position[1]});
     return path;
 }
 

@@ -56,10 +56,10 @@ double way_between(const Line& a, const Line& b) {
 
 // A closed line, rotated to start at another corner.
 Line begun_at(const Line& line, std::size_t corner) {
-    Line turned(line.begin() + static_cast<std::ptrdiff_t>(corner), line.end() - 1);
-    turned.insert(turned.end(), line.begin(),
-                  line.begin() + static_cast<std::ptrdiff_t>(corner) + 1);
-    return turned;
+    Line rotated(line.begin() + static_cast<std::ptrdiff_t>(corner), line.end() - 1);
+    rotated.insert(rotated.end(), line.begin(),
+                   line.begin() + static_cast<std::ptrdiff_t>(corner) + 1);
+    return rotated;
 }
 
 // Rotates the closed line `to`, reversed if needed, for the smallest distance to `from`.
@@ -74,11 +74,11 @@ Line aligned(const Line& from, const Line& to) {
     for (const bool is_backwards : {false, true}) {
         const Line line = is_backwards ? Line(to.rbegin(), to.rend()) : to;
         for (std::size_t corner = 0; corner + 1 < line.size(); corner += stride) {
-            Line turned = begun_at(line, corner);
-            const double way = way_between(places, positions_at(turned, even_shares(samples)));
+            Line rotated = begun_at(line, corner);
+            const double way = way_between(places, positions_at(rotated, even_shares(samples)));
             if (way < least * clearly) {
                 least = way;
-                best = std::move(turned);
+                best = std::move(rotated);
             }
         }
     }

@@ -21,7 +21,7 @@ public:
         }
     }
 
-    Vector turned(const ScenePoint& point) const {
+    Vector rotated(const ScenePoint& point) const {
         Vector v{point.x * m_item.scale, point.y * m_item.scale, point.z * m_item.scale};
         v = {v[0], v[1] * m_cosine[0] - v[2] * m_sine[0], v[1] * m_sine[0] + v[2] * m_cosine[0]};
         v = {v[0] * m_cosine[1] + v[2] * m_sine[1], v[1], v[2] * m_cosine[1] - v[0] * m_sine[1]};
@@ -30,7 +30,7 @@ public:
 
     /// On the screen. The distance to the eye is at least a tenth of `perspective`.
     std::array<double, 2> seen(const ScenePoint& point) const {
-        const Vector v = turned(point);
+        const Vector v = rotated(point);
         const double eye = m_item.perspective;
         const double nearer = eye > 0.0 ? eye / std::max(eye - v[2], 0.1 * eye) : 1.0;
         return {m_item.at[0] + v[0] * nearer, m_item.at[1] + v[1] * nearer};
@@ -38,7 +38,7 @@ public:
 
     /// In space, for lengths.
     Vector placed(const ScenePoint& point) const {
-        const Vector v = turned(point);
+        const Vector v = rotated(point);
         return {v[0] + m_item.at[0], v[1] + m_item.at[1], v[2]};
     }
 

@@ -170,14 +170,14 @@ void add_letter(char32_t character, double x, double y, double unit,
                                ? static_cast<char32_t>(static_cast<unsigned char>(marked->base))
                                : character;
     const bool is_low = is_small(plain) || (marked && marked->is_small);
-    const GlyphPosition place{x, y, unit, is_low ? small_capital : 1.0};
+    const GlyphPosition glyph_position{x, y, unit, is_low ? small_capital : 1.0};
     const Glyph* const glyph = find_glyph(is_small(plain) ? plain - 'a' + 'A' : plain);
     if (marked && !marked->strokes.empty())
-        return add_strokes(marked->strokes, place, paths);
-    add_strokes(glyph ? glyph->strokes : missing_glyph, place, paths);
+        return add_strokes(marked->strokes, glyph_position, paths);
+    add_strokes(glyph ? glyph->strokes : missing_glyph, glyph_position, paths);
     if (!marked)
         return;
-    const double above = unit * (units_high * place.height + mark_gap);
+    const double above = unit * (units_high * glyph_position.height + mark_gap);
     add_strokes(
         marked->mark,
         {x, y + (marked->is_mark_above ? above : -unit * mark_room_below * mark_height * 1.2), unit,

@@ -41,19 +41,19 @@ CurveSpan span_of(const BeamPosition& a, const BeamPosition& b, const BeamPositi
 BeamPosition position_on(const CurveSpan& span, double t) {
     const double s = 1.0 - t;
     const double weights[4] = {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
-    BeamPosition place{};
+    BeamPosition position{};
     for (std::size_t i = 0; i < 4; ++i)
-        place = sum(place, weights[i], span[i]);
-    return place;
+        position = sum(position, weights[i], span[i]);
+    return position;
 }
 
-double distance_to_piece(const BeamPosition& place, const BeamPosition& from,
+double distance_to_piece(const BeamPosition& position, const BeamPosition& from,
                          const BeamPosition& to) {
     const BeamPosition way = sum(to, -1.0, from);
-    const BeamPosition out = sum(place, -1.0, from);
+    const BeamPosition out = sum(position, -1.0, from);
     const double square = way[0] * way[0] + way[1] * way[1];
     const double share = square > 0.0 ? (out[0] * way[0] + out[1] * way[1]) / square : 0.0;
-    return distance(place, sum(from, std::clamp(share, 0.0, 1.0), way));
+    return distance(position, sum(from, std::clamp(share, 0.0, 1.0), way));
 }
 }  // namespace
 
@@ -68,11 +68,11 @@ double length_of(const std::vector<BeamPosition>& line) {
     return length;
 }
 
-double distance_to_line(const BeamPosition& place, const std::vector<BeamPosition>& line) {
+double distance_to_line(const BeamPosition& position, const std::vector<BeamPosition>& line) {
     double nearest =
-        line.empty() ? std::numeric_limits<double>::infinity() : distance(place, line.front());
+        line.empty() ? std::numeric_limits<double>::infinity() : distance(position, line.front());
     for (std::size_t i = 1; i < line.size(); ++i)
-        nearest = std::min(nearest, distance_to_piece(place, line[i - 1], line[i]));
+        nearest = std::min(nearest, distance_to_piece(position, line[i - 1], line[i]));
     return nearest;
 }
 

@@ -35,9 +35,9 @@ public:
     }
 
     double operator()(double u) const {
-        const double place = fraction(m_base * u) * entries;
-        const auto below = static_cast<std::size_t>(place);
-        return std::lerp(m_table[below], m_table[below + 1], place - static_cast<double>(below));
+        const double position = fraction(m_base * u) * entries;
+        const auto below = static_cast<std::size_t>(position);
+        return std::lerp(m_table[below], m_table[below + 1], position - static_cast<double>(below));
     }
 
     double quarter_period;

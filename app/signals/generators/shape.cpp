@@ -22,8 +22,8 @@ constexpr std::array<NamedShape, 6> named_shapes{{{"sine", Shape::sine},
                                                   {"off", Shape::off}}};
 
 // A pseudo-random number in -1 .. 1 (the finaliser of SplitMix64, Steele et al. 2014).
-double random_level(std::int64_t place, std::uint64_t seed) {
-    std::uint64_t bits = static_cast<std::uint64_t>(place) + seed * 0x9e3779b97f4a7c15u;
+double random_level(std::int64_t index, std::uint64_t seed) {
+    std::uint64_t bits = static_cast<std::uint64_t>(index) + seed * 0x9e3779b97f4a7c15u;
     bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
     bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
     bits ^= bits >> 31;
@@ -32,10 +32,10 @@ double random_level(std::int64_t place, std::uint64_t seed) {
 
 double noise(double turns, std::uint64_t seed) {
     constexpr double levels_per_turn = 32.0;
-    const double place = turns * levels_per_turn;
-    const double below = std::floor(place);
+    const double position = turns * levels_per_turn;
+    const double below = std::floor(position);
     const auto index = static_cast<std::int64_t>(below);
-    return std::lerp(random_level(index, seed), random_level(index + 1, seed), place - below);
+    return std::lerp(random_level(index, seed), random_level(index + 1, seed), position - below);
 }
 }  // namespace
 

@@ -165,17 +165,17 @@ float between(float low, float high, float share) {
 
 /// Adds the small picture with bilinear interpolation.
 void add_bloom(Picture& picture, const Picture& small, float strength) {
-    const auto place = [](int at, int length) {
+    const auto span_of = [](int at, int length) {
         const float from = std::clamp((static_cast<float>(at) + 0.5f) / 4.0f - 0.5f, 0.0f,
                                       static_cast<float>(length - 1));
         const int low = static_cast<int>(from);
         return std::pair{low, from - static_cast<float>(low)};
     };
     for (int y = 0; y < picture.extent.height; ++y) {
-        const auto [top, down] = place(y, small.extent.height);
+        const auto [top, down] = span_of(y, small.extent.height);
         const int below = std::min(top + 1, small.extent.height - 1);
         for (int x = 0; x < picture.extent.width; ++x) {
-            const auto [left, along] = place(x, small.extent.width);
+            const auto [left, along] = span_of(x, small.extent.width);
             const int right = std::min(left + 1, small.extent.width - 1);
             for (std::size_t c = 0; c < 3; ++c) {
                 const auto at = [&](int sx, int sy) {

@@ -91,9 +91,9 @@ double ridge(double x, std::uint32_t key) {
     double height = 0.0;
     double scale = 1.0;
     for (double step = 64.0; step >= 4.0; step /= 2.0, scale *= 0.5) {
-        const double place = x / step;
-        const auto left = static_cast<std::uint32_t>(place);
-        const double part = place - left;
+        const double position = x / step;
+        const auto left = static_cast<std::uint32_t>(position);
+        const double part = position - left;
         const double low = share_of(left, key, static_cast<std::uint32_t>(step));
         const double high = share_of(left + 1, key, static_cast<std::uint32_t>(step));
         height += scale * (low + (high - low) * part);

@@ -35,13 +35,13 @@ Color bar(int index) {
 
 // SMPTE EG 1-1990: colour bars over reversed blue bars over -I, white, +Q and the black-level
 // steps.
-Color smpte(const PixelPosition& place) {
-    const int column = static_cast<int>(place.u * 7.0);
-    if (place.v < 2.0 / 3.0)
+Color smpte(const PixelPosition& position) {
+    const int column = static_cast<int>(position.u * 7.0);
+    if (position.v < 2.0 / 3.0)
         return bar(column);
-    if (place.v < 3.0 / 4.0)
+    if (position.v < 3.0 / 4.0)
         return column % 2 == 0 ? bar(6 - column) : black;
-    const double sixths = place.u * 7.0 * 4.0 / 5.0;  // four boxes over the first five bars
+    const double sixths = position.u * 7.0 * 4.0 / 5.0;  // four boxes over the first five bars
     if (sixths < 1.0)
         return {0.0f, 0.129f, 0.298f};  // -I
     if (sixths < 2.0)
@@ -50,23 +50,23 @@ Color smpte(const PixelPosition& place) {
         return {0.196f, 0.0f, 0.416f};  // +Q
     if (column == 5) {
         constexpr std::array steps{0.0f, 0.0f, 0.04f};  // levels below black cannot be shown
-        return grey(steps[static_cast<std::size_t>((place.u * 7.0 - 5.0) * 3.0)]);
+        return grey(steps[static_cast<std::size_t>((position.u * 7.0 - 5.0) * 3.0)]);
     }
     return black;
 }
 
-Color ramp(const PixelPosition& place) {
-    return grey(place.u);
+Color ramp(const PixelPosition& position) {
+    return grey(position.u);
 }
 
 // Grey, red, green, blue, and grey in 16 steps.
-Color ramps(const PixelPosition& place) {
-    const int band = static_cast<int>(place.v * 5.0);
-    const auto level = static_cast<float>(place.u);
+Color ramps(const PixelPosition& position) {
+    const int band = static_cast<int>(position.v * 5.0);
+    const auto level = static_cast<float>(position.u);
     if (band == 0)
-        return grey(place.u);
+        return grey(position.u);
     if (band == 4)
-        return grey(std::floor(place.u * 16.0) / 15.0);
+        return grey(std::floor(position.u * 16.0) / 15.0);
     Color color = black;
     color[static_cast<std::size_t>(band - 1)] = level;
     return color;
@@ -76,55 +76,58 @@ bool is_on_line(int at, int length, int pitch) {
     return (at - length / 2) % pitch == 0;
 }
 
-Color crosshatch(const PixelPosition& place) {
+Color crosshatch(const PixelPosition& position) {
     constexpr int pitch = 40;
-    return is_on_line(place.x, place.extent.width, pitch) ||
-                   is_on_line(place.y, place.extent.height, pitch)
+    return is_on_line(position.x, position.extent.width, pitch) ||
+                   is_on_line(position.y, position.extent.height, pitch)
                ? white
                : black;
 }
 
 // Coverage of a pixel by a ring 2 px wide.
-double ring(const PixelPosition& place, double radius) {
-    const double x = place.x + 0.5 - 0.5 * place.extent.width;
-    const double y = place.y + 0.5 - 0.5 * place.extent.height;
+double ring(const PixelPosition& position, double radius) {
+    const double x = position.x + 0.5 - 0.5 * position.extent.width;
+    const double y = position.y + 0.5 - 0.5 * position.extent.height;
     return std::clamp(1.5 - std::abs(std::hypot(x, y) - radius), 0.0, 1.0);
 }
 
 // A square grid, twelve cells high. The circle touches top and bottom, smaller circles touch the
 // corners of the cells around the centre.
-Color grid(const PixelPosition& place) {
-    const double mesh = place.extent.height / 12.0;
+Color grid(const PixelPosition& position) {
+    const double mesh = position.extent.height / 12.0;
     const auto is_on = [mesh](int at, int length) {
         const double from_middle = at + 0.5 - 0.5 * length;
         return std::abs(from_middle - std::round(from_middle / mesh) * mesh) < 0.51;
     };
     const double lines =
-        is_on(place.x, place.extent.width) || is_on(place.y, place.extent.height) ? 0.5 : 0.0;
-    const double circles = std::max(ring(place, 6.0 * mesh - 1.5), ring(place, 2.0 * mesh));
+        is_on(position.x, position.extent.width) || is_on(position.y, position.extent.height) ? 0.5
+                                                                                              : 0.0;
+    const double circles = std::max(ring(position, 6.0 * mesh - 1.5), ring(position, 2.0 * mesh));
     const double level = 0.12 + (0.75 - 0.12) * lines * 2.0;
     return grey(std::max(level, circles));
 }
 
-Color dots(const PixelPosition& place) {
+Color dots(const PixelPosition& position) {
     constexpr int pitch = 20;
-    return place.x % pitch == pitch / 2 && place.y % pitch == pitch / 2 ? white : black;
+    return position.x % pitch == pitch / 2 && position.y % pitch == pitch / 2 ? white : black;
 }
 
-Color dot(const PixelPosition& place) {
-    return place.x == place.extent.width / 2 && place.y == place.extent.height / 2 ? white : black;
+Color dot(const PixelPosition& position) {
+    return position.x == position.extent.width / 2 && position.y == position.extent.height / 2
+               ? white
+               : black;
 }
 
-Color checker(const PixelPosition& place) {
-    return (place.x + place.y) % 2 == 0 ? white : black;
+Color checker(const PixelPosition& position) {
+    return (position.x + position.y) % 2 == 0 ? white : black;
 }
 
 // Concentric rings with r / width periods per pixel, up to the finest that pixels can show at the
 // sides. Rings with other centres are aliasing of the look under test.
-Color zone_plate(const PixelPosition& place) {
-    const double x = place.x - place.extent.width / 2;
-    const double y = place.y - place.extent.height / 2;
-    const double width = std::max(place.extent.width, place.extent.height);
+Color zone_plate(const PixelPosition& position) {
+    const double x = position.x - position.extent.width / 2;
+    const double y = position.y - position.extent.height / 2;
+    const double width = std::max(position.extent.width, position.extent.height);
     return grey(0.5 + 0.5 * std::cos(std::numbers::pi * (x * x + y * y) / width));
 }
 

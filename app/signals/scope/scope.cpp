@@ -41,10 +41,10 @@ Scope::Stretch Scope::stretch_of(const Sweep& sweep, std::int64_t point) const {
         return {m_first, point, point == first, samples};
     const double turns = std::max(std::ceil(m_sweep_samples * 60.0 / m_rate - 1e-6), 1.0);
     const auto whole = static_cast<std::int64_t>(std::ceil(static_cast<double>(samples) / turns));
-    const std::int64_t place = point - 2 * first;
-    const std::int64_t begin = place / (2 * whole) * whole;
+    const std::int64_t index = point - 2 * first;
+    const std::int64_t begin = index / (2 * whole) * whole;
     const std::int64_t length = std::min(whole, samples - begin);
-    const std::int64_t within = place - 2 * begin;
+    const std::int64_t within = index - 2 * begin;
     const std::int64_t along = within % length;
     return {within < length ? m_first : m_second, first + begin + along, along == 0, length};
 }

@@ -30,13 +30,13 @@ void trace_points(const TimeSpan& span, const PointStream& stream, Beam& beam,
     if (end <= instants.first)
         return;
     const double seconds_per_point = 1.0 / stream.rate;
-    std::size_t place = beam.size();
-    beam.resize(place + static_cast<std::size_t>(end - instants.first));
+    std::size_t index = beam.size();
+    beam.resize(index + static_cast<std::size_t>(end - instants.first));
     for (std::int64_t k = instants.first; k < end; ++k) {
         BeamPoint point = point_at(k);
         const double age = span.end - static_cast<double>(k + 1) * seconds_per_point;
         point.age_seconds = static_cast<float>(std::max(age, 0.0));
-        beam[place++] = point;
+        beam[index++] = point;
     }
 }
 
@@ -47,11 +47,11 @@ struct SweepPoint {
     float intensity = 0.0f;  // 0 on the first point: the retrace is blanked
 };
 
-/// Point `place` (from 0) of a sweep of `length` points with a total charge of length * charge.
-inline SweepPoint sweep_point(std::int64_t place, std::int64_t length, double charge) {
+/// Point `index` (from 0) of a sweep of `length` points with a total charge of length * charge.
+inline SweepPoint sweep_point(std::int64_t index, std::int64_t length, double charge) {
     const auto points = static_cast<double>(length);
-    const double across = static_cast<double>(place + 1) / points;
-    const double light = place == 0 ? 0.0 : charge * points / (points - 1.0);
+    const double across = static_cast<double>(index + 1) / points;
+    const double light = index == 0 ? 0.0 : charge * points / (points - 1.0);
     return {across, static_cast<float>(2.0 * across - 1.0), static_cast<float>(light)};
 }
 

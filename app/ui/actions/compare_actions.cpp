@@ -154,7 +154,7 @@ std::vector<Action> seeing_actions() {
                compare_with_article, is_article_other),
         action(Id::with_file, "Compare with image file…", {f5 + 4, true}, choose_reference,
                is_file_other)};
-    actions[0].let_go = end_flash;
+    actions[0].on_release = end_flash;
     actions[5].is_enabled = can_fit_gain;
     actions[6].is_first = actions[7].is_first = true;
     return actions;

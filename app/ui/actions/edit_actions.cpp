@@ -40,7 +40,7 @@ bool has_pen(const Scene& scene) {
 }
 void take_pen(const Scene& scene, Edits& edits) {
     edits.change(
-        [is_in_hand = !has_pen(scene)](DrawingTool& drawing) { drawing.take_pen(is_in_hand); });
+        [is_active = !has_pen(scene)](DrawingTool& drawing) { drawing.take_pen(is_active); });
 }
 void show_remote(const Scene&, Edits& edits) {
     edits.show({.kind = Dialog::Kind::remote});

@@ -43,7 +43,7 @@ bool is_trigger(const Scene& scene) {
 }
 
 template <bool is_up>
-void turn(const Scene& scene, Edits& edits) {
+void change_by_step(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document;
     if (is_trigger(scene))
         return edits.set(scene.window.parameters.revealed.parameter, Value(1.0));
@@ -56,10 +56,10 @@ void turn(const Scene& scene, Edits& edits) {
         edits.set(parameter.name, *next);
     else
         edits.change(
-            [words = next.error().front().message](Messages& messages) { messages.say(words); });
+            [text = next.error().front().message](Messages& messages) { messages.say(text); });
 }
 
-void let_go(const Scene& scene, Edits& edits) {
+void end_step(const Scene& scene, Edits& edits) {
     if (is_trigger(scene) && scene.lab.document->value(*selected_parameter(scene)).number() != 0.0)
         edits.set(scene.window.parameters.revealed.parameter, Value(0.0));
     if (has_selected_parameter(scene))
@@ -80,9 +80,9 @@ void copy_name(const Scene& scene, Edits& edits) {
     edits.copy(scene.window.parameters.revealed.parameter);
 }
 
-Action turning(ActionId id, const char* label, int key, void (*act)(const Scene&, Edits&)) {
+Action step_action(ActionId id, const char* label, int key, void (*act)(const Scene&, Edits&)) {
     Action action{id, Menu::parameter, label, {key}, false, act, has_selected_parameter};
-    action.let_go = let_go;
+    action.on_release = end_step;
     return action;
 }
 }  // namespace
@@ -104,8 +104,10 @@ std::vector<Action> parameter_actions::list() {
          false,
          go<-1>,
          file_actions::has_document},
-        turning(ActionId::turn_up, "Increase by one step", key::right, turn<true>),
-        turning(ActionId::turn_down, "Decrease by one step", key::left, turn<false>),
+        step_action(ActionId::increase_parameter, "Increase by one step", key::right,
+                    change_by_step<true>),
+        step_action(ActionId::decrease_parameter, "Decrease by one step", key::left,
+                    change_by_step<false>),
         {ActionId::type_parameter,
          Menu::parameter,
          "Type a value",

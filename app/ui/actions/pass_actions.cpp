@@ -104,8 +104,8 @@ void save_pass(const Scene& scene, Edits& edits) {
 void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document->look();
     const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
-    const Location place{look.passes[pass].fragment.file, 1};
-    edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
+    const Location location{look.passes[pass].fragment.file, 1};
+    edits.change([location](LookCommands& looks) { looks.open_in_editor(location); });
 }
 
 void write(const Scene&, Edits& edits) {

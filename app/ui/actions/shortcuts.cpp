@@ -69,8 +69,8 @@ void escape(const Scene& scene, Edits& edits) {
 
 void run_shortcuts(const Scene& scene, Edits& edits) {
     for (const Action& action : scene.actions.rows())
-        if (action.let_go && ImGui::IsKeyReleased(action.chord.key))
-            action.let_go(scene, edits);
+        if (action.on_release && ImGui::IsKeyReleased(action.chord.key))
+            action.on_release(scene, edits);
     if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.keyboard.is_in_menus)
         return;
     if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())

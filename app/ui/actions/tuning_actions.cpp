@@ -56,7 +56,7 @@ std::vector<Action> step_actions() {
     down.chord.shift = true;
     down.is_first = false;
     down.act = show_step<false>;
-    up.let_go = down.let_go = end_step;
+    up.on_release = down.on_release = end_step;
     return {up, down};
 }
 }  // namespace

@@ -62,8 +62,8 @@ void answer(const MenuEntry& entry, const std::string& text, Edits& edits) {
     if (typed.value)
         run(entry.number->answer(*typed.value), edits);
     if (!typed.complaint.empty())
-        edits.change([words = std::move(typed.complaint)](Messages& messages) {
-            messages.say(words, true);
+        edits.change([complaint = std::move(typed.complaint)](Messages& messages) {
+            messages.say(complaint, true);
         });
 }
 }  // namespace

@@ -23,7 +23,7 @@ constexpr std::array<std::pair<const char*, const char*>, 8> mouse_habits{
      {"F10", "Open the menus (arrow keys, Enter, Esc)"},
      {"Esc", "Stop a long task, return to the picture or close a dialog"}}};
 
-void line(const std::string& keys, const std::string& words) {
+void line(const std::string& keys, const std::string& text) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     {
@@ -31,7 +31,7 @@ void line(const std::string& keys, const std::string& words) {
         ImGui::TextUnformatted(keys.c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", words.c_str());
+    ImGui::TextWrapped("%s", text.c_str());
 }
 
 /// The keys of one menu.
@@ -140,11 +140,11 @@ void draw_keys(const Scene& scene) {
     }
     ImGui::Separator();
     float mouse_width = 0.0f;
-    for (const auto& [keys, words] : mouse_habits)
+    for (const auto& [keys, text] : mouse_habits)
         mouse_width = std::max(mouse_width, ImGui::CalcTextSize(keys).x);
     draw_table("##mouse", mouse_width + ImGui::GetFontSize(), [&] {
-        for (const auto& [keys, words] : mouse_habits)
-            line(keys, words);
+        for (const auto& [keys, text] : mouse_habits)
+            line(keys, text);
     });
 }
 }  // namespace

@@ -39,11 +39,11 @@ Pin flash_pin(const Scene& scene) {
 double shown_seconds(const ImpulseResponse& response) {
     double longest = 0.0;
     for (const PassImpulse& pass : response.passes) {
-        if (pass.fall.peak <= 0.0)
+        if (pass.decay.peak <= 0.0)
             continue;
-        if (!pass.fall.to_thousandth)
+        if (!pass.decay.to_thousandth)
             return response.seconds.back();
-        longest = std::max(longest, pass.fall.peak_seconds + *pass.fall.to_thousandth);
+        longest = std::max(longest, pass.decay.peak_seconds + *pass.decay.to_thousandth);
     }
     const double least_seconds = 4.0 / response.question.fps;
     return std::min(std::max(longest * 1.1, least_seconds), response.seconds.back());
@@ -64,14 +64,14 @@ struct ImpulsePlot {
 
 void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
     const ImU32 line = ImGui::GetColorU32(theme::line);
-    const ImU32 words = ImGui::GetColorU32(theme::dim);
+    const ImU32 color = ImGui::GetColorU32(theme::dim);
     for (const auto& [share, label] : {std::pair{1.0, "Peak"}, std::pair{0.1, "10 %"},
                                        std::pair{0.01, "1 %"}, std::pair{0.001, "0.1 %"}}) {
         const ImVec2 left = plot.at(0.0, share);
         list.AddLine(left, {left.x + plot.size.x, left.y}, line);
         const float up = share <= least ? ImGui::GetFontSize() : 0.0f;
         const float width = ImGui::CalcTextSize(label).x;
-        list.AddText({left.x + plot.size.x - width - 2.0f, left.y - up}, words, label);
+        list.AddText({left.x + plot.size.x - width - 2.0f, left.y - up}, color, label);
     }
     const double step = std::pow(10.0, std::floor(std::log10(plot.seconds)));
     const double every = plot.seconds / step < 2.5 ? step / 2.0 : step;
@@ -79,7 +79,7 @@ void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
         const ImVec2 top = plot.at(every * i, 1.0);
         list.AddLine(top, {top.x, top.y + plot.size.y}, line);
         const std::string label = fmt::format("{:g} ms", std::round(every * i * 1e4) / 10.0);
-        list.AddText({top.x + 2.0f, top.y + plot.size.y + 2.0f}, words, label.c_str());
+        list.AddText({top.x + 2.0f, top.y + plot.size.y + 2.0f}, color, label.c_str());
     }
 }
 
@@ -88,11 +88,11 @@ using Curve = std::vector<ImVec2>;
 Curve curve_of(const PassImpulse& impulse, const std::vector<double>& seconds,
                const ImpulsePlot& plot) {
     Curve curve;
-    for (std::size_t i = 0; i < impulse.light.size() && impulse.fall.peak > 0.0; ++i) {
+    for (std::size_t i = 0; i < impulse.light.size() && impulse.decay.peak > 0.0; ++i) {
         if (seconds[i] > plot.seconds)
             break;
-        curve.push_back(plot.at(seconds[i], impulse.light[i] / impulse.fall.peak));
-        if (impulse.light[i] < least * impulse.fall.peak)
+        curve.push_back(plot.at(seconds[i], impulse.light[i] / impulse.decay.peak));
+        if (impulse.light[i] < least * impulse.decay.peak)
             break;
     }
     return curve;
@@ -203,11 +203,11 @@ void draw_times(const ImpulseResponse& response, const Scene& scene, Edits& edit
         }
         edits.mark("impulse:" + pass.pass);
         const ScopedFont font(scene.fonts.numbers);
-        cell(pass.fall.peak > 0.0 ? fmt::format("{:.4g}", pass.fall.peak) : "no light");
-        cell(time_text(pass.fall.to_tenth));
-        cell(time_text(pass.fall.to_hundredth));
-        cell(time_text(pass.fall.to_thousandth));
-        cell(time_text(pass.fall.half_life));
+        cell(pass.decay.peak > 0.0 ? fmt::format("{:.4g}", pass.decay.peak) : "no light");
+        cell(time_text(pass.decay.to_tenth));
+        cell(time_text(pass.decay.to_hundredth));
+        cell(time_text(pass.decay.to_thousandth));
+        cell(time_text(pass.decay.half_life));
     }
     ImGui::EndTable();
 }
@@ -216,19 +216,19 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
     draw_plot(response, edits);
     draw_times(response, scene, edits);
     ImGui::Spacing();
-    const Pin& place = response.question.place;
+    const Pin& pin = response.question.pin;
     wrapped_dim_text(fmt::format(
         "A one-frame flash in the dark at {:.1f} %, {:.1f} % of the picture, rendered at {} and "
         "{:g} Hz. Values are linear light of the brightest channel, minus the level before the "
         "flash. Times count from the peak. A dash means longer than {:g} s. Half-lives come from "
         "an exponential fitted down to 1 %.",
-        place.x * 100.0, place.y * 100.0, size_text(response.size), response.question.fps,
+        pin.x * 100.0, pin.y * 100.0, size_text(response.size), response.question.fps,
         response.question.seconds));
 }
 }  // namespace
 
 void fire_impulse(const Scene& scene, Edits& edits) {
-    edits.change([place = flash_pin(scene)](BackgroundJobs& jobs) { jobs.fire_impulse(place); });
+    edits.change([pin = flash_pin(scene)](BackgroundJobs& jobs) { jobs.fire_impulse(pin); });
     edits.show({.kind = Dialog::Kind::impulse});
 }
 

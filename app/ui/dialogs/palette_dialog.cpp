@@ -59,8 +59,8 @@ float draw_label(const PaletteRow& row, ImVec2 at) {
     const std::string& label = row.entry.label;
     const theme::Color plain = row.entry.why_not.empty() ? theme::text : theme::faint;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const auto fits = [&row](std::size_t place) {
-        return std::binary_search(row.places.begin(), row.places.end(), place);
+    const auto fits = [&row](std::size_t index) {
+        return std::binary_search(row.places.begin(), row.places.end(), index);
     };
     for (std::size_t start = 0, end = 0; start < label.size(); start = end) {
         const bool is_fit = fits(start);

@@ -70,8 +70,8 @@ const char* why_not(const Action& action, const Scene& scene) {
         case ActionId::with_b:
         case ActionId::with_c:
             return "the slot is empty";
-        case ActionId::turn_up:
-        case ActionId::turn_down:
+        case ActionId::increase_parameter:
+        case ActionId::decrease_parameter:
         case ActionId::type_parameter:
         case ActionId::reset_parameter:
         case ActionId::copy_parameter_name:

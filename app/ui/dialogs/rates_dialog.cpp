@@ -19,13 +19,13 @@ void compare_rates(Edits& edits) {
 namespace {
 constexpr double most_levels = 255.0;
 
-void draw_pair(const RatePair& pair, std::size_t place, bool is_shown, Edits& edits) {
+void draw_pair(const RatePair& pair, std::size_t index, bool is_shown, Edits& edits) {
     const Difference& apart = pair.difference;
     ImGui::TableNextColumn();
     if (ImGui::Selectable(
             fmt::format("{:.0f} – {:.0f}", pair.first, pair.second).c_str(), is_shown,
             ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_DontClosePopups))
-        edits.change([place](BackgroundJobs& jobs) { jobs.show_rate_pair(place); });
+        edits.change([index](BackgroundJobs& jobs) { jobs.show_rate_pair(index); });
     edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * most_levels).c_str());
@@ -50,10 +50,10 @@ void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edi
     ImGui::EndTable();
 }
 
-void draw_seen(const gpu::Texture& texture, const std::string& words, float width) {
+void draw_seen(const gpu::Texture& texture, const std::string& text, float width) {
     const Extent extent = texture.extent();
     ImGui::BeginGroup();
-    dim_text(words);
+    dim_text(text);
     ImGui::Image(
         texture_id(texture.handle()),
         {width, width * static_cast<float>(extent.height) / static_cast<float>(extent.width)},

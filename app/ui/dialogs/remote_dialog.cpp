@@ -34,7 +34,7 @@ void draw_what_came(const OscControl& osc) {
         return;
     }
     dim_text(fmt::format("Listening on 127.0.0.1, port {}: {} accepted, {} rejected", osc.port(),
-                         osc.turned(), osc.refused()));
+                         osc.applied(), osc.refused()));
     wrapped_dim_text(osc.problem().empty() ? std::string("Last rejected: none")
                                            : fmt::format("Last rejected: {}", osc.problem()));
 }

@@ -118,8 +118,8 @@ enum class ActionId {
     show_of_pass,
     next_parameter,
     previous_parameter,
-    turn_up,
-    turn_down,
+    increase_parameter,
+    decrease_parameter,
     type_parameter,
     reset_parameter,
     copy_parameter_name,
@@ -149,7 +149,7 @@ struct Action {
     std::function<void(const Scene& scene, Edits& edits)> act = {};
     std::function<bool(const Scene& scene)> is_enabled = {};  // null: always enabled
     std::function<bool(const Scene& scene)> is_on = {};       // null: no check mark
-    std::function<void(const Scene& scene, Edits& edits)> let_go =
+    std::function<void(const Scene& scene, Edits& edits)> on_release =
         {};  // on release of its key; null: ignored
     std::function<std::string(const Scene& scene)> current_label =
         {};                             // "Undo: Decay"; null: label

@@ -61,14 +61,14 @@ std::size_t browser_key(int key) {
     return 0;
 }
 
-void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
+void write_keys(bool is_pointed, const Scene& scene, Edits& edits) {
     if (!scene.lab.renderer || !scene.lab.document)
         return;
     const bool gives = is_pointed && reads_keys(scene.lab.document->look()) &&
                        !ImGui::GetIO().WantTextInput && !ImGui::GetIO().KeyCtrl;
     if (gives != gives_keys(scene))
         edits.arrange([gives](WindowState& window) { window.keyboard.is_in_look = gives; });
-    const Keys::Flags known = scene.lab.renderer->hand().keys().down;
+    const Keys::Flags known = scene.lab.renderer->input_state().keys().down;
     const auto is_held = [&known](int key, std::size_t number) {
         return ImGui::IsKeyDown(key) && (known.test(number) || ImGui::IsKeyPressed(key, false));
     };
@@ -80,10 +80,10 @@ void tell_keys(bool is_pointed, const Scene& scene, Edits& edits) {
     if (changed.none())
         return;
     edits.change([changed, held](Renderer& renderer) {
-        renderer.change_hand([&](Hand& hand) {
+        renderer.change_input_state([&](InputState& input_state) {
             for (std::size_t key = 0; key < Keys::count; ++key)
                 if (changed[key])
-                    hand.set_key(key, held[key]);
+                    input_state.set_key(key, held[key]);
         });
     });
 }

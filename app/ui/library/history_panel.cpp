@@ -78,7 +78,7 @@ void follow(const Document& document, const WindowState& window, float height, E
     const HistorySeen seen{history_index(document), history_size(document)};
     if (seen == window.scrolled.history && !ImGui::IsWindowAppearing())
         return;
-    const float top = height * static_cast<float>(seen.place);
+    const float top = height * static_cast<float>(seen.index);
     const float room = ImGui::GetWindowHeight();
     if (top < ImGui::GetScrollY() || top + height > ImGui::GetScrollY() + room)
         ImGui::SetScrollY(std::max(0.0f, top - (room - height) * 0.5f));
@@ -103,10 +103,10 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             const ScopedId id(i);
-            const auto place = static_cast<std::size_t>(i);
-            const HistoryStep step = history_step(*document, place);
+            const auto index = static_cast<std::size_t>(i);
+            const HistoryStep step = history_step(*document, index);
             const int distance = step.distance;
-            const ViewImage image = scene.pictures.history.picture(*document, place);
+            const ViewImage image = scene.pictures.history.picture(*document, index);
             if (draw_history_row({step, image, height, distance == 0}) && distance != 0)
                 edits.change([distance](Document& travelling) { travelling.travel(distance); });
             edits.mark("history:" + std::to_string(i));

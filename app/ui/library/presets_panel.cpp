@@ -21,14 +21,14 @@ struct PresetCell {
     float width = 0.0f;
     float height = 0.0f;  // of the picture
     float gap = 0.0f;
-    float words = 0.0f;  // height of the text line below
+    float caption = 0.0f;  // height of the text line below
     int columns = 1;
 };
 
 PresetCell preset_cell() {
     const float least = ImGui::GetFontSize() * 10.0f;
     PresetCell cell{.gap = ImGui::GetFontSize() * 0.6f,
-                    .words = ImGui::GetTextLineHeightWithSpacing() + 2.0f};
+                    .caption = ImGui::GetTextLineHeightWithSpacing() + 2.0f};
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
     cell.columns = std::max(1, static_cast<int>((room + cell.gap) / (least + cell.gap)));
     const auto columns = static_cast<float>(cell.columns);
@@ -40,9 +40,9 @@ PresetCell preset_cell() {
 
 void draw_search(const PresetBrowsing& wanted, Edits& edits) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11.0f);
-    std::string words = wanted.search;
-    if (ImGui::InputTextWithHint("##search", "Search presets", &words))
-        edits.arrange([words](WindowState& window) { window.presets.search = words; });
+    std::string search = wanted.search;
+    if (ImGui::InputTextWithHint("##search", "Search presets", &search))
+        edits.arrange([search](WindowState& window) { window.presets.search = search; });
     edits.mark("preset_search");
 }
 
@@ -129,10 +129,10 @@ void draw_image(const ViewImage& image, const ImVec2& low, const PresetCell& cel
 void draw_why_none(const std::string& problem, const ImVec2& low, const PresetCell& cell) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float pad = ImGui::GetFontSize() * 0.5f;
-    const std::string words = problem.empty() ? "…" : problem;
+    const std::string text = problem.empty() ? "…" : problem;
     const ImVec4 clip(low.x, low.y, low.x + cell.width, low.y + cell.height);
     list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad, low.y + pad},
-                 theme::packed(problem.empty() ? theme::faint : theme::problem), words.c_str(),
+                 theme::packed(problem.empty() ? theme::faint : theme::problem), text.c_str(),
                  nullptr, cell.width - 2.0f * pad, &clip);
 }
 
@@ -186,7 +186,7 @@ std::string help_for(const ListedPreset& preset, const Scene& scene) {
 void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCell& cell,
                  Edits& edits) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 size(cell.width, cell.height + cell.words);
+    const ImVec2 size(cell.width, cell.height + cell.caption);
     const bool is_clicked = ImGui::InvisibleButton("##preset", size);
     ImGui::SetItemAllowOverlap();
     edits.mark("picture:" + preset.preset.entry.id);

@@ -84,7 +84,7 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
 
 void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
     const Parameter& parameter = entry.parameter;
-    if (!can_be_turned(parameter))
+    if (!has_slider_numbers(parameter))
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());
     if (count == 1) {

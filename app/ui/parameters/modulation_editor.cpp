@@ -93,14 +93,14 @@ void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
                             .initial = Modulation{}.*figure.number,
                             .unit = figure.unit,
                             .limit = figure.limit};
-    const Turned turned = form_slider("figure", number, facts, columns, fonts);
+    const ValueEdit edited = form_slider("figure", number, facts, columns, fonts);
     edits.mark("modulation_" + figure.key);
-    if (turned.is_changed) {
+    if (edited.is_changed) {
         Modulation next = *entry.modulation;
         next.*figure.number = number;
         turn(entry, next, true, edits);
     }
-    if (turned.is_finished)
+    if (edited.is_finished)
         edits.finish();
 }
 }  // namespace

@@ -51,8 +51,8 @@ void tell_period(const ParameterEntry& entry, SliderFacts& facts) {
         facts.note = fmt::format("moiré {} px", short_number(std::round(*entry.period.beat)));
 }
 
-Turned draw_component(const ParameterEntry& entry, std::size_t component, Value& value,
-                      const FormColumns& columns, const Fonts& fonts, Edits& edits) {
+ValueEdit draw_component(const ParameterEntry& entry, std::size_t component, Value& value,
+                         const FormColumns& columns, const Fonts& fonts, Edits& edits) {
     SliderFacts facts = facts_for(entry, component);
     const double factor = shown_factor(entry.parameter);
     facts.low *= factor;
@@ -70,19 +70,19 @@ Turned draw_component(const ParameterEntry& entry, std::size_t component, Value&
         facts.note = fmt::format("½ {}", duration_text(half_life(shown)));
     tell_period(entry, facts);
     const std::string id = std::to_string(component);
-    const Turned turned = form_slider(id.c_str(), shown, facts, columns, fonts);
+    const ValueEdit edited = form_slider(id.c_str(), shown, facts, columns, fonts);
     if (component == 0)
         edits.mark("number:" + entry.parameter.name);
     if (!facts.warning.empty())
         edits.mark("moire:" + entry.parameter.name);
-    if (turned.is_changed)
+    if (edited.is_changed)
         value.numbers[component] = shown / factor;
-    return turned;
+    return edited;
 }
 
-Turned draw_parts(const ParameterEntry& entry, Value& value, const FormColumns& columns,
-                  const Fonts& fonts, Edits& edits) {
-    Turned turned;
+ValueEdit draw_parts(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                     const Fonts& fonts, Edits& edits) {
+    ValueEdit edited;
     const float indent = ImGui::GetFontSize() * 0.95f;  // indent of a heading's text
     FormColumns indented = columns;
     indented.label -= indent;
@@ -91,32 +91,32 @@ Turned draw_parts(const ParameterEntry& entry, Value& value, const FormColumns& 
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
         form_label(part_label(entry.parameter, i), indented, false);
         form_control(columns);
-        turned |= draw_component(entry, i, value, columns, fonts, edits);
+        edited |= draw_component(entry, i, value, columns, fonts, edits);
     }
-    return turned;
+    return edited;
 }
 
 bool is_check_box(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{Scalar::boolean};
 }
 
-Turned draw_check_boxes(const Parameter& parameter, Value& value) {
-    Turned turned;
+ValueEdit draw_check_boxes(const Parameter& parameter, Value& value) {
+    ValueEdit edited;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         bool is_on = value.numbers[i] != 0.0;
         if (i > 0)
             ImGui::SameLine();
         if (ImGui::Checkbox(("##" + std::to_string(i)).c_str(), &is_on)) {
             value.numbers[i] = is_on ? 1.0 : 0.0;
-            turned = {true, true};
+            edited = {true, true};
         }
         if (value.numbers.size() > 1)
             tooltip(part_label(parameter, i));
     }
-    return turned;
+    return edited;
 }
 
-Turned draw_list(const ParameterEntry& entry, Value& value, const FormColumns& columns) {
+ValueEdit draw_list(const ParameterEntry& entry, Value& value, const FormColumns& columns) {
     std::vector<const char*> labels;
     int chosen = -1;
     for (const Item& item : entry.parameter.items) {
@@ -131,27 +131,27 @@ Turned draw_list(const ParameterEntry& entry, Value& value, const FormColumns& c
     return {true, true};
 }
 
-Turned draw_matrix(const ParameterEntry& entry, Value& value, const FormColumns& columns,
-                   const Fonts& fonts) {
+ValueEdit draw_matrix(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                      const Fonts& fonts) {
     const NumberType& type = entry.parameter.type;
     const ScopedFont font(fonts.numbers);
     const float width = columns.control_and_number() / static_cast<float>(type.columns) - 2.0f;
-    Turned turned;
+    ValueEdit edited;
     const auto rows = static_cast<std::size_t>(type.rows);
     const auto count = static_cast<std::size_t>(type.columns);
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t column = 0; column < count; ++column) {
             if (column > 0)
                 ImGui::SameLine(0.0f, 2.0f);
-            const std::size_t place = column * rows + row;
-            turned |= draw_number(fmt::format("##{}", place).c_str(), value.numbers[place], width,
-                                  number_facts(facts_for(entry, place)));
+            const std::size_t index = column * rows + row;
+            edited |= draw_number(fmt::format("##{}", index).c_str(), value.numbers[index], width,
+                                  number_facts(facts_for(entry, index)));
         }
     }
-    return turned;
+    return edited;
 }
 
-Turned draw_trigger(Value& value, const FormColumns& columns) {
+ValueEdit draw_trigger(Value& value, const FormColumns& columns) {
     ImGui::Button("Trigger", {columns.control_and_number(), 0.0f});
     const double wanted = ImGui::IsItemActive() ? 1.0 : 0.0;
     if (wanted == value.number())
@@ -160,7 +160,7 @@ Turned draw_trigger(Value& value, const FormColumns& columns) {
     return {true, wanted == 0.0};
 }
 
-Turned draw_file(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
+ValueEdit draw_file(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
     const auto made = made_name(entry.value.path);
     const std::string name =
         made ? std::string(*made) : std::filesystem::path(entry.value.path).filename().string();
@@ -170,8 +170,8 @@ Turned draw_file(const ParameterEntry& entry, const FormColumns& columns, Edits&
     return {};
 }
 
-Turned draw_control(const ParameterEntry& entry, Value& value, const FormColumns& columns,
-                    const Fonts& fonts, Edits& edits) {
+ValueEdit draw_control(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                       const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = entry.parameter;
     switch (parameter.control) {
         case Control::list:
@@ -255,16 +255,16 @@ bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edit
     else
         form_control(columns);
     ImGui::BeginGroup();
-    const Turned turned = is_vector ? draw_parts(entry, value, columns, scene.fonts, edits)
-                                    : draw_control(entry, value, columns, scene.fonts, edits);
+    const ValueEdit edited = is_vector ? draw_parts(entry, value, columns, scene.fonts, edits)
+                                       : draw_control(entry, value, columns, scene.fonts, edits);
     ImGui::EndGroup();
     const bool is_held = ImGui::IsItemActive();
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right))
         ImGui::OpenPopup("about");
     edits.mark("parameter:" + parameter.name);
-    if (turned.is_changed)
+    if (edited.is_changed)
         edits.set(parameter.name, value);
-    if (turned.is_finished)
+    if (edited.is_finished)
         edits.finish();
     if (!is_vector)
         draw_reset(entry, columns, edits);

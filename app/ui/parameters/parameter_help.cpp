@@ -101,10 +101,10 @@ std::string told_value(const Parameter& parameter, const Value& value) {
     return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
 }
 
-std::string location_text(const Location& place) {
-    if (place.file.empty())
+std::string location_text(const Location& location) {
+    if (location.file.empty())
         return {};
-    return fmt::format("{}:{}", place.file.filename().string(), place.line);
+    return fmt::format("{}:{}", location.file.filename().string(), location.line);
 }
 
 void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
@@ -223,10 +223,10 @@ void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits&
             run(ActionId::compare_rates, scene, edits);
         edits.mark("compare_rates");
     }
-    const Location place = parameter.declared;
-    if (!place.file.empty()) {
-        if (ImGui::Selectable(fmt::format("Open {}", location_text(place)).c_str()))
-            edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
+    const Location location = parameter.declared;
+    if (!location.file.empty()) {
+        if (ImGui::Selectable(fmt::format("Open {}", location_text(location)).c_str()))
+            edits.change([location](LookCommands& looks) { looks.open_in_editor(location); });
         edits.mark("open_declared");
     }
     draw_parameter_items(entry, edits);

@@ -51,7 +51,7 @@ bool draw_mark(const char* id, Icon icon, bool is_set, const std::string& help) 
     return is_pressed;
 }
 // Whether the pointer is in the area, and not dragging from elsewhere.
-bool is_in_hand(const ImVec2& low, const ImVec2& high) {
+bool is_under_pointer(const ImVec2& low, const ImVec2& high) {
     const ImVec2 taken = ImGui::GetIO().MouseClickedPos[0];
     const bool is_elsewhere = ImGui::IsMouseDown(0) && !(taken.x >= low.x && taken.x < high.x &&
                                                          taken.y >= low.y && taken.y < high.y);
@@ -68,7 +68,7 @@ FormColumns ParameterMarks::beside(FormColumns columns) const {
 ParameterMarks parameter_marks(const ParameterSetting& setting, const FormColumns& columns) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 high(low.x + columns.label, low.y + ImGui::GetFrameHeight());
-    const bool is_pointed_at = is_in_hand(low, high);
+    const bool is_pointed_at = is_under_pointer(low, high);
     ParameterMarks marks;
     marks.shows_star = setting.is_favourite || is_pointed_at;
     marks.shows_lock = setting.is_locked || is_pointed_at;

@@ -25,16 +25,16 @@ void draw_search(const WindowState& window, float width, Edits& edits) {
         ImGui::SetKeyboardFocusHere();
         edits.arrange([](WindowState& state) { state.parameters.is_searching = false; });
     }
-    std::string words = window.parameters.search;
-    if (ImGui::InputTextWithHint("##search", "Search parameters", &words))
-        edits.arrange([words](WindowState& state) { state.parameters.search = words; });
+    std::string search = window.parameters.search;
+    if (ImGui::InputTextWithHint("##search", "Search parameters", &search))
+        edits.arrange([search](WindowState& state) { state.parameters.search = search; });
     edits.mark("search");
 }
 
 struct FilterChoice {
     ParameterFilter filter;
     const char* name;   // on the button
-    const char* words;  // in the list
+    const char* label;  // in the list
 };
 constexpr std::array<FilterChoice, 4> filters{
     {{ParameterFilter::all, "All", "All parameters"},
@@ -62,10 +62,10 @@ void draw_filter(const WindowState& window, Edits& edits) {
     }
     for (const FilterChoice& choice : filters) {
         const bool is_of_pass = choice.filter == ParameterFilter::of_pass;
-        const std::string words =
-            is_of_pass ? fmt::format("Used by {}", window.views.inspected.pass) : choice.words;
+        const std::string label =
+            is_of_pass ? fmt::format("Used by {}", window.views.inspected.pass) : choice.label;
         if ((!is_of_pass || !window.views.inspected.pass.empty()) &&
-            ImGui::Selectable(words.c_str(), choice.filter == window.parameters.filter))
+            ImGui::Selectable(label.c_str(), choice.filter == window.parameters.filter))
             edits.arrange(
                 [chosen = choice.filter](WindowState& state) { state.parameters.filter = chosen; });
         edits.mark(std::string("filter:") + choice.name);

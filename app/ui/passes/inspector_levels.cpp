@@ -115,10 +115,10 @@ void draw_flaws(const Statistics& all, const ImVec2& at) {
 void draw_text(const Statistics& all, const ImVec2& at, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    ImVec2 place = at;
+    ImVec2 position = at;
     const auto word = [&](const std::string& text, const theme::Color& color) {
-        list.AddText(place, theme::packed(color), text.c_str());
-        place.x += ImGui::CalcTextSize(text.c_str()).x;
+        list.AddText(position, theme::packed(color), text.c_str());
+        position.x += ImGui::CalcTextSize(text.c_str()).x;
     };
     const auto number = [&](const char* label, double value) {
         word(label, theme::dim);

@@ -25,9 +25,9 @@ void arrange(PassView view, Edits& edits) {
 }
 
 // A list entry; a click inspects it.
-void draw_choice(const TextureChoice& choice, const std::string& words, bool is_present,
+void draw_choice(const TextureChoice& choice, const std::string& label, bool is_present,
                  Edits& edits) {
-    if (ImGui::Selectable(words.c_str(), is_present))
+    if (ImGui::Selectable(label.c_str(), is_present))
         edits.arrange([choice](WindowState& window) { window.views.inspected.look_into(choice); });
     edits.mark("inspect:" + choice.label());
 }
@@ -157,14 +157,14 @@ void draw_exposure(const Scene& scene, Edits& edits) {
                             .unit = "EV",
                             .limit = Limit{-60.0, 60.0}};
     const ScopedFont font(scene.fonts.numbers);
-    Turned turned = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
+    ValueEdit edited = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
     tooltip(
         "Exposure of this view in stops. The pass itself doesn't change. Double-click to type a "
         "value.");
     edits.mark("inspector_exposure");
     ImGui::SameLine(0.0f, 4.0f);
-    turned |= draw_number("##stops", view.exposure, number, number_facts(facts));
-    if (turned.is_changed)
+    edited |= draw_number("##stops", view.exposure, number, number_facts(facts));
+    if (edited.is_changed)
         arrange(view, edits);
 }
 

@@ -131,11 +131,12 @@ void draw_edge(const Edge& edge, const PassGraph& graph, const Paper& paper, ImU
 // The switch state of a pass, on the upper edge of its node.
 void draw_state(const std::string& state, const ImVec2& middle, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
-    const ImVec2 text = ImGui::CalcTextSize(state.c_str());
-    const ImVec2 low(std::floor(middle.x - text.x * 0.5f), std::floor(middle.y - text.y * 0.6f));
+    const ImVec2 text_size = ImGui::CalcTextSize(state.c_str());
+    const ImVec2 low(std::floor(middle.x - text_size.x * 0.5f),
+                     std::floor(middle.y - text_size.y * 0.6f));
     const float pad = 3.0f * scene.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({low.x - pad, low.y}, {low.x + text.x + pad, low.y + text.y},
+    list.AddRectFilled({low.x - pad, low.y}, {low.x + text_size.x + pad, low.y + text_size.y},
                        theme::packed(theme::popup), pad);
     list.AddText(low, theme::packed(theme::warning), state.c_str());
 }
@@ -197,10 +198,10 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     list.AddRectFilled(low, high, theme::packed(is_hovered ? theme::field_hovered : theme::field),
                        round);
     list.AddRect(low, high, theme::packed(is_chosen ? theme::accent : theme::faint), round);
-    const std::string words = own_name(node.name);
-    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
-    list.AddText({middle.x - text.x * 0.5f, middle.y - text.y * 0.5f},
-                 theme::packed(is_pass ? theme::text : theme::dim), words.c_str());
+    const std::string text = own_name(node.name);
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
+    list.AddText({middle.x - text_size.x * 0.5f, middle.y - text_size.y * 0.5f},
+                 theme::packed(is_pass ? theme::text : theme::dim), text.c_str());
     if (!is_pass)
         return;
     const Look& look = scene.lab.renderer->executor().look();

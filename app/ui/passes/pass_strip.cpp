@@ -24,13 +24,13 @@ std::string look_key(const std::string& pass) {
 void draw_state(const std::string& state, const Scene& scene, const ImVec2& low, float width) {
     const ScopedFont font(scene.fonts.numbers);
     const ImVec2 pad(4.0f * scene.scale, 1.0f * scene.scale);
-    const std::string words = cut_to_fit(state, width - 2.0f * pad.x);
-    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
-    const ImVec2 right(low.x + width, low.y + text.y + 2.0f * pad.y);
-    const ImVec2 left(right.x - text.x - 2.0f * pad.x, low.y);
+    const std::string text = cut_to_fit(state, width - 2.0f * pad.x);
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 right(low.x + width, low.y + text_size.y + 2.0f * pad.y);
+    const ImVec2 left(right.x - text_size.x - 2.0f * pad.x, low.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(left, right, theme::packed(theme::popup), 3.0f * scene.scale);
-    list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), words.c_str());
+    list.AddText({left.x + pad.x, left.y + pad.y}, theme::packed(theme::warning), text.c_str());
 }
 
 ImU32 color_of_time(const StripText& strip) {
@@ -92,8 +92,8 @@ void draw_block(const StripBlock& block, const Scene& scene, float image_height,
             ImGui::SameLine(0.0f, seam);
         const float last = static_cast<float>(block.passes.size()) - 1.0f;
         const float part = block.is_pass() ? 0.5f : static_cast<float>(i) / last;
-        const Rect place{low.x + width * static_cast<float>(i), low.y, width - seam, image_height};
-        draw_strip_cell(block.passes[i], scene, place, text_height, part, edits);
+        const Rect cell{low.x + width * static_cast<float>(i), low.y, width - seam, image_height};
+        draw_strip_cell(block.passes[i], scene, cell, text_height, part, edits);
     }
     ImGui::EndGroup();
     if (!block.state.empty())
@@ -112,19 +112,19 @@ struct Group {
 // A tag that stays visible while any pass of its look is visible.
 void draw_key(const Group& group, float top, const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
-    const ImVec2 text = ImGui::CalcTextSize(group.key.c_str());
+    const ImVec2 text_size = ImGui::CalcTextSize(group.key.c_str());
     const ImVec2 pad(5.0f * scene.scale, 2.0f * scene.scale);
-    const float width = text.x + 2.0f * pad.x;
+    const float width = text_size.x + 2.0f * pad.x;
     const float visible_left = std::max(group.left, ImGui::GetWindowPos().x);
     const float left = std::max(group.left, std::min(visible_left, group.right - width));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled({left, top}, {left + width, top + text.y + 2.0f * pad.y},
+    list.AddRectFilled({left, top}, {left + width, top + text_size.y + 2.0f * pad.y},
                        theme::packed(theme::popup), 3.0f * scene.scale);
     list.AddText({left + pad.x, top + pad.y}, theme::packed(theme::label), group.key.c_str());
 }
 
 // Sets the position of the next block, closer to a block of the same look.
-void go_on(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
+void continue_row(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
     const float gap = strip_gap();
     const bool is_other = groups.back().key != key;
     ImGui::SameLine(0.0f, is_other ? 2.5f * gap : gap);
@@ -163,7 +163,7 @@ void draw_blocks(const std::vector<StripBlock>& blocks, float image_height, cons
     for (const StripBlock& block : blocks) {
         const std::string key = look_key(block.passes.front().pass.name);
         if (!groups.empty())
-            go_on(groups, key, scene);
+            continue_row(groups, key, scene);
         if (groups.empty() || groups.back().key != key)
             groups.push_back({key, ImGui::GetCursorScreenPos().x, 0.0f});
         draw_block(block, scene, image_height, edits);

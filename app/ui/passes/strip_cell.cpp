@@ -13,17 +13,17 @@
 #include <cmath>
 
 namespace {
-void draw_image(const ViewImage& image, const Rect& place, float density, float part,
+void draw_image(const ViewImage& image, const Rect& rect, float density, float part,
                 bool is_faint) {
     const float width = static_cast<float>(image.extent.width) / density;
     const float height = static_cast<float>(image.extent.height) / density;
-    const float visible_width = std::min(width, place.width);
+    const float visible_width = std::min(width, rect.width);
     const float left = width > 0.0f ? part * (1.0f - visible_width / width) : 0.0f;
     const float right = width > 0.0f ? left + visible_width / width : 1.0f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec2 start(place.left + std::floor((place.width - visible_width) * 0.5f),
-                       place.top + std::floor((place.height - height) * 0.5f));
-    list.AddRectFilled({place.left, place.top}, {place.right(), place.bottom()},
+    const ImVec2 start(rect.left + std::floor((rect.width - visible_width) * 0.5f),
+                       rect.top + std::floor((rect.height - height) * 0.5f));
+    list.AddRectFilled({rect.left, rect.top}, {rect.right(), rect.bottom()},
                        theme::packed(theme::surround));
     if (image.handle != 0)
         list.AddImage(texture_id(image.handle), start, {start.x + visible_width, start.y + height},
@@ -92,15 +92,15 @@ bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, 
 }
 }  // namespace
 
-void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& place,
-                     float text_height, float part, Edits& edits) {
+void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& rect, float text_height,
+                     float part, Edits& edits) {
     const ScopedId id(static_cast<int>(pass.index));
     const bool is_hovered =
-        draw_button(pass, {place.width, place.height + text_height}, scene, edits);
-    draw_image(scene.views.strip().thumbnail(pass.index), place, scene.density, part,
+        draw_button(pass, {rect.width, rect.height + text_height}, scene, edits);
+    draw_image(scene.views.strip().thumbnail(pass.index), rect, scene.density, part,
                pass.state.ends_with("not drawn"));
-    const ImVec2 low(place.left, place.top);
-    const ImVec2 high(place.right(), place.bottom());
+    const ImVec2 low(rect.left, rect.top);
+    const ImVec2 high(rect.right(), rect.bottom());
     if (!pass.change && pass.gain && headroom_stops(*pass.gain).value_or(0.0) <= meter_stops)
         draw_meter(*pass.gain, {low.x, high.y - 4.0f * scene.scale}, high);
     if (pass.is_chosen || is_hovered)

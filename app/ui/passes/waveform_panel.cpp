@@ -213,9 +213,9 @@ void draw_waveform_panel(const Scene& scene, Edits& edits) {
     if (index) {
         list.AddLine({plot.x(*index), plot.low.y}, {plot.x(*index), high.y},
                      theme::packed(theme::faint));
-        edits.arrange([place = (static_cast<double>(*index) + 0.5) /
-                               static_cast<double>(plot.count)](WindowState& window) {
-            window.probes.scan_place = place;
+        edits.arrange([position = (static_cast<double>(*index) + 0.5) /
+                                  static_cast<double>(plot.count)](WindowState& window) {
+            window.probes.scan_place = position;
         });
     }
     list.PopClipRect();

@@ -55,9 +55,9 @@ CellLayout layout_of(const CellNumbers::Sight& sight, const ImVec2& low, const S
 // Centres text in the visible part of the cell, as far as it fits.
 float middle_of(float cell_start, float cell_length, float text, float view_start,
                 float view_length) {
-    const auto between = [&](float place, float start, float length) {
+    const auto between = [&](float position, float start, float length) {
         const float low = start + 0.5f * text;
-        return std::clamp(place, low, std::max(low, start + length - 0.5f * text));
+        return std::clamp(position, low, std::max(low, start + length - 0.5f * text));
     };
     const float middle = between(cell_start + 0.5f * cell_length, view_start, view_length);
     return between(middle, cell_start, cell_length);

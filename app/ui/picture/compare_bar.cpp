@@ -118,7 +118,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     ImGui::SameLine(0.0f, 4.0f);
     const float taken = ImGui::CalcTextSize("Gain").x + 6.0f + gain_number_width();
     const float letter = ImGui::GetFontSize();
-    Turned turned =
+    ValueEdit edited =
         draw_slider("##gain", gain, facts, std::clamp(room - taken, 2.0f * letter, 8.0f * letter));
     edits.mark("difference_gain");
     tooltip(fmt::format("Gain of the difference view. White is a difference of {}.",
@@ -126,7 +126,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |= draw_number("##gain_number", gain, gain_number_width(), number_facts(facts));
+        edited |= draw_number("##gain_number", gain, gain_number_width(), number_facts(facts));
         edits.mark("number:difference_gain");
     }
     ImGui::SameLine(0.0f, 0.0f);
@@ -137,7 +137,7 @@ void draw_gain(const Scene& scene, float room, Edits& edits) {
         can_fit)
         edits.arrange([](WindowState& window) { window.views.pending.gain = true; });
     edits.mark("fit_gain");
-    if (turned.is_changed)
+    if (edited.is_changed)
         change_comparison(edits, [gain](Comparison& comparison) { comparison.gain_stops = gain; });
 }
 

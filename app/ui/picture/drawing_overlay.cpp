@@ -11,18 +11,19 @@ public:
     Overlay(const Scene& scene, const std::function<ImVec2(const PicturePixel&)>& screen)
         : m_placing(scene.lab.drawing.placing()), m_screen(screen), m_scale(scene.scale) {}
 
-    ImVec2 at(const BeamPosition& place) const { return m_screen(m_placing.pixel_of(place)); }
+    ImVec2 at(const BeamPosition& position) const { return m_screen(m_placing.pixel_of(position)); }
 
     void draw(const std::vector<BeamPosition>& line, const theme::Color& color, float width) const {
         std::vector<ImVec2> points;
-        for (const BeamPosition& place : line)
-            points.push_back(at(place));
+        for (const BeamPosition& position : line)
+            points.push_back(at(position));
         ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()),
                                                 theme::packed(color), 0, width * m_scale);
     }
 
-    void draw_dot(const BeamPosition& place, const theme::Color& color, float radius = 2.5f) const {
-        ImGui::GetWindowDrawList()->AddCircleFilled(at(place), radius * m_scale,
+    void draw_dot(const BeamPosition& position, const theme::Color& color,
+                  float radius = 2.5f) const {
+        ImGui::GetWindowDrawList()->AddCircleFilled(at(position), radius * m_scale,
                                                     theme::packed(color));
     }
 

@@ -24,10 +24,10 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 room = ImGui::GetWindowSize();
     const float pad = ImGui::GetFontSize() * 0.8f;
-    const std::string words = wrapped(notice.text, room.x * 0.8f - 2.0f * pad);
-    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
-    const ImVec2 size(std::max(text.x, buttons_width(notice)) + 2.0f * pad,
-                      text.y + style.ItemSpacing.y + ImGui::GetFrameHeight() + 2.0f * pad);
+    const std::string text = wrapped(notice.text, room.x * 0.8f - 2.0f * pad);
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 size(std::max(text_size.x, buttons_width(notice)) + 2.0f * pad,
+                      text_size.y + style.ItemSpacing.y + ImGui::GetFrameHeight() + 2.0f * pad);
     ImGui::SetCursorPos(
         {(room.x - size.x) * 0.5f, room.y - compare_bar_height(scene) - pad - size.y});
     const ScopedColor back(ImGuiCol_ChildBg, theme::popup);
@@ -38,7 +38,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     {
         const ScopedColor color(ImGuiCol_Text, notice.is_problem ? theme::problem : theme::text);
-        ImGui::TextUnformatted(words.c_str());
+        ImGui::TextUnformatted(text.c_str());
     }
     for (const MenuEntry& button : notice.buttons) {
         if (ImGui::Button(button.name.c_str()))

@@ -38,9 +38,9 @@ std::vector<const Problem*> errors_of(const Messages& messages) {
 
 // Height of a problem as draw_problem() draws it: location and message, then the source line.
 float height_of(const Problem& problem, float width) {
-    const std::string words =
+    const std::string text =
         display_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
-    const float message = ImGui::CalcTextSize(words.c_str(), nullptr, false, width).y;
+    const float message = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
     const float line = ImGui::GetTextLineHeightWithSpacing();
     return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
 }
@@ -107,9 +107,9 @@ struct Pill {
 void draw_pill(const Pill& pill, const Scene& scene) {
     const float pad = ImGui::GetFontSize() * 0.8f;
     const float most = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
-    const std::string words = wrapped(pill.text, most);
-    const ImVec2 text = ImGui::CalcTextSize(words.c_str());
-    const ImVec2 size(text.x + 2.0f * pad, text.y + pad);
+    const std::string text = wrapped(pill.text, most);
+    const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
+    const ImVec2 size(text_size.x + 2.0f * pad, text_size.y + pad);
     const ImVec2 window = ImGui::GetWindowPos();
     const float bottom = window.y + ImGui::GetWindowHeight() - compare_bar_height(scene) - pad -
                          pill.rise * size.y * 1.3f;
@@ -121,7 +121,7 @@ void draw_pill(const Pill& pill, const Scene& scene) {
     list.AddRect(low, {low.x + size.x, bottom}, ImGui::GetColorU32(theme::line),
                  6.0f * scene.scale);
     list.AddText(scene.fonts.text, ImGui::GetFontSize(), {low.x + pad, low.y + pad * 0.5f},
-                 ImGui::GetColorU32(pill.color), words.c_str());
+                 ImGui::GetColorU32(pill.color), text.c_str());
 }
 
 void draw_notice(const Scene& scene, Edits& edits) {
@@ -152,21 +152,21 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
     if (!trip || !scene.lab.renderer)
         return;
     const std::string& pass = scene.lab.renderer->executor().look().passes[trip->pass].name;
-    const std::string words =
+    const std::string text =
         fmt::format("Paused: pass \"{}\" wrote NaN/Inf at pixel ({}, {}), frame {}.", pass, trip->x,
                     trip->y, trip->frame);
     const float margin = ImGui::GetFontSize() * 0.7f;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float width = ImGui::GetWindowWidth() - 2.0f * margin;
     const float inner = width - 2.0f * style.WindowPadding.x;
-    const float height = ImGui::CalcTextSize(words.c_str(), nullptr, false, inner).y +
+    const float height = ImGui::CalcTextSize(text.c_str(), nullptr, false, inner).y +
                          2.0f * style.WindowPadding.y + style.ItemSpacing.y +
                          ImGui::GetFrameHeight();
     ImGui::SetCursorPos({margin, margin});
     const ScopedColor back(ImGuiCol_ChildBg, theme::problem_pane);
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 5.0f * scene.scale);
     ImGui::BeginChild("##trip", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
-    ImGui::TextWrapped("%s", words.c_str());
+    ImGui::TextWrapped("%s", text.c_str());
     struct NanButton {
         NonFiniteAction answer;
         const char* label;
@@ -179,7 +179,7 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
           NanButton{NonFiniteAction::clamp, "Clamp",
                     "Replaces NaN with 0 and Inf with the largest number, in every pass.",
                     "trip_clamp"},
-          NanButton{NonFiniteAction::go_on, "Ignore",
+          NanButton{NonFiniteAction::ignore, "Ignore",
                     "Ignores NaN and Inf until the look is edited.", "trip_go_on"}}) {
         if (ImGui::Button(button.label))
             edits.change(

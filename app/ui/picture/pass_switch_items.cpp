@@ -54,15 +54,15 @@ std::string pass_switch_text(std::size_t pass, const Look& look, const PassSwitc
         return {};
     const std::vector<PassRun> runs = runs_of(look, switches);
     const std::string& name = look.passes[pass].name;
-    std::string words = switches.solo == name ? "solo" : switches.last == name ? "stop" : "";
+    std::string text = switches.solo == name ? "solo" : switches.last == name ? "stop" : "";
     const PassRun run = pass < runs.size() ? runs[pass] : PassRun::drawn;
-    if (run != PassRun::drawn && !words.empty())
-        words += " · ";
+    if (run != PassRun::drawn && !text.empty())
+        text += " · ";
     if (run == PassRun::bypassed)
-        words += "bypassed";
+        text += "bypassed";
     else if (run == PassRun::frozen)
-        words += "frozen";
+        text += "frozen";
     else if (run == PassRun::left_out)
-        words += "not drawn";
-    return words;
+        text += "not drawn";
+    return text;
 }

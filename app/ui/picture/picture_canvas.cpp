@@ -7,14 +7,14 @@
 #include <cmath>
 
 namespace {
-PictureView zoomed(const PictureCanvas& canvas, const PicturePosition& place,
+PictureView zoomed(const PictureCanvas& canvas, const PicturePosition& position,
                    const std::array<double, 2>& pixel, int notches) {
     PictureView view = canvas.view;
-    double zoom = place.zoom;
+    double zoom = position.zoom;
     for (int i = 0; i < std::abs(notches); ++i)
         zoom = next_zoom(zoom, notches > 0);
-    view.zoom_about(pixel[0] / canvas.picture.width, pixel[1] / canvas.picture.height, place.zoom,
-                    zoom);
+    view.zoom_about(pixel[0] / canvas.picture.width, pixel[1] / canvas.picture.height,
+                    position.zoom, zoom);
     return view;
 }
 
@@ -27,11 +27,11 @@ int turned_notches() {
     return static_cast<int>(whole);
 }
 
-PictureView panned(const PictureCanvas& canvas, const PicturePosition& place, float density) {
+PictureView panned(const PictureCanvas& canvas, const PicturePosition& position, float density) {
     const ImVec2 delta = ImGui::GetIO().MouseDelta;
     PictureView view = canvas.view;
     const auto moved = [&](double middle, float by, int length) {
-        return std::clamp(middle - by * density / (place.zoom * length), 0.0, 1.0);
+        return std::clamp(middle - by * density / (position.zoom * length), 0.0, 1.0);
     };
     view.x = moved(view.x, delta.x, canvas.picture.width);
     view.y = moved(view.y, delta.y, canvas.picture.height);
@@ -61,10 +61,10 @@ void turn_orbit(const PictureCanvas& canvas, CanvasInput& input) {
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel != 0.0f && ImGui::GetIO().KeyCtrl) {
         const double factor = std::pow(factor_a_notch, wheel);
-        input.turned = [factor](const Orbit& orbit) { return with_distance_scaled(orbit, factor); };
+        input.orbit = [factor](const Orbit& orbit) { return with_distance_scaled(orbit, factor); };
         input.is_turn_finished = true;
     } else if (is_dragged() && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
-        input.turned = dragged_orbit(canvas);
+        input.orbit = dragged_orbit(canvas);
     }
 }
 
@@ -74,8 +74,8 @@ void read_pen(const std::function<std::array<double, 2>(float, float)>& pixel_at
     if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left))
         input.pen_down = pixel_at(mouse.x, mouse.y);
     else if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
-        for (const gpu::PointerEvent& place : scene.frame.pointer_path)
-            input.pen_path.push_back(pixel_at(place.x, place.y));
+        for (const gpu::PointerEvent& position : scene.frame.pointer_path)
+            input.pen_path.push_back(pixel_at(position.x, position.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
         input.other_button = pixel_at(mouse.x, mouse.y);
 }
@@ -101,10 +101,10 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     if (canvas.picture.is_empty() || (!ImGui::IsItemHovered() && !ImGui::IsItemActive()))
         return input;
     const Extent room = device_pixels(scene, high.x - low.x, high.y - low.y);
-    const PicturePosition place = position_of(canvas.view, canvas.picture, room);
+    const PicturePosition position = position_of(canvas.view, canvas.picture, room);
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const auto pixel_at = [&](float x, float y) {
-        return place.pixel_at((x - low.x) * scene.density, (y - low.y) * scene.density);
+        return position.pixel_at((x - low.x) * scene.density, (y - low.y) * scene.density);
     };
     const auto pixel = pixel_at(mouse.x, mouse.y);
     input.hovered = pixel;
@@ -112,12 +112,12 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
         turn_orbit(canvas, input);
     if (canvas.has_pen)
         read_pen(pixel_at, scene, input);
-    if (input.turned)
+    if (input.orbit)
         return input;
     if (const int notches = turned_notches(); notches != 0)
-        input.moved = zoomed(canvas, place, pixel, notches);
+        input.moved = zoomed(canvas, position, pixel, notches);
     else if (is_dragged() &&
              !((canvas.has_pen || canvas.has_press) && ImGui::IsMouseDown(ImGuiMouseButton_Left)))
-        input.moved = panned(canvas, place, scene.density);
+        input.moved = panned(canvas, position, scene.density);
     return input;
 }

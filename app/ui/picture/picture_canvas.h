@@ -28,7 +28,7 @@ struct PictureCanvas {
 struct CanvasInput {
     std::optional<PictureView> moved;
     std::optional<std::array<double, 2>> hovered;  // pixel, from the top left
-    std::function<Orbit(const Orbit&)> turned;     // empty: unchanged
+    std::function<Orbit(const Orbit&)> orbit;      // empty: unchanged
     bool is_turn_finished = false;
     std::optional<std::array<double, 2>> pen_down;  // pixel, as hovered
     std::vector<std::array<double, 2>> pen_path;    // while the left button is held

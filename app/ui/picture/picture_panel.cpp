@@ -28,40 +28,42 @@ struct PointedPixel {
     bool is_of_variant;
 };
 
-void probe_inspected(const PointedPixel& place, const Scene& scene, Edits& edits) {
+void probe_inspected(const PointedPixel& pointed, const Scene& scene, Edits& edits) {
     const Probe probe{
-        scene.window.views.inspected.label(), static_cast<int>(std::floor(place.pixel[0])),
-        static_cast<int>(std::floor(place.pixel[1])), place.is_of_variant, large_extent(scene)};
+        scene.window.views.inspected.label(), static_cast<int>(std::floor(pointed.pixel[0])),
+        static_cast<int>(std::floor(pointed.pixel[1])), pointed.is_of_variant, large_extent(scene)};
     edits.arrange([probe](WindowState& window) { window.probes.pointer = probe; });
 }
 
 // Gives the look the pointer in pixels from the bottom left, and the status bar the probe.
-void tell_pointer(const PointedPixel& place, const Scene& scene, Edits& edits) {
+void tell_pointer(const PointedPixel& pointed, const Scene& scene, Edits& edits) {
     const Extent extent = scene.lab.size.extent();
-    const double x = place.pixel[0];
-    const double y = place.pixel[1];
+    const double x = pointed.pixel[0];
+    const double y = pointed.pixel[1];
     if (x < 0.0 || y < 0.0 || x >= extent.width || y >= extent.height)
         return;
     const std::array<double, 2> mouse{x, extent.height - y};
     // An unchanged position would keep the lab awake.
-    if (scene.lab.renderer && scene.lab.renderer->hand().place() != mouse)
+    if (scene.lab.renderer && scene.lab.renderer->input_state().position() != mouse)
         edits.change([mouse](Renderer& renderer) {
-            renderer.change_hand([mouse](Hand& hand) { hand.move(mouse); });
+            renderer.change_input_state(
+                [mouse](InputState& input_state) { input_state.move(mouse); });
         });
     if (!scene.lab.renderer || scene.lab.renderer->executor().plan().targets.empty())
         return;
     Probe probed = picture_probe(scene.lab.renderer->executor(),
-                                 scene.lab.frames.passes().picture_pass(), extent, place.pixel);
-    probed.is_of_variant = place.is_of_variant;
+                                 scene.lab.frames.passes().picture_pass(), extent, pointed.pixel);
+    probed.is_of_variant = pointed.is_of_variant;
     edits.arrange([probed](WindowState& window) { window.probes.pointer = probed; });
 }
 
 // Call it after the picture's item if the look reads the mouse button.
 void tell_press(const Scene& scene, Edits& edits) {
     const bool is_down = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (scene.lab.renderer && scene.lab.renderer->hand().press().is_down != is_down)
+    if (scene.lab.renderer && scene.lab.renderer->input_state().press().is_down != is_down)
         edits.change([is_down](Renderer& renderer) {
-            renderer.change_hand([is_down](Hand& hand) { hand.set_button(is_down); });
+            renderer.change_input_state(
+                [is_down](InputState& input_state) { input_state.set_button(is_down); });
         });
 }
 
@@ -166,8 +168,8 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     draw_pin_marks(scene, low, large_extent(scene), scene.window.views.large(), room);
     if (input.moved)
         edits.arrange([view = *input.moved](WindowState& window) { window.views.large() = view; });
-    if (input.turned)
-        edits.change([turned = input.turned](Document& document) { set_orbit(document, turned); });
+    if (input.orbit)
+        edits.change([orbit = input.orbit](Document& document) { set_orbit(document, orbit); });
     if (input.is_turn_finished)
         edits.finish();
     const bool is_other = shown.is_other || is_over_variant(wipe, scene);
@@ -178,7 +180,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
     if (has_press)
         tell_press(scene, edits);
     if (!shown.is_other)
-        tell_keys(is_picture_pointed && !is_large, scene, edits);
+        write_keys(is_picture_pointed && !is_large, scene, edits);
     if (wipe)
         draw_wipe(*wipe, scene);
     if (!has_pen)
@@ -192,9 +194,9 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
 }
 }  // namespace
 
-void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
-    const float height = std::max(place.height - compare_bar_height(scene), 1.0f);
-    const Extent room = device_pixels(scene, place.width, height);
+void draw_picture_panel(const Scene& scene, const Rect& rect, Edits& edits) {
+    const float height = std::max(rect.height - compare_bar_height(scene), 1.0f);
+    const Extent room = device_pixels(scene, rect.width, height);
     const Extent cell = least_cell(scene);
     if (room != scene.window.views.sizes.picture || cell != scene.window.views.sizes.cell)
         edits.arrange([room, cell](WindowState& window) {
@@ -211,12 +213,12 @@ void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits) {
     const std::vector<Shown> pictures = shown_pictures(scene);
     const bool is_alone = pictures.size() == 1;
     const float width =
-        is_alone ? place.width : static_cast<float>(large_room(scene).width) / scene.density;
+        is_alone ? rect.width : static_cast<float>(large_room(scene).width) / scene.density;
     for (const Shown& shown : pictures) {
         ImGui::SetCursorPos({start.x + shown.left, start.y});
         draw_shown(shown, scene, edits, {width, height});
     }
-    draw_halves_names(low, low.x + place.width - width, scene);
+    draw_halves_names(low, low.x + rect.width - width, scene);
     draw_other_words(scene, edits);
     draw_compare_bar(scene, edits);
     draw_overlays(scene, edits);

@@ -5,4 +5,4 @@
 #include "ui/widgets/widgets.h"
 
 /// The picture with overlays for problems and notices.
-void draw_picture_panel(const Scene& scene, const Rect& place, Edits& edits);
+void draw_picture_panel(const Scene& scene, const Rect& rect, Edits& edits);

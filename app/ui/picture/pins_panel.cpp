@@ -91,15 +91,15 @@ void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const
     const bool is_shown = scene.window.layout.panels.shows(PanelId::pins);
     if (!is_shown || picture.is_empty())
         return;
-    const PicturePosition place = position_of(view, picture, room);
+    const PicturePosition position = position_of(view, picture, room);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float radius = 4.0f * scene.scale;
     for (std::size_t i = 0; i < scene.window.probes.pins.size(); ++i) {
         const Pin& pin = scene.window.probes.pins[i];
         const ImVec2 at(
-            low.x +
-                static_cast<float>(place.left + pin.x * picture.width * place.zoom) / scene.density,
-            low.y + static_cast<float>(place.top + pin.y * picture.height * place.zoom) /
+            low.x + static_cast<float>(position.left + pin.x * picture.width * position.zoom) /
+                        scene.density,
+            low.y + static_cast<float>(position.top + pin.y * picture.height * position.zoom) /
                         scene.density);
         const std::string number = std::to_string(i + 1);
         for (const auto& [color, shift] :

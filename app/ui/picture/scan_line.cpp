@@ -16,21 +16,22 @@ bool has_scan_line(const Scene& scene) {
 /// Converts between relative positions in the picture and window coordinates.
 struct Ground {
     ImVec2 low;
-    PicturePosition place;
+    PicturePosition position;
     Extent picture;
     float density = 1.0f;
 
     ImVec2 at(const Pin& pin) const {
-        return {
-            low.x + static_cast<float>(place.left + pin.x * picture.width * place.zoom) / density,
-            low.y + static_cast<float>(place.top + pin.y * picture.height * place.zoom) / density};
+        return {low.x + static_cast<float>(position.left + pin.x * picture.width * position.zoom) /
+                            density,
+                low.y + static_cast<float>(position.top + pin.y * picture.height * position.zoom) /
+                            density};
     }
     Pin pin(const ImVec2& point) const {
         const auto share = [](double length, double whole) {
             return std::clamp(length / whole, 0.0, 1.0);
         };
-        return {share((point.x - low.x) * density - place.left, picture.width * place.zoom),
-                share((point.y - low.y) * density - place.top, picture.height * place.zoom)};
+        return {share((point.x - low.x) * density - position.left, picture.width * position.zoom),
+                share((point.y - low.y) * density - position.top, picture.height * position.zoom)};
     }
 };
 
@@ -50,7 +51,7 @@ ScanLine moved_line(const ScanLine& line, const Ground& ground) {
     const auto step = [](double by, double a, double b) {
         return std::clamp(by, -std::min(a, b), 1.0 - std::max(a, b));
     };
-    const double scale = ground.density / ground.place.zoom;
+    const double scale = ground.density / ground.position.zoom;
     const double x = step(way.x * scale / ground.picture.width, line.start.x, line.end.x);
     const double y = step(way.y * scale / ground.picture.height, line.start.y, line.end.y);
     return {{line.start.x + x, line.start.y + y}, {line.end.x + x, line.end.y + y}};
@@ -128,8 +129,8 @@ void draw_scan_line(const ImVec2& low, const ImVec2& size, const Scene& scene) {
         const ImVec2 middle = between(a, b, 0.5);
         list.AddRectFilled({middle.x - radius, middle.y - 0.5f * radius},
                            {middle.x + radius, middle.y + 0.5f * radius}, ink);
-        if (const auto& place = scene.window.probes.scan_place)
-            list.AddCircle(between(a, b, *place), 1.5f * radius, ink, 16, 1.5f);
+        if (const auto& position = scene.window.probes.scan_place)
+            list.AddCircle(between(a, b, *position), 1.5f * radius, ink, 16, 1.5f);
     }
     list.PopClipRect();
 }

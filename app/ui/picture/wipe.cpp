@@ -30,8 +30,8 @@ std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits&
         return std::nullopt;
     const ImVec2 start = ImGui::GetCursorPos();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const PicturePosition place = position_of(scene.window.views.large(), picture, room);
-    const int column = wipe_column(place, picture, room, scene.window.views.wipe_share);
+    const PicturePosition position = position_of(scene.window.views.large(), picture, room);
+    const int column = wipe_column(position, picture, room, scene.window.views.wipe_share);
     const float at = static_cast<float>(column) / scene.density;
     const float grip = ImGui::GetFontSize();
     ImGui::SetCursorPos({start.x + at - grip * 0.5f, start.y});
@@ -42,7 +42,7 @@ std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits&
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemActive()) {
         const double pointer = (ImGui::GetIO().MousePos.x - low.x) * scene.density;
-        const double share = wipe_share(place, picture, room, pointer);
+        const double share = wipe_share(position, picture, room, pointer);
         edits.arrange([share](WindowState& window) { window.views.wipe_share = share; });
     }
     ImGui::SetCursorPos(start);

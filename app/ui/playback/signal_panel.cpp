@@ -55,12 +55,12 @@ void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColu
                          const Scene& scene, Edits& edits) {
     double value = std::get<double>(spec.settings[setting.key]);
     const SliderFacts facts = facts_of(setting, value, *scene.lab.document);
-    const Turned turned = form_slider("##value", value, facts, columns, scene.fonts);
-    if (turned.is_changed) {
+    const ValueEdit edited = form_slider("##value", value, facts, columns, scene.fonts);
+    if (edited.is_changed) {
         spec.settings[setting.key] = std::clamp(value, setting.limit.low, setting.limit.high);
         set_signal(spec, edits);
     }
-    if (turned.is_finished)
+    if (edited.is_finished)
         edits.finish();
 }
 

@@ -19,15 +19,16 @@ std::string clock_text(double seconds) {
 
 namespace {
 void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits) {
-    double place = length > 0.0 ? std::fmod(time, length) : 0.0;
+    double position = length > 0.0 ? std::fmod(time, length) : 0.0;
     const SliderFacts facts{
         .low = 0.0, .high = length, .step = 0.01, .unit = "s", .limit = Limit{0.0, length}};
-    const Turned turned = draw_slider("##seek", place, facts, ImGui::GetContentRegionAvail().x);
+    const ValueEdit edited =
+        draw_slider("##seek", position, facts, ImGui::GetContentRegionAvail().x);
     edits.mark("seek");
-    if (turned.is_changed)
-        edits.change([place](Player& player) { player.seek(place); });
+    if (edited.is_changed)
+        edits.change([position](Player& player) { player.seek(position); });
     const ScopedFont font(scene.fonts.numbers);
-    dim_text(fmt::format("{} / {}", clock_text(place), clock_text(length)));
+    dim_text(fmt::format("{} / {}", clock_text(position), clock_text(length)));
 }
 
 void draw_volume(const AudioDevices& devices, const Scene& scene, Edits& edits) {
@@ -94,17 +95,17 @@ void draw_number_choice(const char* label, const char* help, int SoundSettings::
     const FormColumns columns = form_columns(false);
     begin_line(label, help, columns);
     SoundSettings settings = scene.lab.player.devices().settings();
-    std::vector<std::string> words;
-    std::vector<const char*> labels;
+    std::vector<std::string> labels;
+    std::vector<const char*> texts;
     int chosen = -1;
     for (const int number : numbers) {
         if (number == settings.*setting)
-            chosen = static_cast<int>(words.size());
-        words.push_back(number == 0 ? "Device default" : std::to_string(number));
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(number == 0 ? "Device default" : std::to_string(number));
     }
-    for (const std::string& word : words)
-        labels.push_back(word.c_str());
-    if (form_list("##value", labels.data(), static_cast<int>(labels.size()), chosen,
+    for (const std::string& one : labels)
+        texts.push_back(one.c_str());
+    if (form_list("##value", texts.data(), static_cast<int>(texts.size()), chosen,
                   columns.control_and_number())) {
         settings.*setting = numbers[static_cast<std::size_t>(chosen)];
         apply(settings, edits);
@@ -119,13 +120,13 @@ void draw_delay(const Scene& scene, Edits& edits) {
                "Delays the picture to match loudspeakers with latency, such as Bluetooth.",
                columns);
     SoundSettings settings = scene.lab.player.devices().settings();
-    const Turned turned = form_slider("##value", settings.picture_delay_ms,
-                                      {.low = -200.0, .high = 500.0, .step = 1.0, .unit = "ms"},
-                                      columns, scene.fonts);
+    const ValueEdit edited = form_slider("##value", settings.picture_delay_ms,
+                                         {.low = -200.0, .high = 500.0, .step = 1.0, .unit = "ms"},
+                                         columns, scene.fonts);
     edits.mark("sound:delay");
-    if (turned.is_finished)
+    if (edited.is_finished)
         apply(settings, edits);
-    else if (turned.is_changed)
+    else if (edited.is_changed)
         edits.change([settings](Player& player) { (void)player.set_sound_settings(settings); });
 }
 
@@ -143,13 +144,13 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
     const FormColumns columns = form_columns(false);
     begin_line("Beam level", "Output level at full deflection. 1 is the output's maximum.",
                columns);
-    const Turned turned =
+    const ValueEdit edited =
         form_slider("##value", settings.beam_level,
                     {.low = 0.0, .high = 1.0, .limit = Limit{0.0, 1.0}}, columns, scene.fonts);
     edits.mark("sound:beam_level");
-    if (turned.is_finished)
+    if (edited.is_finished)
         apply(settings, edits);
-    else if (turned.is_changed)
+    else if (edited.is_changed)
         edits.change([settings](Player& player) { (void)player.set_sound_settings(settings); });
 }
 }  // namespace

@@ -116,13 +116,13 @@ void draw_setting(const Setting& setting, const SourceSpec& present, const Scene
     tooltip(setting.help);
     form_control(columns);
     double value = present.*setting.number;
-    const Turned turned = form_slider("##value", value, setting.facts, columns, scene.fonts);
-    if (turned.is_changed) {
+    const ValueEdit edited = form_slider("##value", value, setting.facts, columns, scene.fonts);
+    if (edited.is_changed) {
         SourceSpec source = present;
         source.*setting.number = value;
         set_source(source, edits, true);
     }
-    if (turned.is_finished)
+    if (edited.is_finished)
         edits.finish();
     edits.mark(setting.id);
 }

@@ -42,13 +42,13 @@ void draw_speed(const Scene& scene, Edits& edits) {
                             .is_changed = speed != 1.0,
                             .unit = "×",
                             .limit = Limit{0.01, 4.0}};
-    Turned turned = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
+    ValueEdit edited = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
     edits.mark("speed");
     tooltip("Playback speed (0.01–4×)");
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        turned |=
+        edited |=
             draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, number_facts(facts));
         edits.mark("number:speed");
     }
@@ -56,10 +56,10 @@ void draw_speed(const Scene& scene, Edits& edits) {
         ImGui::SameLine(0.0f, 0.0f);
         if (icon_button("##speed_reset", Icon::reset, "Reset to 1×", theme::dim)) {
             speed = 1.0;
-            turned.is_changed = true;
+            edited.is_changed = true;
         }
     }
-    if (turned.is_changed)
+    if (edited.is_changed)
         edits.change([speed](Player& player) { player.set_speed(speed); });
 }
 
@@ -124,9 +124,9 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
     draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
     if (flashes > 0.0f) {
-        const float place = ImGui::GetCursorPosX();
+        const float cursor = ImGui::GetCursorPosX();
         draw_flash_button(scene, edits);
-        ImGui::SameLine(place + flashes + gap);
+        ImGui::SameLine(cursor + flashes + gap);
     }
     draw_slot_buttons(scene, edits);
     ImGui::SameLine();

@@ -36,40 +36,40 @@ std::string hex_of(const Rgba& color) {
     return fmt::format("{:02x}{:02x}{:02x}", byte(color[0]), byte(color[1]), byte(color[2]));
 }
 
-Turned draw_linear_numbers(Value& value, const Fonts& fonts) {
-    Turned turned;
+ValueEdit draw_linear_numbers(Value& value, const Fonts& fonts) {
+    ValueEdit edited;
     dim_text("Linear RGB");
     const ScopedFont font(fonts.numbers);
     const float width = ImGui::GetFontSize() * 4.5f;
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         ImGui::SameLine();
-        turned |=
+        edited |=
             draw_number(fmt::format("##{}", i).c_str(), value.numbers[i], width, NumberFacts{});
     }
-    return turned;
+    return edited;
 }
 
-Turned draw_picker(Rgba& color, Value& value, const Fonts& fonts) {
-    Turned turned;
+ValueEdit draw_picker(Rgba& color, Value& value, const Fonts& fonts) {
+    ValueEdit edited;
     const ImGuiColorEditFlags flags =
         ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_Float | ImGuiColorEditFlags_NoSidePreview |
         ImGuiColorEditFlags_DisplayRGB | ImGuiColorEditFlags_DisplayHex |
         ImGuiColorEditFlags_PickerHueBar;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 16.0f);
-    turned.is_changed =
+    edited.is_changed =
         value.numbers.size() > 3
             ? ImGui::ColorPicker4("##picker", color.data(), flags | ImGuiColorEditFlags_AlphaBar)
             : ImGui::ColorPicker3("##picker", color.data(), flags);
-    turned.is_finished = ImGui::IsItemDeactivatedAfterEdit();
-    if (turned.is_changed)
+    edited.is_finished = ImGui::IsItemDeactivatedAfterEdit();
+    if (edited.is_changed)
         decode_into(color, value);
-    turned |= draw_linear_numbers(value, fonts);
-    return turned;
+    edited |= draw_linear_numbers(value, fonts);
+    return edited;
 }
 }  // namespace
 
-Turned draw_color(const Parameter& parameter, Value& value, const FormColumns& columns,
-                  const Fonts& fonts) {
+ValueEdit draw_color(const Parameter& parameter, Value& value, const FormColumns& columns,
+                     const Fonts& fonts) {
     Rgba color = encoded(value);
     const ImVec4 shown(color[0], color[1], color[2], 1.0f);
     if (ImGui::ColorButton("##swatch", shown,
@@ -87,10 +87,10 @@ Turned draw_color(const Parameter& parameter, Value& value, const FormColumns& c
                                value == parameter.initial ? theme::text : theme::accent);
         ImGui::TextUnformatted(hex.c_str());
     }
-    Turned turned;
+    ValueEdit edited;
     if (ImGui::BeginPopup("picker")) {
-        turned = draw_picker(color, value, fonts);
+        edited = draw_picker(color, value, fonts);
         ImGui::EndPopup();
     }
-    return turned;
+    return edited;
 }

@@ -5,5 +5,5 @@
 
 /// A swatch that opens a colour picker. The parameter is linear light; the picker uses
 /// display-encoded sRGB.
-Turned draw_color(const Parameter& parameter, Value& value, const FormColumns& columns,
-                  const Fonts& fonts);
+ValueEdit draw_color(const Parameter& parameter, Value& value, const FormColumns& columns,
+                     const Fonts& fonts);

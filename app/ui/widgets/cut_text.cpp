@@ -3,13 +3,13 @@
 #include <algorithm>
 
 namespace {
-// The start of the UTF-8 character at `place`.
-std::size_t character_at(const std::string& text, std::size_t place) {
-    place = std::min(place, text.size());
-    while (place > 0 && place < text.size() &&
-           (static_cast<unsigned char>(text[place]) & 0xC0U) == 0x80U)
-        --place;
-    return place;
+// The start of the UTF-8 character at `offset`.
+std::size_t character_at(const std::string& text, std::size_t offset) {
+    offset = std::min(offset, text.size());
+    while (offset > 0 && offset < text.size() &&
+           (static_cast<unsigned char>(text[offset]) & 0xC0U) == 0x80U)
+        --offset;
+    return offset;
 }
 }  // namespace
 
@@ -24,8 +24,8 @@ std::string cut_at_width(const std::string& text, float most,
         fitting = over;
         over *= 2;
     }
-    const auto cut = [&](std::size_t place) {
-        return text.substr(0, character_at(text, place)) + "…";
+    const auto cut = [&](std::size_t offset) {
+        return text.substr(0, character_at(text, offset)) + "…";
     };
     if (width_of(cut(fitting)) > most)
         fitting = 0;

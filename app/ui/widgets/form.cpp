@@ -57,8 +57,8 @@ void form_control(const FormColumns& columns) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + column_gap());
 }
 
-Turned form_slider(const char* id, double& value, const SliderFacts& facts,
-                   const FormColumns& columns, const Fonts& fonts) {
+ValueEdit form_slider(const char* id, double& value, const SliderFacts& facts,
+                      const FormColumns& columns, const Fonts& fonts) {
     const ScopedId scope{std::string(id)};
     const ScopedFont font(fonts.numbers);
     const ScopedStyle<ImVec2> padding(
@@ -66,11 +66,11 @@ Turned form_slider(const char* id, double& value, const SliderFacts& facts,
         ImVec2(4.0f,
                ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
                                                       0.5f * ImGui::GetIO().FontGlobalScale));
-    Turned turned = draw_slider("##slider", value, facts, columns.control);
+    ValueEdit edited = draw_slider("##slider", value, facts, columns.control);
     tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
     ImGui::SameLine(0.0f, column_gap());
-    turned |= draw_number("##number", value, columns.number, number_facts(facts));
-    return turned;
+    edited |= draw_number("##number", value, columns.number, number_facts(facts));
+    return edited;
 }
 
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns) {

@@ -29,8 +29,8 @@ bool form_label(const std::string& label, const FormColumns& columns, bool is_ch
 void form_control(const FormColumns& columns);
 
 /// A slider with its number field.
-Turned form_slider(const char* id, double& value, const SliderFacts& facts,
-                   const FormColumns& columns, const Fonts& fonts);
+ValueEdit form_slider(const char* id, double& value, const SliderFacts& facts,
+                      const FormColumns& columns, const Fonts& fonts);
 
 /// The reset button at the end of a row, only drawn if `is_changed`.
 bool form_reset(const std::string& help, bool is_changed, const FormColumns& columns);

@@ -128,8 +128,8 @@ void draw_padlock(IconPen& pen, bool is_locked) {
 
 void draw_die(IconPen& pen) {
     pen.frame(0.06f, 0.06f, 0.94f, 0.94f);
-    for (const float place : {0.29f, 0.5f, 0.71f})
-        pen.dot(place, place, 0.09f);
+    for (const float at : {0.29f, 0.5f, 0.71f})
+        pen.dot(at, at, 0.09f);
     pen.dot(0.71f, 0.29f, 0.09f);
     pen.dot(0.29f, 0.71f, 0.09f);
 }

@@ -12,10 +12,10 @@ double ratio_of(double value, const Range& range) {
     return span > 0.0 ? std::clamp((value - range.low) / span, 0.0, 1.0) : 0.0;
 }
 
-double value_at(double place, const Range& range) {
+double value_at(double ratio, const Range& range) {
     const double span = range.high - range.low;
     const double step = span > 0.0 ? std::pow(10.0, std::floor(std::log10(span / 500.0))) : 1.0;
-    return std::round((range.low + std::clamp(place, 0.0, 1.0) * span) / step) * step;
+    return std::round((range.low + std::clamp(ratio, 0.0, 1.0) * span) / step) * step;
 }
 
 /// The screen position of a point in the pad.
@@ -41,32 +41,32 @@ void draw_ring(const ImVec2& at) {
                                           theme::packed(theme::text), 0, 1.5f);
 }
 
-Turned draw_pad(const Parameter& parameter, double& x, double& y, bool is_changed, float width) {
+ValueEdit draw_pad(const Parameter& parameter, double& x, double& y, bool is_changed, float width) {
     const float height = std::round(ImGui::GetFontSize() * 6.0f);
     ImGui::InvisibleButton("##pad", {width, height});
     const ImVec2 low = ImGui::GetItemRectMin();
     const ImVec2 high = ImGui::GetItemRectMax();
-    Turned turned;
+    ValueEdit edited;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     const bool has_moved = ImGui::IsItemActivated() || moved.x != 0.0f || moved.y != 0.0f;
     if (ImGui::IsItemActive() && has_moved) {
         x = value_at((mouse.x - low.x) / width, range_of(parameter, 0));
         y = value_at((high.y - mouse.y) / height, range_of(parameter, 1));
-        turned.is_changed = true;
+        edited.is_changed = true;
     }
-    turned.is_finished = ImGui::IsItemDeactivated();
+    edited.is_finished = ImGui::IsItemDeactivated();
     draw_cross(low, high, point_in(parameter, x, y, low, high), is_changed);
-    return turned;
+    return edited;
 }
 }  // namespace
 
-Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
-                  const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts) {
+ValueEdit draw_point(const Parameter& parameter, Value& value, const Value* now,
+                     const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts) {
     if (value.numbers.size() < 2)
         return {};
     const float width = columns.control_and_number();
-    Turned turned =
+    ValueEdit edited =
         draw_pad(parameter, value.numbers[0], value.numbers[1], facts.is_changed, width);
     if (now && now->numbers.size() >= 2)
         draw_ring(point_in(parameter, now->numbers[0], now->numbers[1], ImGui::GetItemRectMin(),
@@ -78,7 +78,7 @@ Turned draw_point(const Parameter& parameter, Value& value, const Value* now,
             ImGui::SameLine(0.0f, 4.0f);
         NumberFacts own = facts;
         own.is_to_be_typed = facts.is_to_be_typed && i == 0;
-        turned |= draw_number(i == 0 ? "##x" : i == 1 ? "##y" : "##z", value.numbers[i], half, own);
+        edited |= draw_number(i == 0 ? "##x" : i == 1 ? "##y" : "##z", value.numbers[i], half, own);
     }
-    return turned;
+    return edited;
 }

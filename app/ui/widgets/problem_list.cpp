@@ -30,8 +30,8 @@ void draw_location(const Diagnostic& diagnostic, const ImVec4& color, Edits& edi
         ImGui::GetWindowDrawList()->AddLine({low.x, high.y}, high, ImGui::GetColorU32(color));
     }
     if (ImGui::IsItemClicked()) {
-        const Location place{diagnostic.file, diagnostic.line};
-        edits.change([place](LookCommands& looks) { looks.open_in_editor(place); });
+        const Location location{diagnostic.file, diagnostic.line};
+        edits.change([location](LookCommands& looks) { looks.open_in_editor(location); });
     }
     editor_tooltip(diagnostic.file);
     ImGui::SameLine();

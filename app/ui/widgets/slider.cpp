@@ -35,16 +35,16 @@ double slider_ratio(double value, const SliderFacts& facts) {
     return ratio_in(range_of(facts), scale_of(facts), value);
 }
 
-double slider_value(double place, const SliderFacts& facts) {
-    return value_at(range_of(facts), scale_of(facts), place);
+double slider_value(double ratio, const SliderFacts& facts) {
+    return value_at(range_of(facts), scale_of(facts), ratio);
 }
 
-double hand_after(double place, double moved, DragPace pace) {
-    return std::clamp(place + moved * factor_of(pace), 0.0, 1.0);
+double dragged_share(double ratio, double moved, DragPace pace) {
+    return std::clamp(ratio + moved * factor_of(pace), 0.0, 1.0);
 }
 
-double dragged_value(double place, const SliderFacts& facts, DragPace pace) {
-    const double value = slider_value(place, facts);
+double dragged_value(double ratio, const SliderFacts& facts, DragPace pace) {
+    const double value = slider_value(ratio, facts);
     if (const auto steps = steps_of(facts))
         return steps->nearest(value);
     return readable(range_of(facts), scale_of(facts), value, factor_of(pace));
@@ -58,13 +58,13 @@ std::vector<double> notch_ratios(const SliderFacts& facts, double width) {
     std::vector<double> places;
     double last = 0.0;
     for (double i = 0.0; i < steps->count; i += 1.0) {
-        const double place = slider_ratio(steps->value(i), facts);
-        if (i > 0.0 && (place - last) * width < room)
+        const double ratio = slider_ratio(steps->value(i), facts);
+        if (i > 0.0 && (ratio - last) * width < room)
             return {};
-        last = place;
+        last = ratio;
         constexpr double end = 1e-6;
-        if (place > end && place < 1.0 - end)
-            places.push_back(place);
+        if (ratio > end && ratio < 1.0 - end)
+            places.push_back(ratio);
     }
     return places;
 }
@@ -73,9 +73,9 @@ std::vector<double> safe_ratios(const SliderFacts& facts, double width) {
     constexpr double room = 5.0;  // minimum spacing in pixels
     std::vector<double> places;
     for (const double value : facts.safe) {
-        const double place = slider_ratio(value, facts);
-        if (places.empty() || (place - places.back()) * width >= room)
-            places.push_back(place);
+        const double ratio = slider_ratio(value, facts);
+        if (places.empty() || (ratio - places.back()) * width >= room)
+            places.push_back(ratio);
     }
     return places;
 }
@@ -105,7 +105,7 @@ Typing& typing() {
 }
 
 // Parses the text of a field when it loses the focus.
-Turned read_field(const TypedField& field, double& value, const NumberFacts& facts) {
+ValueEdit read_field(const TypedField& field, double& value, const NumberFacts& facts) {
     if (field.text == field.before)
         return {};
     TypedNumber typed = read_typed_number(field.text, facts);
@@ -117,8 +117,8 @@ Turned read_field(const TypedField& field, double& value, const NumberFacts& fac
 }
 
 // `id_text`: the text that `id` was made from. The text field gets the same id.
-Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value,
-                   const NumberFacts& facts) {
+ValueEdit type_number(const ImRect& box, ImGuiID id, const char* id_text, double& value,
+                      const NumberFacts& facts) {
     Typing& all = typing();
     std::array<char, 64> text{};
     const std::string present = fmt::format("{:.7g}", value);
@@ -138,39 +138,40 @@ Turned type_number(const ImRect& box, ImGuiID id, const char* id_text, double& v
 }
 
 // Parses a field that lost the focus to another widget in this frame or the last one.
-Turned read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
+ValueEdit read_if_left(ImGuiID id, double& value, const NumberFacts& facts) {
     Typing& all = typing();
     if (all.open.id == id)
         all.left = std::exchange(all.open, {});
     if (all.left.id != id)
         return {};
     const TypedField field = std::exchange(all.left, {});
-    return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts) : Turned{};
+    return field.frame >= ImGui::GetFrameCount() - 1 ? read_field(field, value, facts)
+                                                     : ValueEdit{};
 }
 
 // Safe values are marked at the top, steps at the bottom.
 void draw_marks(const ImRect& box, const SliderFacts& facts) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const double width = box.GetWidth();
-    const auto column = [&](double place) {
-        return std::round(box.Min.x + static_cast<float>(width * place)) + 0.5f;
+    const auto column = [&](double ratio) {
+        return std::round(box.Min.x + static_cast<float>(width * ratio)) + 0.5f;
     };
     const float length = box.GetHeight() * 0.16f;
-    for (const double place : notch_ratios(facts, width))
-        list.AddLine({column(place), box.Max.y - length}, {column(place), box.Max.y},
+    for (const double ratio : notch_ratios(facts, width))
+        list.AddLine({column(ratio), box.Max.y - length}, {column(ratio), box.Max.y},
                      theme::packed(theme::faint));
     const theme::Color& safe = facts.warning.empty() ? theme::faint : theme::warning;
-    for (const double place : safe_ratios(facts, width))
-        list.AddLine({column(place), box.Min.y}, {column(place), box.Min.y + length},
+    for (const double ratio : safe_ratios(facts, width))
+        list.AddLine({column(ratio), box.Min.y}, {column(ratio), box.Min.y + length},
                      theme::packed(safe));
 }
 
 // Left of the grab if it fits there, otherwise right of it.
-void draw_note(const ImRect& box, const std::string& note, float hand, bool is_warning) {
+void draw_note(const ImRect& box, const std::string& note, float pointer, bool is_warning) {
     const ImVec2 size = ImGui::CalcTextSize(note.c_str());
     constexpr float gap = 4.0f;
-    const bool is_left = box.Min.x + size.x + 2.0f * gap <= hand;
-    const float left = (is_left ? box.Min.x : std::max(hand, box.Min.x)) + gap;
+    const bool is_left = box.Min.x + size.x + 2.0f * gap <= pointer;
+    const float left = (is_left ? box.Min.x : std::max(pointer, box.Min.x)) + gap;
     if (note.empty() || left + size.x + gap > box.Max.x)
         return;
     ImGui::GetWindowDrawList()->AddText({left, box.Min.y + (box.GetHeight() - size.y) * 0.5f},
@@ -188,19 +189,19 @@ void draw_bar(const ImRect& box, double value, const SliderFacts& facts, bool is
     list.AddRectFilled(box.Min, box.Max,
                        theme::packed(is_hot ? theme::field_hovered : theme::field), rounding);
     const float origin = facts.low < 0.0 && facts.high > 0.0 ? at(0.0) : box.Min.x;
-    const float place = at(value);
+    const float ratio = at(value);
     const theme::Color fill = facts.is_changed ? theme::accent_filled : theme::filled;
-    list.AddRectFilled({std::min(origin, place), box.Min.y}, {std::max(origin, place), box.Max.y},
+    list.AddRectFilled({std::min(origin, ratio), box.Min.y}, {std::max(origin, ratio), box.Max.y},
                        theme::packed(fill), rounding);
     draw_marks(box, facts);
-    draw_note(box, facts.note, place, !facts.warning.empty());
+    draw_note(box, facts.note, ratio, !facts.warning.empty());
     if (facts.initial && facts.is_changed) {
         const float tick = std::clamp(at(*facts.initial), box.Min.x + 1.0f, box.Max.x - 1.0f);
         list.AddLine({tick, box.Max.y - box.GetHeight() * 0.3f}, {tick, box.Max.y},
                      theme::packed(theme::dim));
     }
     const float half = std::max(1.0f, box.GetHeight() * 0.06f);
-    const float grab = std::clamp(place, box.Min.x + half, box.Max.x - half);
+    const float grab = std::clamp(ratio, box.Min.x + half, box.Max.x - half);
     const theme::Color color = facts.is_changed || is_hot ? theme::accent : theme::dim;
     list.AddRectFilled({grab - half, box.Min.y}, {grab + half, box.Max.y}, theme::packed(color),
                        half);
@@ -233,21 +234,21 @@ double dragged(double value, const ImRect& box, ImGuiID id, const SliderFacts& f
     const ImGuiIO& io = ImGui::GetIO();
     const DragPace pace = drag_pace();
     const double width = box.GetWidth();
-    SliderHand& hand = typing().hand;
-    const bool is_new = io.MouseClicked[0] || hand.id != id;
+    SliderDrag& drag = typing().drag;
+    const bool is_new = io.MouseClicked[0] || drag.id != id;
     if (is_new)
-        hand = {id, slider_ratio(value, facts)};
+        drag = {id, slider_ratio(value, facts)};
     if (pace == DragPace::direct)
-        hand.place = (io.MousePos.x - box.Min.x) / width;
+        drag.ratio = (io.MousePos.x - box.Min.x) / width;
     else if (is_new || io.MouseDelta.x == 0.0f)
         return value;
     else
-        hand.place = hand_after(hand.place, io.MouseDelta.x / width, pace);
-    return dragged_value(hand.place, facts, pace);
+        drag.ratio = dragged_share(drag.ratio, io.MouseDelta.x / width, pace);
+    return dragged_value(drag.ratio, facts, pace);
 }
 }  // namespace
 
-Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts, float width) {
+ValueEdit draw_slider(const char* id_text, double& value, const SliderFacts& facts, float width) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     const ImGuiID id = window->GetID(id_text);
     const ImRect box(window->DC.CursorPos,
@@ -263,22 +264,22 @@ Turned draw_slider(const char* id_text, double& value, const SliderFacts& facts,
         ImGui::ClearActiveID();
         return type_number(box, id, id_text, value, number_facts(facts));
     }
-    Turned turned = read_if_left(id, value, number_facts(facts));
+    ValueEdit edited = read_if_left(id, value, number_facts(facts));
     ImGui::ButtonBehavior(box, id, &is_hovered, &is_held);
     const ImGuiIO& io = ImGui::GetIO();
     const bool has_moved = io.MouseClicked[0] || io.MouseDelta.x != 0.0f;
     if (is_held && has_moved) {
         const double next = dragged(value, box, id, facts);
-        turned.is_changed |= next != value;
+        edited.is_changed |= next != value;
         value = next;
-        if (turned.is_changed)
+        if (edited.is_changed)
             ImGui::MarkItemEdited(id);
     }
     draw_bar(box, value, facts, is_hovered || is_held);
     if (facts.now)
         draw_now(box, facts);
-    turned.is_finished |= ImGui::IsItemDeactivatedAfterEdit();
-    return turned;
+    edited.is_finished |= ImGui::IsItemDeactivatedAfterEdit();
+    return edited;
 }
 
 std::string range_text(const SliderFacts& facts) {
@@ -316,7 +317,7 @@ void draw_number_text(const ImRect& box, double value, const NumberFacts& facts)
 }
 }  // namespace
 
-Turned draw_number(const char* id_text, double& value, float width, const NumberFacts& facts) {
+ValueEdit draw_number(const char* id_text, double& value, float width, const NumberFacts& facts) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     const ImGuiID id = window->GetID(id_text);
     const ImRect box(window->DC.CursorPos,
@@ -334,10 +335,10 @@ Turned draw_number(const char* id_text, double& value, float width, const Number
     if (ImGui::TempInputIsActive(id) || is_tabbed_to || facts.is_to_be_typed ||
         (is_hovered && ImGui::IsMouseClicked(0)))
         return type_number(box, id, id_text, value, facts);
-    const Turned turned = read_if_left(id, value, facts);
+    const ValueEdit edited = read_if_left(id, value, facts);
     if (is_hovered)
         window->DrawList->AddRectFilled(box.Min, box.Max, theme::packed(theme::field_hovered),
                                         ImGui::GetStyle().FrameRounding);
     draw_number_text(box, value, facts);
-    return turned;
+    return edited;
 }

@@ -34,11 +34,11 @@ inline NumberFacts number_facts(const SliderFacts& facts) {
 }
 
 /// The user's change of a control in this frame.
-struct Turned {
+struct ValueEdit {
     bool is_changed = false;
     bool is_finished = false;  // released; ends an undo step
 
-    Turned& operator|=(const Turned& other) {
+    ValueEdit& operator|=(const ValueEdit& other) {
         is_changed |= other.is_changed;
         is_finished |= other.is_finished;
         return *this;
@@ -50,11 +50,11 @@ enum class DragPace { direct, fine, coarse };
 
 /// The position on the slider after a pointer movement of `moved`, both relative to its width. In
 /// direct mode the position is that of the pointer.
-double hand_after(double place, double moved, DragPace pace);
+double dragged_share(double ratio, double moved, DragPace pace);
 
 /// The value at a position: the nearest step, or a readable number whose resolution depends on the
 /// drag mode.
-double dragged_value(double place, const SliderFacts& facts, DragPace pace);
+double dragged_value(double ratio, const SliderFacts& facts, DragPace pace);
 
 /// Positions of the notches on a slider of this width in pixels, 0 to 1, without its ends. One per
 /// step; empty if the steps are too close together.
@@ -65,11 +65,11 @@ std::vector<double> safe_ratios(const SliderFacts& facts, double width);
 
 /// A bar that is dragged with the mouse; Shift scales the movement by 0.1, Alt or Ctrl+Shift by 10.
 /// Ctrl+click or double-click to type a value.
-Turned draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
+ValueEdit draw_slider(const char* id, double& value, const SliderFacts& facts, float width);
 
 /// The number with its unit, if it fits. Click to type a value, which can be beyond the slider's
 /// ends. The text is parsed when the field loses the focus.
-Turned draw_number(const char* id, double& value, float width, const NumberFacts& facts);
+ValueEdit draw_number(const char* id, double& value, float width, const NumberFacts& facts);
 
 /// "0.1 to 16 px (typed: 0 to 64 px)".
 std::string range_text(const SliderFacts& facts);
@@ -80,4 +80,4 @@ std::string short_number(double value);
 /// Converts a value to its slider position, 0 (low) to 1 (high), and back. A logarithmic slider
 /// with a low end at or below zero is cubic instead, with the most space for small values.
 double slider_ratio(double value, const SliderFacts& facts);
-double slider_value(double place, const SliderFacts& facts);
+double slider_value(double ratio, const SliderFacts& facts);

@@ -36,9 +36,9 @@ struct TypedField {
 };
 
 /// The state of a dragged slider.
-struct SliderHand {
+struct SliderDrag {
     unsigned id = 0;     // of the slider
-    double place = 0.0;  // unrounded position
+    double ratio = 0.0;  // unrounded position
 };
 
 /// Text fields and drags in progress. Stored as ImGui's user data; the toolkit owns it.
@@ -46,5 +46,5 @@ struct Typing {
     TypedField open;
     TypedField left;        // lost the focus, not parsed yet
     std::string complaint;  // about the last typed text, reported once
-    SliderHand hand;
+    SliderDrag drag;
 };

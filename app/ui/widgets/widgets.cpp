@@ -16,17 +16,16 @@ ImTextureID texture_id(std::uintptr_t handle) {
     return reinterpret_cast<ImTextureID>(handle);
 }
 
-Pane::Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded,
+Pane::Pane(const char* id, const Rect& rect, const ImVec4& background, bool is_padded,
            bool scrolls) {
-    ImGui::SetCursorPos({place.left, place.top});
+    ImGui::SetCursorPos({rect.left, rect.top});
     const ScopedColor color(ImGuiCol_ChildBg, background);
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
                                       is_padded ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
     ImGuiWindowFlags flags = is_padded ? ImGuiWindowFlags_AlwaysUseWindowPadding : 0;
     if (!is_padded || !scrolls)
         flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
-    ImGui::BeginChild(id, {std::max(place.width, 1.0f), std::max(place.height, 1.0f)}, false,
-                      flags);
+    ImGui::BeginChild(id, {std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)}, false, flags);
 }
 
 Pane::~Pane() {

@@ -26,7 +26,7 @@ ImTextureID texture_id(std::uintptr_t handle);
 /// An area of the window to draw into during its lifetime.
 class Pane {
 public:
-    Pane(const char* id, const Rect& place, const ImVec4& background, bool is_padded = true,
+    Pane(const char* id, const Rect& rect, const ImVec4& background, bool is_padded = true,
          bool scrolls = true);
     ~Pane();
     Pane(const Pane&) = delete;

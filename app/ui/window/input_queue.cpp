@@ -88,9 +88,9 @@ bool InputQueue::fits(const gpu::InputEvent& event, const Seen& seen) const {
                        return seen.buttons.count(button.button) == 0 && !seen.has_turned_wheel &&
                               !seen.has_text && !seen.has_moved;
                    },
-                   [&](const gpu::PointerEvent& place) {
+                   [&](const gpu::PointerEvent& moved) {
                        return seen.buttons.empty() &&
-                              (!seen.has_turned_wheel || are_near(place, seen.wheel_turned_at));
+                              (!seen.has_turned_wheel || are_near(moved, seen.wheel_turned_at));
                    },
                    [&](const gpu::PointerLeftEvent&) {
                        return seen.buttons.empty() && !seen.has_turned_wheel;
@@ -119,9 +119,9 @@ void InputQueue::note(const gpu::InputEvent& event, Seen& seen) {
                               seen.buttons.insert(button.button);
                               m_frames_to_settle = frames_until_text;
                           },
-                          [&](const gpu::PointerEvent& place) {
+                          [&](const gpu::PointerEvent& moved) {
                               seen.has_moved = true;
-                              m_pointer = place;
+                              m_pointer = moved;
                           },
                           [&](const gpu::PointerLeftEvent&) { seen.has_moved = true; },
                           [&](const gpu::WheelEvent&) {

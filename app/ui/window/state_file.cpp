@@ -75,9 +75,9 @@ std::string problems_json(const Messages& messages) {
 
 std::string widget_rects_text(const Edits& edits) {
     std::vector<std::string> places;
-    for (const auto& [name, place] : edits.widget_rects())
+    for (const auto& [name, rect] : edits.widget_rects())
         places.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
-                                     place.left, place.top, place.right, place.bottom));
+                                     rect.left, rect.top, rect.right, rect.bottom));
     return fmt::format("{{{}}}", fmt::join(places, ","));
 }
 

@@ -100,11 +100,11 @@ void apply(const gpu::WheelEvent& event) {
 // The backend also polls the mouse. Its state can be newer than the events of this frame.
 void Toolkit::take_input() {
     ImGuiIO& io = ImGui::GetIO();
-    const ImVec2 place = io.MousePos;
+    const ImVec2 position = io.MousePos;
     std::array<bool, IM_ARRAYSIZE(io.MouseDown)> buttons{};
     std::copy(std::begin(io.MouseDown), std::end(io.MouseDown), buttons.begin());
     ImGui_ImplGlfw_NewFrame();
-    io.MousePos = place;
+    io.MousePos = position;
     std::copy(buttons.begin(), buttons.end(), std::begin(io.MouseDown));
     m_input.add(m_window.events().take_input());
     m_pointer_path.clear();

@@ -69,7 +69,7 @@ TEST_CASE("both dialects of Shadertoy JSON are read the same") {
         CHECK_FALSE(image.inputs[1].is_flipped);
         CHECK(image.inputs[1].asset == "/media/a/1234.jpg");
         CHECK(shadertoy.passes[1].name == "Buffer B");
-        CHECK(shadertoy.passes[1].place == 1);
+        CHECK(shadertoy.passes[1].index == 1);
         CHECK(shadertoy.passes[2].kind == Kind::common);
     }
 }

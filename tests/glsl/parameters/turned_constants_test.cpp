@@ -1,5 +1,4 @@
-#include "glsl/parameters/turned_constants.h"
-
+#include "glsl/parameters/constant_parameters.h"
 #include "glsl/shader_texts.h"
 
 #include <doctest/doctest.h>

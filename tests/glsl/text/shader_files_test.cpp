@@ -59,12 +59,12 @@ TEST_CASE("a link is resolved again at each reading") {
     fs::create_symlink(folder / "in/a.glsl", link);
     ShaderFiles files;
     files.begin_reading();
-    CHECK(files.read(link)->place == fs::canonical(folder / "in/a.glsl"));
+    CHECK(files.read(link)->canonical == fs::canonical(folder / "in/a.glsl"));
 
     fs::remove(link);
     fs::create_symlink(folder / "b.glsl", link);
     files.begin_reading();
-    CHECK(files.read(link)->place == fs::canonical(folder / "b.glsl"));  // the text is the same
+    CHECK(files.read(link)->canonical == fs::canonical(folder / "b.glsl"));  // the text is the same
 }
 
 TEST_CASE("an unchanged file is read once") {

@@ -71,11 +71,11 @@ TEST_CASE_FIXTURE(Headless, "programs built on a worker thread draw in the first
 }
 
 TEST_CASE_FIXTURE(Headless, "an executor draws and is destroyed in the context of its programs") {
-    auto home = gpu::Context::shared_with(**context);
-    REQUIRE(home.has_value());
+    auto look_context = gpu::Context::shared_with(**context);
+    REQUIRE(look_context.has_value());
     const Look look = look_of({counter()});
     Programs programs = programs_of(look);
-    programs.home = std::move(*home);
+    programs.context = std::move(*look_context);
     // Framebuffer names count from 1 in each context. One of these would be deleted with the
     // executor's in the wrong context.
     std::vector<gpu::Canvas> ours;

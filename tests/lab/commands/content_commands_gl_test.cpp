@@ -3,6 +3,7 @@
 #include "io/sound/sound_save.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
+#include "lab/lab_parts.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 

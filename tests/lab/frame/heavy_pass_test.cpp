@@ -1,5 +1,6 @@
 #include "lab/frame/heavy_pass.h"
 
+#include "lab/lab_parts.h"
 #include "lab/small_lab.h"
 
 namespace {

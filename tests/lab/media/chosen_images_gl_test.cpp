@@ -2,6 +2,7 @@
 #include "gpu/headless_context.h"
 #include "io/pictures/picture_file.h"
 #include "lab/document/opened_preset.h"
+#include "lab/lab_parts.h"
 #include "lab/media/chosen_images.h"
 #include "lab/small_lab.h"
 

@@ -113,14 +113,14 @@ TEST_CASE("cancelling without an opening does nothing, and the thread ends on re
 }
 
 namespace {
-const gpu::Context* home_of(const SmallLab& small) {
+const gpu::Context* context_of(const SmallLab& small) {
     return const_cast<SmallLab&>(small)
         .lab()
         .renderer()
         ->executor()
         .programs()
         .generic()
-        .home.get();
+        .context.get();
 }
 }  // namespace
 
@@ -128,31 +128,31 @@ TEST_CASE("each look draws in its own context, and successive looks use two in t
     SmallLab small;
     add_other_look(small);
     small.write("../other/gain.glsl", "uniform float gain = 3.0;  // @range 0 8\n");
-    const gpu::Context* first = home_of(small);
+    const gpu::Context* first = context_of(small);
     REQUIRE(first);
     CHECK(first != gpu::Context::current());
     small.lab().looks().open("other");
     REQUIRE(small.update_until([&] { return open_look(small) == "other"; }));
     small.wait_for_frames();
-    const gpu::Context* second = home_of(small);
+    const gpu::Context* second = context_of(small);
     REQUIRE(second);
     CHECK(second != first);
     small.lab().looks().open("small");
     REQUIRE(small.update_until([&] { return open_look(small) == "small"; }));
     small.wait_for_frames();
-    CHECK(home_of(small) == first);
+    CHECK(context_of(small) == first);
     CHECK(small.shown() == small.frames());
 }
 
 TEST_CASE("an edit, and the same look opened again, keep the look's context") {
     SmallLab small;
-    const gpu::Context* home = home_of(small);
+    const gpu::Context* context = context_of(small);
     small.write("gain.glsl", "uniform float gain = 2.0;  // @range 0 8\n");
     CHECK(small.update_until([&] { return small.shown() == 2.0f * small.frames(); }));
-    CHECK(home_of(small) == home);
+    CHECK(context_of(small) == context);
     small.lab().looks().open("small");
     REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
-    CHECK(home_of(small) == home);
+    CHECK(context_of(small) == context);
 }
 
 TEST_CASE("a look draws nothing before its source is available") {

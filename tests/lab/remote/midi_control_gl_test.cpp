@@ -135,7 +135,7 @@ TEST_CASE("changes to locked parameters are refused, and unknown parameters are 
     CHECK(small.lab().messages().notice()->text == "MIDI: 'gain' is locked");
     small.knob(22, 127);
     CHECK(small.lab().remote().midi().refused() == 1);
-    CHECK(small.lab().remote().midi().turned() == 0);
+    CHECK(small.lab().remote().midi().applied() == 0);
     CHECK(small.document().history().past().empty());
 }
 
@@ -172,7 +172,7 @@ TEST_CASE("knobs change nothing while another stack is being loaded") {
     });
     REQUIRE(small.document().is_restacking());
     small.knob(21, 127);
-    CHECK(small.lab().remote().midi().turned() == 0);
+    CHECK(small.lab().remote().midi().applied() == 0);
 }
 
 TEST_CASE("a missing device is reported once, and a later one is found") {

@@ -105,11 +105,11 @@ TEST_CASE("half a second without a change ends a step, and simultaneous changes 
 
 TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     OscControl osc;
-    RemoteEdits hand;
+    RemoteEdits edits;
     Document document(sample_look());
-    const auto update = [&](Document* turned, double now_seconds) {
-        osc.update(turned, hand, now_seconds);
-        hand.update(turned, now_seconds);
+    const auto update = [&](Document* edited, double now_seconds) {
+        osc.update(edited, edits, now_seconds);
+        edits.update(edited, now_seconds);
     };
     REQUIRE(osc.listen(0).has_value());
     CHECK_FALSE(osc.is_listening());
@@ -121,9 +121,9 @@ TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     }
     CHECK(document.values().at("decay") == Value(0.625));
     CHECK(document.history().past().size() == 1);
-    CHECK(hand.is_turning());
+    CHECK(edits.is_in_gesture());
     update(&document, 1.0);
-    CHECK_FALSE(hand.is_turning());
+    CHECK_FALSE(edits.is_in_gesture());
     CHECK_FALSE(document.history().is_in_gesture());
     send(port, "decay", 0.25f);
     update(&document, 1.1);
@@ -133,7 +133,7 @@ TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
     send(port, "gone", 0.25f);
     update(&document, 1.2);
     update(nullptr, 1.3);
-    CHECK(osc.turned() == 6);
+    CHECK(osc.applied() == 6);
     CHECK(osc.refused() == 1);
     CHECK(osc.problem().find("'gone'") != std::string::npos);
     set_parameter_setting(document, "decay", {.is_locked = true});
@@ -147,25 +147,25 @@ TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {
 
 TEST_CASE("at most a thousand messages are processed per update, in order") {
     OscControl osc;
-    RemoteEdits hand;
+    RemoteEdits edits;
     Document document(sample_look());
     const int port = free_port();
     REQUIRE(osc.listen(port).has_value());
     send_packet(port, bundle_of("decay", 1600));
     send_packet(port, bundle_of("gone", 800));
-    osc.update(&document, hand, 0.1);
-    CHECK(osc.turned() == 1000);
+    osc.update(&document, edits, 0.1);
+    CHECK(osc.applied() == 1000);
     CHECK(document.values().at("decay") == Value(0.625));  // 1000 of 1600
     CHECK(osc.has_more());
-    osc.update(&document, hand, 0.2);
-    CHECK(osc.turned() == 1600);
+    osc.update(&document, edits, 0.2);
+    CHECK(osc.applied() == 1600);
     CHECK(osc.refused() == 400);
     CHECK(document.values().at("decay") == Value(1.0));
-    osc.update(&document, hand, 0.3);
+    osc.update(&document, edits, 0.3);
     CHECK(osc.refused() == 800);
     CHECK_FALSE(osc.has_more());
     send_packet(port, bundle_of("decay", 1600));
-    osc.update(&document, hand, 0.4);
+    osc.update(&document, edits, 0.4);
     REQUIRE(osc.listen(port).has_value());  // reopened, which drops the rest of a packet
     CHECK_FALSE(osc.has_more());
 }

@@ -46,9 +46,9 @@ TEST_CASE("parameters are listed under their groups, or under their passes") {
 
 TEST_CASE("a search finds every word in the name, heading or help") {
     const Document document(look());
-    CHECK(text(document, {.words = "GLASS light"}) == "Screen: glow");
-    CHECK(text(document, {.words = "beam ga"}) == "Beam: gain");
-    CHECK(text(document, {.words = "glass beam"}).empty());
+    CHECK(text(document, {.search = "GLASS light"}) == "Screen: glow");
+    CHECK(text(document, {.search = "beam ga"}) == "Beam: gain");
+    CHECK(text(document, {.search = "glass beam"}).empty());
 }
 
 TEST_CASE("the list is filtered to changed, favourite or used parameters") {
@@ -60,13 +60,13 @@ TEST_CASE("the list is filtered to changed, favourite or used parameters") {
     CHECK(text(document, {.filter = ParameterFilter::favourites}) == "Beam: gain");
     const ParameterQuery of_screen{.filter = ParameterFilter::of_pass, .pass = "screen"};
     CHECK(text(document, of_screen) == "Screen: glow tint");
-    CHECK(text(document, {.words = "tin", .filter = of_screen.filter, .pass = "screen"}) ==
+    CHECK(text(document, {.search = "tin", .filter = of_screen.filter, .pass = "screen"}) ==
           "Screen: tint");
     CHECK(text(document, {.filter = ParameterFilter::of_pass, .pass = "gone"}).empty());
 }
 
 TEST_CASE("an empty list shows the reason") {
-    CHECK(why_nothing_is_listed({.words = "x"}) == "No matches.");
+    CHECK(why_nothing_is_listed({.search = "x"}) == "No matches.");
     CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) ==
           "No parameters are changed.");
     CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==

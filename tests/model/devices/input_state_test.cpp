@@ -5,7 +5,7 @@
 using Numbers = std::array<double, 4>;
 
 TEST_CASE("a mouse press has its position; it is positive while held and new for one frame") {
-    Hand hand;
+    InputState hand;
     hand.move({3.0, 4.0});
     CHECK(hand.press().numbers() == Numbers{0, 0, 0, 0});  // no position without a press
     hand.set_button(true);
@@ -22,7 +22,7 @@ TEST_CASE("a mouse press has its position; it is positive while held and new for
 }
 
 TEST_CASE("a click within one frame still counts as a new press") {
-    Hand hand;
+    InputState hand;
     hand.move({3.0, 4.0});
     hand.set_button(true);
     hand.set_button(false);
@@ -32,7 +32,7 @@ TEST_CASE("a click within one frame still counts as a new press") {
 }
 
 TEST_CASE("a key is down while held, pressed for one frame, and toggled until the next press") {
-    Hand hand;
+    InputState hand;
     constexpr std::size_t space = 32;
     const auto flags = [&] {
         return std::array{hand.keys().down[space], hand.keys().pressed[space],

@@ -272,13 +272,13 @@ TEST_CASE("a pass is drawn onto another target if the look allows it and neither
     const Plan shared = sharing_plan(last_seen);
     CHECK(shared.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f, 1, false, 1});
     CHECK(draw_order(shared) == std::vector<std::size_t>{1, 0, 2, 3});
-    CHECK(meets_drawn_onto(sharing_scope(), shared, 1));
-    CHECK(meets_drawn_onto(sharing_scope(), shared, 2));
-    CHECK_FALSE(meets_drawn_onto(sharing_scope(), shared, 0));
+    CHECK(is_drawn_onto(sharing_scope(), shared, 1));
+    CHECK(is_drawn_onto(sharing_scope(), shared, 2));
+    CHECK_FALSE(is_drawn_onto(sharing_scope(), shared, 0));
     const Plan apart = sharing_plan({});
     CHECK(apart.targets[0] == PlannedTarget{{100, 10}, Format::rgba16f});
     CHECK(draw_order(apart) == std::vector<std::size_t>{0, 1, 2, 3});
-    CHECK_FALSE(meets_drawn_onto(sharing_scope(), apart, 1));
+    CHECK_FALSE(is_drawn_onto(sharing_scope(), apart, 1));
     // The beam's 8 bytes per texel are replaced by one texel.
     CHECK(memory_of(apart) - memory_of(shared) == 100 * 10 * 8 - 8);
 

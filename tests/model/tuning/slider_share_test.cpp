@@ -14,7 +14,7 @@ Parameter ranged(Range range, Scale scale = Scale::linear) {
     return made;
 }
 
-double turned(const Parameter& parameter, double share, const ParameterSetting& setting = {}) {
+double number(const Parameter& parameter, double share, const ParameterSetting& setting = {}) {
     return value_at_share({parameter, setting}, parameter.initial, share).number();
 }
 
@@ -25,40 +25,40 @@ bool is_close(double a, double b) {
 
 TEST_CASE("a share maps to the slider linearly, or by equal ratios on a logarithmic scale") {
     const Parameter plain = ranged({-1.0, 3.0});
-    CHECK(turned(plain, 0.0) == -1.0);
-    CHECK(turned(plain, 1.0) == 3.0);
-    CHECK(is_close(turned(plain, 0.25), 0.0));
+    CHECK(number(plain, 0.0) == -1.0);
+    CHECK(number(plain, 1.0) == 3.0);
+    CHECK(is_close(number(plain, 0.25), 0.0));
     CHECK(is_close(share_at({plain, {}}, Value(0.0)), 0.25));
     CHECK(share_at({plain, {}}, Value(9.0)) == 1.0);  // typed beyond the end of the slider
     const Parameter ratios = ranged({1.0, 100.0}, Scale::logarithmic);
-    CHECK(is_close(turned(ratios, 0.5), 10.0));
+    CHECK(is_close(number(ratios, 0.5), 10.0));
     CHECK(is_close(share_at({ratios, {}}, Value(10.0)), 0.5));
     const ParameterSetting ends{.ends = Limit{0.0, 0.5}};
-    CHECK(is_close(turned(plain, 0.5, ends), 0.25));
+    CHECK(is_close(number(plain, 0.5, ends), 0.25));
     CHECK(is_close(share_at({plain, ends}, Value(0.25)), 0.5));
 }
 
 TEST_CASE("steps, integers, lists and switches map to exact values") {
     Parameter odd = ranged({3.0, 25.0, 2.0});
-    CHECK(turned(odd, 0.45) == 13.0);  // 12.9
-    CHECK(turned(odd, 0.03) == 3.0);
-    CHECK(turned(odd, 1.0) == 25.0);
+    CHECK(number(odd, 0.45) == 13.0);  // 12.9
+    CHECK(number(odd, 0.03) == 3.0);
+    CHECK(number(odd, 1.0) == 25.0);
     Parameter whole = ranged({0.0, 10.0});
     whole.type.scalar = Scalar::integer;
-    CHECK(turned(whole, 0.24) == 2.0);
+    CHECK(number(whole, 0.24) == 2.0);
     Parameter list = ranged({0.0, 9.0});
     list.control = Control::list;
     list.items = {{0, "None"}, {4, "Mask"}, {9, "All"}};
-    CHECK(turned(list, 0.0) == 0.0);
-    CHECK(turned(list, 0.33) == 0.0);
-    CHECK(turned(list, 0.34) == 4.0);
-    CHECK(turned(list, 1.0) == 9.0);
+    CHECK(number(list, 0.0) == 0.0);
+    CHECK(number(list, 0.33) == 0.0);
+    CHECK(number(list, 0.34) == 4.0);
+    CHECK(number(list, 1.0) == 9.0);
     CHECK(is_close(share_at({list, {}}, Value(4.0)), 0.5));
     CHECK_FALSE(is_gradual(list));
     Parameter toggle = ranged({0.0, 1.0});
     toggle.type.scalar = Scalar::boolean;
-    CHECK(turned(toggle, 63.0 / 127.0) == 0.0);
-    CHECK(turned(toggle, 64.0 / 127.0) == 1.0);
+    CHECK(number(toggle, 63.0 / 127.0) == 0.0);
+    CHECK(number(toggle, 64.0 / 127.0) == 1.0);
     CHECK_FALSE(is_gradual(toggle));
 }
 
@@ -67,13 +67,13 @@ TEST_CASE("one component of a vector can be controlled; colours, files and matri
     point.type = {Scalar::floating, 2};
     point.initial = Value({0.5, 0.5});
     CHECK(value_at_share({point, {}, 1}, point.initial, 0.75) == Value({0.5, 1.5}));
-    CHECK(can_be_turned(point));
+    CHECK(has_slider_numbers(point));
     CHECK(is_gradual(point));
     for (const Control control : {Control::color, Control::image, Control::sound}) {
         Parameter other = ranged({0.0, 1.0});
         other.control = control;
-        CHECK_FALSE(can_be_turned(other));
+        CHECK_FALSE(has_slider_numbers(other));
     }
     point.type = {Scalar::floating, 2, 2};
-    CHECK_FALSE(can_be_turned(point));
+    CHECK_FALSE(has_slider_numbers(point));
 }

@@ -9,9 +9,9 @@
 namespace {}  // namespace
 
 TEST_CASE("a fine drag moves a tenth as far, a coarse one ten times, both within the ends") {
-    CHECK(is_near(hand_after(0.5, 0.1, DragPace::fine), 0.51, 1e-9));
-    CHECK(is_near(hand_after(0.5, 0.01, DragPace::coarse), 0.6, 1e-9));
-    CHECK(hand_after(0.5, -0.2, DragPace::coarse) == 0.0);
+    CHECK(is_near(dragged_share(0.5, 0.1, DragPace::fine), 0.51, 1e-9));
+    CHECK(is_near(dragged_share(0.5, 0.01, DragPace::coarse), 0.6, 1e-9));
+    CHECK(dragged_share(0.5, -0.2, DragPace::coarse) == 0.0);
 }
 
 TEST_CASE("a drag rounds to readable numbers, ten times finer or coarser by its pace") {

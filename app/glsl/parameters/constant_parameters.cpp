@@ -1,4 +1,4 @@
-#include "glsl/parameters/turned_constants.h"
+#include "glsl/parameters/constant_parameters.h"
 
 #include "base/text.h"
 #include "glsl/annotations/annotation.h"
@@ -19,11 +19,11 @@ std::string spoken_name(const std::string& name) {
 }
 }  // namespace
 
-void TurnedConstants::error(const Location& at, std::string message) {
+void ConstantParameters::error(const Location& at, std::string message) {
     add_new(m_errors, {at.file, at.line, std::move(message)});
 }
 
-Value TurnedConstants::value_for(const Parameter& guessed, const Hints& hints) const {
+Value ConstantParameters::value_for(const Parameter& guessed, const Hints& hints) const {
     if (!m_values)
         return guessed.initial;
     auto found = m_values->find(guessed.name);
@@ -34,8 +34,8 @@ Value TurnedConstants::value_for(const Parameter& guessed, const Hints& hints) c
 }
 
 // Null on error.
-TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
-                                                 const Stage& stage) {
+ConstantParameters::Constant* ConstantParameters::note(const WrittenConstant& written,
+                                                       const Stage& stage) {
     const Location at = location_in(stage, written.line);
     if (!written.number) {
         error(at, fmt::format("@range and @items are only for constants with one plain number; "
@@ -73,7 +73,7 @@ TurnedConstants::Constant* TurnedConstants::note(const WrittenConstant& written,
     return &*known;
 }
 
-std::vector<std::string> TurnedConstants::write_into(Stage& stage) {
+std::vector<std::string> ConstantParameters::write_into(Stage& stage) {
     std::vector<std::string> names;
     std::string turned;
     std::size_t copied = 0;
@@ -94,7 +94,7 @@ std::vector<std::string> TurnedConstants::write_into(Stage& stage) {
     return names;
 }
 
-void TurnedConstants::bind(const std::vector<std::string>& names, std::size_t pass) {
+void ConstantParameters::bind(const std::vector<std::string>& names, std::size_t pass) {
     for (Constant& constant : m_constants) {
         const Binding binding{static_cast<int>(pass), constant.parameter.name};
         std::vector<Binding>& bindings = constant.parameter.bindings;
@@ -104,12 +104,12 @@ void TurnedConstants::bind(const std::vector<std::string>& names, std::size_t pa
     }
 }
 
-void TurnedConstants::write_into(Pass& pass, std::size_t index) {
+void ConstantParameters::write_into(Pass& pass, std::size_t index) {
     bind(write_into(pass.vertex), index);
     bind(write_into(pass.fragment), index);
 }
 
-Diagnostics TurnedConstants::add_to(Look& look) const {
+Diagnostics ConstantParameters::add_to(Look& look) const {
     Diagnostics errors = m_errors;
     for (const Constant& constant : m_constants) {
         Parameter parameter = constant.parameter;
@@ -127,7 +127,7 @@ Diagnostics TurnedConstants::add_to(Look& look) const {
 }
 
 Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache) {
-    TurnedConstants constants(values, cache);
+    ConstantParameters constants(values, cache);
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         constants.write_into(look.passes[i], i);
     return constants.add_to(look);

@@ -7,10 +7,10 @@
 
 /// The adjustable constants of a look's texts. Their values are written into the texts first. The
 /// later steps (checks, programs, caches) see ordinary texts.
-class TurnedConstants {
+class ConstantParameters {
 public:
     /// Values by name, or by the name in `@was`; null: the values in the text. `cache` may be null.
-    explicit TurnedConstants(const Values* values, CheckCache* cache = nullptr)
+    explicit ConstantParameters(const Values* values, CheckCache* cache = nullptr)
         : m_values(values), m_cache(cache) {}
 
     /// Replaces the numbers in a text, keeping line numbers. Returns the names found, for bind().
