@@ -91,6 +91,8 @@ class Owning(Person):
     def test_signal_and_lock_come_back_at_the_next_start(self):
         program = self.program
         self.open_song()
+        # stop() kills the program, and the session is saved after the state.
+        program.wait_for("the session has the sound", lambda: "song.wav" in program.session().read_text())
         program.stop()
         program.start()
         program.wait("signal and lock are restored", lambda s:
