@@ -68,7 +68,7 @@ std::optional<FuzzyMatch> fit_letters(std::string_view word, std::string_view te
     FuzzyMatch match{*best, {}};
     auto at = static_cast<std::size_t>(best - last);
     for (std::size_t i = word.size(); i-- > 0; at = table.before[i * text.size() + at])
-        match.places.insert(match.places.begin(), at);
+        match.positions.insert(match.positions.begin(), at);
     return match;
 }
 
@@ -79,7 +79,7 @@ std::optional<FuzzyMatch> fit_piece(std::string_view word, std::string_view text
     const int length = static_cast<int>(word.size());
     FuzzyMatch match{length * letter + (length - 1) * follows, {}};
     for (std::size_t i = 0; i < word.size(); ++i)
-        match.places.push_back(at + i);
+        match.positions.push_back(at + i);
     return match;
 }
 }  // namespace
@@ -99,9 +99,10 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view t
         const FuzzyMatch& better =
             !piece || (letters && letters->score >= piece->score) ? *letters : *piece;
         all.score += better.score;
-        all.places.insert(all.places.end(), better.places.begin(), better.places.end());
+        all.positions.insert(all.positions.end(), better.positions.begin(), better.positions.end());
     }
-    std::sort(all.places.begin(), all.places.end());
-    all.places.erase(std::unique(all.places.begin(), all.places.end()), all.places.end());
+    std::sort(all.positions.begin(), all.positions.end());
+    all.positions.erase(std::unique(all.positions.begin(), all.positions.end()),
+                        all.positions.end());
     return all;
 }

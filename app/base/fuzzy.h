@@ -7,8 +7,8 @@
 
 /// How well a text matches a query, and which bytes match.
 struct FuzzyMatch {
-    int score = 0;                    // higher is better; 0 for an empty query
-    std::vector<std::size_t> places;  // matching bytes, ascending
+    int score = 0;                       // higher is better; 0 for an empty query
+    std::vector<std::size_t> positions;  // matching bytes, ascending
 };
 
 /// Matches the words of `query` in `text`, each separately, in any order, ignoring case. A word

@@ -93,7 +93,7 @@ Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
     if (!problems.empty())
         return fail(std::move(problems));
     loaded.is_parsed = true;
-    problems = turn_constants(*look, help.values, help.cache);
+    problems = write_constants(*look, help.values, help.cache);
     if (!problems.empty())
         return fail(std::move(problems));
     auto parameters = find_parameters(*look, help.cache, loaded.warnings);

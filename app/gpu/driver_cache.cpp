@@ -33,7 +33,7 @@ std::vector<fs::path> cache_threads() {
 }
 
 // Whether the thread sleeps, so has no writes left: "NUMBER (NAME) S ...".
-bool rests(const fs::path& thread) {
+bool is_idle(const fs::path& thread) {
     std::string line;
     std::getline(std::ifstream(thread / "stat"), line);
     const auto name_end = line.rfind(')');
@@ -84,7 +84,8 @@ void check_driver_cache() {
 void wait_for_driver_cache(std::chrono::milliseconds most, const PassProgress& progress) {
     const auto end = std::chrono::steady_clock::now() + most;
     for (const fs::path& thread : cache_threads())
-        while (!rests(thread) && !progress.is_cancelled() && std::chrono::steady_clock::now() < end)
+        while (!is_idle(thread) && !progress.is_cancelled() &&
+               std::chrono::steady_clock::now() < end)
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 

@@ -105,7 +105,7 @@ void Lab::open_document(BuiltLook& built) {
         forget_past(*document);
     m_presets.navigation().note_opened(request, is_same && loses_changes && !built.then);
     if (left)
-        m_looks.keep_unsaved(*left, [&] { return left_picture; });
+        m_looks.stash_unsaved(*left, [&] { return left_picture; });
     if (request.preset)
         m_content.offer(with_checked_media(*request.preset, document->look(),
                                            media_folder(request.preset_file),

@@ -11,11 +11,11 @@ constexpr const char* first_look = "phosphor";
 
 // The files or folders of the looks in the session.
 std::vector<fs::path> looks_in(const Session& session) {
-    std::vector<fs::path> places{session.look};
+    std::vector<fs::path> paths{session.look};
     for (const std::string& id : look_ids(session.current.preset.look))
         if (const auto path = session.looks.find(id); path != session.looks.end())
-            places.emplace_back(path->second);
-    return places;
+            paths.emplace_back(path->second);
+    return paths;
 }
 
 bool is_of_session(const UnfinishedOpening& left, const Session& session) {
@@ -49,9 +49,9 @@ std::string message_about(const UnfinishedOpening& left) {
 }
 
 OpenRequest request_of(const UnfinishedOpening& left) {
-    OpenRequest request{left.places.front(), {}, {}};
-    if (left.places.size() > 1)
-        for (const fs::path& path : left.places)
+    OpenRequest request{left.paths.front(), {}, {}};
+    if (left.paths.size() > 1)
+        for (const fs::path& path : left.paths)
             request.stack.push_back({{}, path, {}});
     return request;
 }
@@ -83,7 +83,7 @@ void restore_safely(Lab& lab, const Session& session,
     const bool is_safe =
         !left || !(is_first ? left->has(manifest_of(first)) : is_of_session(*left, session));
     if (!is_safe || !missing.empty())
-        lab.looks().keep_unsaved(session);
+        lab.looks().stash_unsaved(session);
     restore(lab, is_safe && !is_first ? session : without_look(session));
     if (is_safe && is_first)
         lab.looks().open(first_look);

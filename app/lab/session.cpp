@@ -241,13 +241,13 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
                       restore_rest);
 }
 
-void restore_kept(Lab& lab, const fs::path& file) {
-    const auto session = KeptSessions::read(file);
+void restore_stashed(Lab& lab, const fs::path& file) {
+    const auto session = SessionStash::read(file);
     if (!lab.messages().succeeded(session))
         return;
     // Opening stores unsaved changes of another look.
     if (lab.document() && lab.document()->look().manifest == session->look)
-        lab.looks().keep_unsaved(session_of(lab, {}),
-                                 [&lab] { return small_copy(lab.renderer()); });
-    restore(lab, *session, [file](Lab& opened) { opened.looks().kept_sessions().forget(file); });
+        lab.looks().stash_unsaved(session_of(lab, {}),
+                                  [&lab] { return small_copy(lab.renderer()); });
+    restore(lab, *session, [file](Lab& opened) { opened.looks().stash().forget(file); });
 }

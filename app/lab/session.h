@@ -20,4 +20,4 @@ Session session_of(const Lab& lab, std::map<std::string, double> window);
 void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& then = nullptr);
 
 /// Opens stored unsaved changes. Those of the open look are stored instead.
-void restore_kept(Lab& lab, const std::filesystem::path& file);
+void restore_stashed(Lab& lab, const std::filesystem::path& file);

@@ -90,7 +90,7 @@ std::vector<float> rgba_from_grey_alpha(const std::vector<float>& grey_alpha) {
 }
 
 // Cameras store rotated pictures with an orientation tag.
-void turn_upright(Picture& picture, const OIIO::ImageSpec& spec) {
+void apply_orientation(Picture& picture, const OIIO::ImageSpec& spec) {
     const int orientation = spec.get_int_attribute("Orientation", 1);
     if (orientation == 1)
         return;
@@ -172,7 +172,7 @@ Result<Picture> read_picture(const fs::path& file, const std::string& kind) {
                                spec.get_int_attribute(as_stored) == 0;
     if (picture.channels == 4 && spec.alpha_channel >= 0 && is_associated)
         unassociate(picture);
-    turn_upright(picture, spec);
+    apply_orientation(picture, spec);
     return picture;
 }
 

@@ -20,7 +20,7 @@ namespace {
 // limit of 2^23. Letters are limited to 65535 units, which large ones exceed with the first value.
 constexpr std::array page_units{32768.0, 1024.0};
 // Cairo drops fills without area only if they are horizontal or vertical. A beam draws them.
-constexpr double page_turn = 0.5;  // radians
+constexpr double page_rotation = 0.5;  // radians
 
 // Hides everything that would become pixels. Opacity stays: elements with opacity 0 are not drawn.
 constexpr std::string_view plain_style =
@@ -129,7 +129,7 @@ std::string draw(RsvgHandle* handle, const Page& page, bool has_page, double uni
     const Surface surface(cairo_svg_surface_create_for_stream(append, &svg, side, side));
     const Context context(cairo_create(surface.get()));
     cairo_translate(context.get(), side / 2.0, side / 2.0);
-    cairo_rotate(context.get(), page_turn);
+    cairo_rotate(context.get(), page_rotation);
     cairo_scale(context.get(), scale, scale);
     cairo_translate(context.get(), -page.x - page.width / 2.0, -page.y - page.height / 2.0);
     cairo_matrix_t back;

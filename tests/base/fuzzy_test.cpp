@@ -8,17 +8,17 @@ int score(const char* query, const char* text) {
     return match ? match->score : -1000;
 }
 
-std::vector<std::size_t> places(const char* query, const char* text) {
+std::vector<std::size_t> positions(const char* query, const char* text) {
     const auto match = fuzzy_match(query, text);
-    return match ? match->places : std::vector<std::size_t>{};
+    return match ? match->positions : std::vector<std::size_t>{};
 }
 }  // namespace
 
 TEST_CASE("a word matches as a substring, or as letters in order from the start of a word") {
-    CHECK(places("spa", "Save preset as") == std::vector<std::size_t>{0, 5, 12});
-    CHECK(places("RESET", "Save preset as") == std::vector<std::size_t>{6, 7, 8, 9, 10});
-    CHECK(places("prst", "Preset") == std::vector<std::size_t>{0, 1, 3, 5});
-    CHECK(places("bloom_int", "Bloom intensity") ==
+    CHECK(positions("spa", "Save preset as") == std::vector<std::size_t>{0, 5, 12});
+    CHECK(positions("RESET", "Save preset as") == std::vector<std::size_t>{6, 7, 8, 9, 10});
+    CHECK(positions("prst", "Preset") == std::vector<std::size_t>{0, 1, 3, 5});
+    CHECK(positions("bloom_int", "Bloom intensity") ==
           std::vector<std::size_t>{0, 1, 2, 3, 4, 6, 7, 8});
     CHECK_FALSE(fuzzy_match("rst", "Preset"));       // neither a substring nor the start of a word
     CHECK_FALSE(fuzzy_match("aps", "Save preset"));  // the wrong order
@@ -29,9 +29,9 @@ TEST_CASE("a word matches as a substring, or as letters in order from the start 
 }
 
 TEST_CASE("words match in any order, and an empty query matches everything") {
-    CHECK(places("pre sav", "Save preset") == std::vector<std::size_t>{0, 1, 2, 5, 6, 7});
+    CHECK(positions("pre sav", "Save preset") == std::vector<std::size_t>{0, 1, 2, 5, 6, 7});
     CHECK(fuzzy_match("", "Undo")->score == 0);
-    CHECK(fuzzy_match("  ", "")->places.empty());
+    CHECK(fuzzy_match("  ", "")->positions.empty());
 }
 
 TEST_CASE("consecutive letters score highest, then first letters of words") {
@@ -41,5 +41,5 @@ TEST_CASE("consecutive letters score highest, then first letters of words") {
     CHECK(score("gain", "Gain") > score("gain", "Again"));
     CHECK(score("gain", "Again") > score("gain", "Grating"));
     // The best of several matches is used: the whole word, not its first letter further left.
-    CHECK(places("pa", "Play: pass") == std::vector<std::size_t>{6, 7});
+    CHECK(positions("pa", "Play: pass") == std::vector<std::size_t>{6, 7});
 }

@@ -105,32 +105,32 @@ TEST_CASE("values follow a look that was edited between two sessions") {
 
 TEST_CASE("unsaved changes are stored when another look opens, and can be restored") {
     SmallLab small;
-    small.lab().looks().keep_unsaved(stored(small));
-    CHECK(small.lab().looks().kept_sessions().files().empty());  // nothing unsaved
+    small.lab().looks().stash_unsaved(stored(small));
+    CHECK(small.lab().looks().stash().files().empty());  // nothing unsaved
     set_gain(small, 3.0);
-    small.lab().looks().keep_unsaved(stored(small));
-    small.lab().looks().keep_unsaved(stored(small));
-    REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);  // without a duplicate
-    const fs::path three = small.lab().looks().kept_sessions().files().front();
-    CHECK(small.lab().looks().kept_sessions().list().front().look == "small");
-    CHECK(small.lab().looks().kept_sessions().list().front().changes == 1);
+    small.lab().looks().stash_unsaved(stored(small));
+    small.lab().looks().stash_unsaved(stored(small));
+    REQUIRE(small.lab().looks().stash().files().size() == 1);  // without a duplicate
+    const fs::path three = small.lab().looks().stash().files().front();
+    CHECK(small.lab().looks().stash().list().front().look == "small");
+    CHECK(small.lab().looks().stash().list().front().changes == 1);
 
     small.start();
     small.lab().looks().open("small");
     small.wait_for_frames();
     set_gain(small, 5.0);
-    restore_kept(small.lab(), three);
+    restore_stashed(small.lab(), three);
     const auto has_gain = [&](double gain) {
         const auto value = small.document().values().find("gain");
         return value != small.document().values().end() && value->second == Value(gain);
     };
     REQUIRE(small.update_until([&] { return has_gain(3.0); }));
-    REQUIRE(small.lab().looks().kept_sessions().files().size() == 1);
-    const fs::path five = small.lab().looks().kept_sessions().files().front();
-    const fs::path picture = small.lab().looks().kept_sessions().list().front().picture;
+    REQUIRE(small.lab().looks().stash().files().size() == 1);
+    const fs::path five = small.lab().looks().stash().files().front();
+    const fs::path picture = small.lab().looks().stash().list().front().picture;
     CHECK(load_picture(picture).has_value());
     CHECK_FALSE(fs::exists(three));
-    restore_kept(small.lab(), five);
+    restore_stashed(small.lab(), five);
     CHECK(small.update_until([&] { return has_gain(5.0); }));
     CHECK_FALSE(fs::exists(picture));
 }
@@ -152,7 +152,7 @@ TEST_CASE("changes are counted without locked content, and ages are rounded") {
 
 TEST_CASE("the latest 12 unsaved sessions are kept") {
     const SmallLab small;
-    KeptSessions sessions(small.roots());
+    SessionStash sessions(small.roots());
     Session session;
     session.look = "small";
     session.current.preset.look = "small";
@@ -161,11 +161,11 @@ TEST_CASE("the latest 12 unsaved sessions are kept") {
         session.current.preset.values["gain"] = Value(static_cast<double>(i));
         CHECK(sessions.keep(session).value_or(false));
     }
-    const KeptSessions again(small.roots());
+    const SessionStash again(small.roots());
     REQUIRE(again.files().size() == 12);
     CHECK(again.files() == sessions.files());
-    const auto latest = KeptSessions::read(again.files().front());
-    const auto oldest = KeptSessions::read(again.files().back());
+    const auto latest = SessionStash::read(again.files().front());
+    const auto oldest = SessionStash::read(again.files().back());
     REQUIRE(latest.has_value());
     REQUIRE(oldest.has_value());
     CHECK(latest->current.preset.values.at("gain") == Value(14.0));
@@ -174,7 +174,7 @@ TEST_CASE("the latest 12 unsaved sessions are kept") {
 
 TEST_CASE("a preset's name cannot select the folder of the unsaved changes") {
     const SmallLab small;
-    KeptSessions sessions(small.roots());
+    SessionStash sessions(small.roots());
     Session session;
     session.current.preset.look = "small";
     session.current.preset.values["gain"] = Value(2.0);

@@ -50,7 +50,7 @@ public:
         const std::vector<FragmentPass> passes = fragment_passes(words);
         for (const FragmentPass& pass : passes)
             add_pass(pass, passes.size() == 1);
-        if (auto problems = turn_constants(m_look, m_help.values, m_help.cache); !problems.empty())
+        if (auto problems = write_constants(m_look, m_help.values, m_help.cache); !problems.empty())
             return fail(std::move(problems));
         for (std::size_t i = 0; i < m_look.passes.size(); ++i)
             if (auto problems = feed(i); !problems.empty())

@@ -152,7 +152,7 @@ std::vector<ScenePath> read_grid(ObjectReader& reader) {
 }
 
 // The file named by an item, relative to the scene; "" if it is missing or outside the folder.
-std::filesystem::path file_beside(ObjectReader& reader) {
+std::filesystem::path sibling_file(ObjectReader& reader) {
     const JsonValue* value = reader.require("file");
     if (!value || !reader.expect(*value, JsonValue::Kind::text))
         return {};
@@ -183,14 +183,14 @@ std::optional<T> taken(ObjectReader& reader, Result<T> read) {
 
 std::vector<ScenePath> read_svg(ObjectReader& reader) {
     const double size = bounded(reader, "size", 1.0, 1e-6, 1000);
-    const auto file = file_beside(reader);
+    const auto file = sibling_file(reader);
     auto paths = file.empty() ? std::nullopt : taken(reader, load_svg(file));
     return paths ? fitted_paths(std::move(*paths), size) : std::vector<ScenePath>();
 }
 
 std::vector<ScenePath> read_wireframe(ObjectReader& reader) {
     const double size = bounded(reader, "size", 1.0, 1e-6, 1000);
-    const auto file = file_beside(reader);
+    const auto file = sibling_file(reader);
     auto paths = file.empty() ? std::nullopt : taken(reader, load_obj(file));
     return paths ? fitted_paths(std::move(*paths), size) : std::vector<ScenePath>();
 }
@@ -198,7 +198,7 @@ std::vector<ScenePath> read_wireframe(ObjectReader& reader) {
 std::vector<ScenePath> read_raster(ObjectReader& reader) {
     const double height = bounded(reader, "height", 1.0, 1e-6, 1000);
     const int lines = reader.whole("lines", 60, 1, 1024);
-    const auto file = file_beside(reader);
+    const auto file = sibling_file(reader);
     const auto picture = file.empty() ? std::nullopt : taken(reader, load_picture(file));
     return picture ? raster_paths(*picture, height, lines) : std::vector<ScenePath>();
 }

@@ -40,7 +40,7 @@ struct ShadertoyPass {
     enum class Kind { common, buffer, cube, image, sound };
 
     Kind kind = Kind::image;
-    int index = 0;     // 0..3: Buffer A..D; shadertoy_cube_place; defines the drawing order
+    int index = 0;     // 0..3: Buffer A..D; shadertoy_cube_index; defines the drawing order
     std::string name;  // "Buffer A"
     Stage code;        // as written by the author
     std::vector<ShadertoyInput> inputs;
@@ -48,7 +48,7 @@ struct ShadertoyPass {
     bool is_wired = true;
 };
 
-constexpr int shadertoy_cube_place = 4;
+constexpr int shadertoy_cube_index = 4;
 
 /// The site's name for a pass: "Buffer A", "Cube A", "Image".
 std::string shadertoy_pass_name(ShadertoyPass::Kind kind, int index);

@@ -47,8 +47,8 @@ std::optional<NamedPass> pass_named(const fs::path& file) {
                                                 {"bufb", Kind::buffer, 1},
                                                 {"bufc", Kind::buffer, 2},
                                                 {"bufd", Kind::buffer, 3},
-                                                {"cubea", Kind::cube, shadertoy_cube_place},
-                                                {"cubemapa", Kind::cube, shadertoy_cube_place},
+                                                {"cubea", Kind::cube, shadertoy_cube_index},
+                                                {"cubemapa", Kind::cube, shadertoy_cube_index},
                                                 {"image", Kind::image, 0},
                                                 {"sound", Kind::sound, 0}});
     if (std::ranges::find(endings, to_lower(file.extension().string())) == endings.end())
@@ -157,12 +157,12 @@ private:
         if (std::ranges::find(m_buffers, named) == m_buffers.end())
             m_buffers.push_back(named);
         const auto at = std::ranges::find(m_buffers, named) - m_buffers.begin();
-        return at < shadertoy_cube_place ? static_cast<int>(at) : -1;
+        return at < shadertoy_cube_index ? static_cast<int>(at) : -1;
     }
 
     // Adds the files named by directives, recursively.
     void add_named_buffers() {
-        for (std::size_t i = 0; i < m_buffers.size() && i < shadertoy_cube_place; ++i) {
+        for (std::size_t i = 0; i < m_buffers.size() && i < shadertoy_cube_index; ++i) {
             const fs::path file = m_buffers[i];
             const auto image =
                 std::ranges::find(m_shadertoy.passes, Kind::image, &ShadertoyPass::kind);

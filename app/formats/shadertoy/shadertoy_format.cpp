@@ -40,7 +40,7 @@ Result<Look> read_shadertoy_look(const fs::path& file, const IncludeFolders& inc
     look->id = foreign_look_id(file);
     if (look->name.empty())
         look->name = file.stem().string();
-    if (auto problems = turn_constants(*look, help.values, help.cache); !problems.empty())
+    if (auto problems = write_constants(*look, help.values, help.cache); !problems.empty())
         return fail(std::move(problems));
     auto parameters = find_parameters(*look, help.cache, loaded.warnings);
     if (!parameters)

@@ -41,7 +41,7 @@ constexpr auto buffer_ids =
                                                      {"XsXGR8", 1},
                                                      {"4sXGR8", 2},
                                                      {"XdfGR8", 3},
-                                                     {"4dX3Rr", shadertoy_cube_place},
+                                                     {"4dX3Rr", shadertoy_cube_index},
                                                      {"257", 0},
                                                      {"258", 1},
                                                      {"259", 2},
@@ -94,7 +94,7 @@ public:
                          fmt::format("Shadertoy sent an error instead of a shader: '{}'",
                                      text_of(refusal))});
         if (const JsonValue& list = list_in(document); has_several(list))
-            return fail({m_file, document.line, told_several(list.children)});
+            return fail({m_file, document.line, several_shaders_text(list.children)});
         const JsonValue* shader = shader_of(document);
         const JsonValue* passes = shader ? find_member(*shader, "renderpass") : nullptr;
         if (!passes || !passes->is(JsonValue::Kind::array))
@@ -125,7 +125,7 @@ private:
         return list.is(JsonValue::Kind::array) && list.children.size() > 1;
     }
 
-    static std::string told_several(const std::vector<JsonValue>& shaders) {
+    static std::string several_shaders_text(const std::vector<JsonValue>& shaders) {
         constexpr std::size_t most_names = 20;
         std::vector<std::string> names;
         for (std::size_t i = 0; i < shaders.size() && i < most_names; ++i) {
@@ -164,7 +164,7 @@ private:
                 continue;
             const std::string id = output_of(pass);
             const auto index = find_named(buffer_ids, id);
-            if (index && *index < shadertoy_cube_place)
+            if (index && *index < shadertoy_cube_index)
                 is_taken[static_cast<std::size_t>(*index)] = true;
             else
                 unknown.push_back(id);
@@ -195,7 +195,7 @@ private:
         ShadertoyPass pass;
         pass.kind = *kind;
         pass.index = *kind == Kind::buffer ? buffer_of(output_of(value)).value_or(-1)
-                     : *kind == Kind::cube ? shadertoy_cube_place
+                     : *kind == Kind::cube ? shadertoy_cube_index
                                            : 0;
         pass.name = shadertoy_pass_name(*kind, pass.index);
         const bool is_double = std::ranges::find(shadertoy.passes, pass.name,
@@ -255,8 +255,8 @@ private:
         if (input.kind == ShadertoyKind::buffer)
             input.buffer = index.value_or(buffer_in(input.asset));
         // The output of Cube A is listed as a cubemap.
-        if (input.kind == ShadertoyKind::cubemap && index == shadertoy_cube_place)
-            input.buffer = shadertoy_cube_place;
+        if (input.kind == ShadertoyKind::cubemap && index == shadertoy_cube_index)
+            input.buffer = shadertoy_cube_index;
         pass.inputs.push_back(std::move(input));
     }
 

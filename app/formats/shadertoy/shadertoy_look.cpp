@@ -156,7 +156,7 @@ std::optional<Input> ShadertoyLook::buffer_of(const ShadertoyPass& shadertoy_pas
                                               const ShadertoyInput& wired) {
     const auto read = find_drawn(wired.buffer);
     if (!read) {
-        const Kind kind = wired.buffer == shadertoy_cube_place ? Kind::cube : Kind::buffer;
+        const Kind kind = wired.buffer == shadertoy_cube_index ? Kind::cube : Kind::buffer;
         warn(wired.declared,
              wired.buffer < 0
                  ? fmt::format("iChannel{} of '{}' reads a missing buffer; it is black",

@@ -88,7 +88,7 @@ private:
             return;
         if (std::string fault = fault_of_slang_path(directive.argument); !fault.empty())
             return error(text, directive.line, std::move(fault));
-        const fs::path wanted = path_beside(text.file, directive.argument);
+        const fs::path wanted = sibling_path(text.file, directive.argument);
         const auto found = m_files.read(wanted);
         if (!found) {
             std::error_code unknown;

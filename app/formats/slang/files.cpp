@@ -84,7 +84,7 @@ bool is_slang_shader(const fs::path& file) {
     return to_lower(file.extension().string()) == ".slang";
 }
 
-fs::path path_beside(const fs::path& file, std::string_view written) {
+fs::path sibling_path(const fs::path& file, std::string_view written) {
     std::string path(written);
     std::ranges::replace(path, '\\', '/');
     return (file.parent_path() / path).lexically_normal();

@@ -54,4 +54,4 @@ bool is_slang_shader(const std::filesystem::path& file);
 
 /// The path `written` in `file`, with '/' or '\' as separator: relative to the folder of `file`,
 /// with `..` resolved.
-std::filesystem::path path_beside(const std::filesystem::path& file, std::string_view written);
+std::filesystem::path sibling_path(const std::filesystem::path& file, std::string_view written);

@@ -64,12 +64,12 @@ Result<SlangParameter> parse_slang_parameter(std::string_view text, const Locati
 
 SlangParameters unique_slang_parameters(const SlangParameters& declared, Diagnostics& warnings) {
     SlangParameters unique;
-    std::unordered_map<std::string_view, std::size_t> places;
-    places.reserve(declared.size());
+    std::unordered_map<std::string_view, std::size_t> indices;
+    indices.reserve(declared.size());
     for (const auto& parameter : declared) {
-        const auto found = places.find(parameter->id);
-        if (found == places.end()) {
-            places.emplace(parameter->id, unique.size());
+        const auto found = indices.find(parameter->id);
+        if (found == indices.end()) {
+            indices.emplace(parameter->id, unique.size());
             unique.push_back(parameter);
             continue;
         }

@@ -118,7 +118,7 @@ private:
 
     void add_setting(const Line& line, const Location& at) {
         SlangSetting setting{readable_text(line.key), readable_text(line.value), at};
-        const auto [found, is_new] = m_read.places.emplace(setting.key, m_read.settings.size());
+        const auto [found, is_new] = m_read.indices.emplace(setting.key, m_read.settings.size());
         if (is_new) {
             m_read.settings.push_back(std::move(setting));
             return;
@@ -132,7 +132,7 @@ private:
     void include(std::string_view path, const Location& at) {
         if (std::string fault = fault_of_slang_path(path); !fault.empty())
             return refuse(at, std::move(fault));
-        const fs::path wanted = path_beside(at.file, path);
+        const fs::path wanted = sibling_path(at.file, path);
         const auto text = m_files.read(wanted);
         if (!text)
             refuse(at, fmt::format("can't include '{}': {}", readable_text(path),
@@ -170,8 +170,8 @@ private:
 }  // namespace
 
 const SlangSetting* SlangSettings::find(const std::string& key) const {
-    const auto found = places.find(key);
-    return found == places.end() ? nullptr : &settings[found->second];
+    const auto found = indices.find(key);
+    return found == indices.end() ? nullptr : &settings[found->second];
 }
 
 Result<SlangSettings> read_slang_settings(const fs::path& file, SlangFiles& files,

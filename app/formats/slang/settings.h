@@ -19,7 +19,7 @@ struct SlangSettings {
     std::filesystem::path file;
     std::vector<SlangSetting> settings;    // in order, each key once; the first one counts
     std::vector<SlangSetting> references;  // of #reference lines, in order; the key is empty
-    std::unordered_map<std::string, std::size_t> places;  // index in `settings` by key
+    std::unordered_map<std::string, std::size_t> indices;  // index in `settings` by key
 
     /// Null if the file does not contain the key.
     const SlangSetting* find(const std::string& key) const;

@@ -39,7 +39,7 @@ public:
         add_version(pieces[0]);
         for (std::size_t i = 1; i < pieces.size(); ++i)
             pieces[i].directive ? obey(pieces[i]) : add(pieces[i]);
-        place_lines();
+        append_locations();
         if (!m_errors.empty())
             return fail(std::move(m_errors));
         m_shader.parameters = unique_slang_parameters(m_declared, m_shader.warnings);
@@ -58,24 +58,24 @@ private:
             if (!m_only || m_only == stage)
                 stage->text.own() += piece.lines;
         const bool follows =
-            m_placed.text == piece.text &&
-            m_placed.first_line + static_cast<int>(m_placed.line_count) == piece.first_line;
+            m_piece.text == piece.text &&
+            m_piece.first_line + static_cast<int>(m_piece.line_count) == piece.first_line;
         if (follows) {
-            m_placed.line_count += piece.line_count;
+            m_piece.line_count += piece.line_count;
             return;
         }
-        place_lines();
-        m_placed = piece;
+        append_locations();
+        m_piece = piece;
     }
 
     // Records the source locations of the last consecutive lines.
-    void place_lines() {
-        if (m_placed.text)
+    void append_locations() {
+        if (m_piece.text)
             for (Stage* stage : {&m_shader.vertex, &m_shader.fragment})
                 if (!m_only || m_only == stage)
-                    stage->lines.append({m_placed.text->file, m_placed.first_line},
-                                        m_placed.line_count);
-        m_placed = {};
+                    stage->lines.append({m_piece.text->file, m_piece.first_line},
+                                        m_piece.line_count);
+        m_piece = {};
     }
 
     void add_version(const SlangPiece& piece) {
@@ -105,7 +105,7 @@ private:
     }
 
     void open_stage(std::string_view word, const SlangPiece& piece) {
-        place_lines();
+        append_locations();
         if (word == "vertex")
             m_only = &m_shader.vertex;
         else if (word == "fragment")
@@ -146,7 +146,7 @@ private:
 
     SlangShader m_shader;
     Stage* m_only = nullptr;  // the open stage; null: both
-    SlangPiece m_placed;      // lines whose locations are not recorded yet
+    SlangPiece m_piece;       // lines whose locations are not recorded yet
     SlangParameters m_declared;
     Diagnostics m_errors;
 };

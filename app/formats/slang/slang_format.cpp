@@ -49,7 +49,7 @@ private:
         const std::string name = pass.alias.empty() ? pass.shader.stem().string() : pass.alias;
         for (Diagnostic problem : why) {
             if (problem.file == pass.shader && problem.line == 0) {
-                problem.message = told_of_file(pass, problem.message);
+                problem.message = with_file_name(pass, problem.message);
                 problem.file = pass.declared.file;
                 problem.line = pass.declared.line;
             }
@@ -58,7 +58,7 @@ private:
         }
     }
 
-    static std::string told_of_file(const SlangPass& pass, const std::string& message) {
+    static std::string with_file_name(const SlangPass& pass, const std::string& message) {
         std::error_code error;
         if (fs::exists(pass.shader, error))
             return fmt::format("'{}': {}", pass.shader.filename().string(), message);
@@ -132,8 +132,8 @@ Filter other_than(Filter filter) {
 // Adds a parameter for a choice that presets leave to the host, bound to all affected passes. Its
 // value changes the look, like a constant in the texts.
 void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
-    Diagnostics told_already;
-    const auto other = look_of_chain(chain, {other_than(chosen)}, told_already);
+    Diagnostics already_reported;
+    const auto other = look_of_chain(chain, {other_than(chosen)}, already_reported);
     if (!other || find_parameter(look, filter_name))
         return;
     Parameter filter;

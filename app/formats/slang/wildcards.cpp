@@ -53,13 +53,13 @@ fs::path find_slang_file(std::string_view written, const fs::path& from, const f
                          SlangFiles& files) {
     const std::string replaced = with_wildcards_replaced(written, opened);
     if (replaced != written) {
-        fs::path file = path_beside(from, replaced);
+        fs::path file = sibling_path(from, replaced);
         files.note(file);
         std::error_code unknown;
         if (fs::exists(file, unknown))
             return file;
     }
-    fs::path file = path_beside(from, written);
+    fs::path file = sibling_path(from, written);
     files.note(file);
     return file;
 }

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 // In units of librsvg's page, whose longer side is 32768; Cairo rounds to 1/256.
-constexpr double same_place = 0.25;
+constexpr double same_point_distance = 0.25;
 constexpr std::size_t most_clip_tests = 200'000'000;
 constexpr int most_open_groups = 500;
 
@@ -189,7 +189,7 @@ private:
     // A shape with fill and outline is drawn once.
     bool is_as_last(const std::vector<ScenePath>& paths) const {
         const auto is_near = [](const ScenePoint& a, const ScenePoint& b) {
-            return std::hypot(a.x - b.x, a.y - b.y) <= same_place;
+            return std::hypot(a.x - b.x, a.y - b.y) <= same_point_distance;
         };
         return std::ranges::equal(paths, m_last, [&](const ScenePath& a, const ScenePath& b) {
             return std::ranges::equal(a.points, b.points, is_near);
@@ -198,7 +198,7 @@ private:
 
     void add(const std::vector<ScenePath>& paths, const State& state) {
         for (const ScenePath& path : paths)
-            for (ScenePath& seen : clipped(path, state.clips, same_place, m_tests)) {
+            for (ScenePath& seen : clipped(path, state.clips, same_point_distance, m_tests)) {
                 for (ScenePoint& point : seen.points) {
                     point = m_to_page(point);
                     point.y = -point.y;

@@ -24,16 +24,17 @@ void make_room(Known& known) {
 
 // The result contains source locations, so they are part of the key.
 std::string locations_of(const LineMap& lines) {
-    std::string places;
+    std::string locations;
     for (const LineMap::Stretch& stretch : lines.stretches())
-        places += fmt::format("{}\n{} {}\n", stretch.first.file.string(), stretch.first.line,
-                              stretch.end);
-    return places;
+        locations += fmt::format("{}\n{} {}\n", stretch.first.file.string(), stretch.first.line,
+                                 stretch.end);
+    return locations;
 }
 
 std::string digest_of_stage(const Stage& stage) {
-    const std::uint64_t places = digest_of(stage.file.string() + '\0' + locations_of(stage.lines));
-    return fmt::format("{:x} {:x} {}", digest_of(stage.text), places, stage.text->size());
+    const std::uint64_t locations =
+        digest_of(stage.file.string() + '\0' + locations_of(stage.lines));
+    return fmt::format("{:x} {:x} {}", digest_of(stage.text), locations, stage.text->size());
 }
 
 /// A query about two stages, and how to unpack its stored result.
@@ -47,12 +48,13 @@ struct QuestionKind {
 
 CheckCache::StageKey CheckCache::key_of(const Stage& stage) {
     const std::hash<std::string_view> digest;
-    std::size_t places = digest(stage.file.native());
+    std::size_t locations = digest(stage.file.native());
     for (const LineMap::Stretch& stretch : stage.lines.stretches()) {
-        places = mixed(places, digest(stretch.first.file.native()));
-        places = mixed(mixed(places, static_cast<std::size_t>(stretch.first.line)), stretch.end);
+        locations = mixed(locations, digest(stretch.first.file.native()));
+        locations =
+            mixed(mixed(locations, static_cast<std::size_t>(stretch.first.line)), stretch.end);
     }
-    return {digest(stage.text), places, stage.text->size()};
+    return {digest(stage.text), locations, stage.text->size()};
 }
 
 template <class Answer, class Kind>

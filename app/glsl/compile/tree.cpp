@@ -94,8 +94,8 @@ std::optional<double> number_from(const glslang::TConstUnion& constant) {
 
 class Reader : public glslang::TIntermTraverser {
 public:
-    Reader(const std::map<std::string, Location>& places, Diagnostics& errors)
-        : m_places(places), m_errors(errors) {}
+    Reader(const std::map<std::string, Location>& locations, Diagnostics& errors)
+        : m_locations(locations), m_errors(errors) {}
 
     StageInterface interface() {
         for (auto* varyings : {&m_interface.inputs, &m_interface.outputs})
@@ -138,8 +138,8 @@ private:
         const bool is_block = type.getBasicType() == glslang::EbtBlock;
         uniform.name = is_block ? type.getTypeName().c_str() : symbol.getName().c_str();
         uniform.type_name = type_name_of(type);
-        const auto found = m_places.find(uniform.name);
-        uniform.declared.push_back(found == m_places.end() ? Location{} : found->second);
+        const auto found = m_locations.find(uniform.name);
+        uniform.declared.push_back(found == m_locations.end() ? Location{} : found->second);
         const auto scalar = scalar_of(type);
         if (scalar && !type.isArray()) {
             uniform.kind = Uniform::Kind::number;
@@ -174,16 +174,16 @@ private:
         return value;
     }
 
-    const std::map<std::string, Location>& m_places;
+    const std::map<std::string, Location>& m_locations;
     Diagnostics& m_errors;
     StageInterface m_interface;
     std::set<std::string> m_used;
 };
 }  // namespace
 
-StageInterface read_tree(glslang::TShader& shader, const std::map<std::string, Location>& places,
+StageInterface read_tree(glslang::TShader& shader, const std::map<std::string, Location>& locations,
                          Diagnostics& errors) {
-    Reader reader(places, errors);
+    Reader reader(locations, errors);
     if (TIntermNode* root = shader.getIntermediate()->getTreeRoot())
         root->traverse(&reader);
     return reader.interface();

@@ -26,6 +26,7 @@ struct StageInterface {
 };
 
 /// Reads a shader that was parsed without errors; it and its memory pool must still exist. Lines of
-/// uniforms come from `places` by name. `errors` receives defaults that do not fit a 32-bit float.
-StageInterface read_tree(glslang::TShader& shader, const std::map<std::string, Location>& places,
+/// uniforms come from `locations` by name. `errors` receives defaults that do not fit a 32-bit
+/// float.
+StageInterface read_tree(glslang::TShader& shader, const std::map<std::string, Location>& locations,
                          Diagnostics& errors);

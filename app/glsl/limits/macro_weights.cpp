@@ -74,9 +74,9 @@ const MacroWeights::Weight& MacroWeights::weight_of_macro(Definitions& definitio
     definitions.state = State::open;
     Weight largest{1.0, {}};
     for (const Macro& macro : definitions.all) {
-        const bool can_be_told =
+        const bool is_known =
             m_depth < most_depth && macro.parameters.size() <= most_macro_parameters;
-        Weight weight = can_be_told ? weigh(macro.body, macro.parameters) : Weight{infinite, {}};
+        Weight weight = is_known ? weigh(macro.body, macro.parameters) : Weight{infinite, {}};
         largest.base = std::max(largest.base, weight.base);
         largest.repeats.resize(std::max(largest.repeats.size(), weight.repeats.size()));
         for (std::size_t i = 0; i < weight.repeats.size(); ++i)

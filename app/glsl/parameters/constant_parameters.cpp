@@ -126,7 +126,7 @@ Diagnostics ConstantParameters::add_to(Look& look) const {
     return errors;
 }
 
-Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache) {
+Diagnostics write_constants(Look& look, const Values* values, CheckCache* cache) {
     ConstantParameters constants(values, cache);
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         constants.write_into(look.passes[i], i);

@@ -43,4 +43,4 @@ private:
 };
 
 /// Writes the values into all passes of a look and adds its constants.
-Diagnostics turn_constants(Look& look, const Values* values, CheckCache* cache = nullptr);
+Diagnostics write_constants(Look& look, const Values* values, CheckCache* cache = nullptr);

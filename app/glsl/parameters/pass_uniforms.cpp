@@ -41,7 +41,7 @@ private:
     const Uniform* find(const std::string& key, const std::string& name,
                         const Reflection& reflection) {
         const auto found = std::ranges::find(reflection.uniforms, name, &Uniform::name);
-        if (found != reflection.uniforms.end() && !is_told(name))
+        if (found != reflection.uniforms.end() && !is_set_by_program(name))
             return &*found;
         if (found != reflection.uniforms.end())
             error(m_pass.declared,
@@ -86,7 +86,7 @@ private:
     }
 
     void add(const Uniform& uniform) {
-        if (is_told(uniform.name))
+        if (is_set_by_program(uniform.name))
             return check_builtin(uniform);
         if (m_pass.set.contains(uniform.name))
             return;
@@ -115,7 +115,7 @@ private:
     }
 
     // Whether the program sets the uniform: Afterglow's built-ins, or those of another host.
-    bool is_told(const std::string& name) const {
+    bool is_set_by_program(const std::string& name) const {
         return std::ranges::find(m_pass.built_ins, name, &BuiltInUniform::name) !=
                m_pass.built_ins.end();
     }

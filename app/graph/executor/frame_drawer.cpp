@@ -405,13 +405,13 @@ bool FrameDrawer::has_converged() const {
         m_textures.targets().size() != m_programs.size() || !samples())
         return false;
     for (std::size_t i = 0; i < m_programs.size(); ++i)
-        if (!rests(i))
+        if (!is_static(i))
             return false;
     return true;
 }
 
 // Whether it would draw the same picture again while its inputs of this frame do not change.
-bool FrameDrawer::rests(std::size_t index) const {
+bool FrameDrawer::is_static(std::size_t index) const {
     const Pass& pass = m_graph.look().passes[index];
     if (m_textures.is_kept(index))
         return true;

@@ -99,7 +99,7 @@ private:
     void end_slices();
     void note_frame_drawn();
     FrameInProgress in_progress() const;
-    bool rests(std::size_t pass) const;
+    bool is_static(std::size_t pass) const;
 
     const FrameGraph& m_graph;
     Shapes& m_shapes;

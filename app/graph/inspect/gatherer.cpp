@@ -23,18 +23,18 @@ Result<Gatherer> Gatherer::make() {
     return Gatherer(std::move(*programs));
 }
 
-void Gatherer::start(const std::vector<TexelPosition>& places) {
+void Gatherer::start(const std::vector<TexelPosition>& positions) {
     stop();
-    const Extent row{static_cast<int>(places.size()), 1};
-    const bool can_read = std::ranges::all_of(places, [this](const TexelPosition& one) {
+    const Extent row{static_cast<int>(positions.size()), 1};
+    const bool can_read = std::ranges::all_of(positions, [this](const TexelPosition& one) {
         return m_programs.find(one.target.format()) != nullptr;
     });
-    if (places.empty() || !can_read || !fit_floats(m_canvas, row))
+    if (positions.empty() || !can_read || !fit_floats(m_canvas, row))
         return;
     const gpu::DrawScope scope;
     m_vertices.bind();
     for (int i = 0; i < row.width; ++i) {
-        const TexelPosition& one = places[static_cast<std::size_t>(i)];
+        const TexelPosition& one = positions[static_cast<std::size_t>(i)];
         const Extent extent = one.target.extent();
         const gpu::Program& program = *m_programs.find(one.target.format());
         program.write("texel",

@@ -25,7 +25,7 @@ public:
     /// Whether a request is pending.
     bool is_busy() const { return m_to_come.has_value(); }
     /// Starts a request and drops a pending one.
-    void start(const std::vector<TexelPosition>& places);
+    void start(const std::vector<TexelPosition>& positions);
     /// RGBA of each texel, once, when available. Channels that a format lacks are 0, alpha 1.
     std::optional<std::vector<std::array<float, 4>>> take();
     void stop() { m_to_come.reset(); }

@@ -46,7 +46,7 @@ vec4 block_sums(ivec2 low) {
 }
 
 // Somewhere in the cell, or a mask that repeats with the cells would show one of its colours alone.
-ivec2 place_in(ivec2 cell_at) {
+ivec2 texel_of(ivec2 cell_at) {
     uint noise = uint(cell_at.x) * 0x9E3779B1u ^ uint(cell_at.y) * 0x85EBCA77u;
     noise = (noise ^ (noise >> 15)) * 0x2C1B3C6Du;
     noise = (noise ^ (noise >> 12)) * 0x297A2D39u;
@@ -75,7 +75,7 @@ void main() {
     if (block_side > 0)
         color = block_sums(at * block_side);
     else
-        color = vec4(chosen(texel_at(place_in(at))), counts_clipped ? clipped_in(at) : 0.0);
+        color = vec4(chosen(texel_at(texel_of(at))), counts_clipped ? clipped_in(at) : 0.0);
 }
 )";
 

@@ -17,7 +17,7 @@ LookCommands::LookCommands(Workspace& work, LookLoader& loader, ContentCommands&
       m_loader(loader),
       m_content(content),
       m_includes(load_include_folders(work.library.roots())),
-      m_kept_sessions(work.library.roots()) {
+      m_stash(work.library.roots()) {
     search_includes();
 }
 
@@ -141,9 +141,9 @@ void LookCommands::set_include_folders(const std::vector<fs::path>& folders) {
     search_includes();
 }
 
-void LookCommands::keep_unsaved(const Session& session,
-                                const std::function<std::optional<Picture>()>& picture) {
-    const auto stored = m_kept_sessions.keep(session, picture);
+void LookCommands::stash_unsaved(const Session& session,
+                                 const std::function<std::optional<Picture>()>& picture) {
+    const auto stored = m_stash.keep(session, picture);
     if (m_work.messages.succeeded(stored) && *stored)
         m_work.messages.say("Your unsaved changes are kept in File > Unsaved changes");
 }

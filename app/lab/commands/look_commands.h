@@ -3,7 +3,7 @@
 #include "lab/commands/content_commands.h"
 #include "lab/frame/workspace.h"
 #include "lab/reload/look_loader.h"
-#include "lab/storage/kept_sessions.h"
+#include "lab/storage/session_stash.h"
 
 #include <filesystem>
 #include <functional>
@@ -42,11 +42,11 @@ public:
     void set_include_folders(const std::vector<std::filesystem::path>& folders);
 
     /// Unsaved changes of looks that were closed.
-    const KeptSessions& kept_sessions() const { return m_kept_sessions; }
-    KeptSessions& kept_sessions() { return m_kept_sessions; }
+    const SessionStash& stash() const { return m_stash; }
+    SessionStash& stash() { return m_stash; }
     /// Stores unsaved changes, if any, and shows a notice.
-    void keep_unsaved(const Session& session,
-                      const std::function<std::optional<Picture>()>& picture = {});
+    void stash_unsaved(const Session& session,
+                       const std::function<std::optional<Picture>()>& picture = {});
 
 private:
     bool must_duplicate(const std::filesystem::path& file) const;
@@ -57,5 +57,5 @@ private:
     LookLoader& m_loader;
     ContentCommands& m_content;
     std::vector<std::filesystem::path> m_includes;
-    KeptSessions m_kept_sessions;
+    SessionStash m_stash;
 };

@@ -203,7 +203,7 @@ std::string summary_of(const std::vector<Change>& changes, const std::string& st
     if (changes.empty())
         return {};
     const Change& first = changes.front();
-    const bool is_told = changes.size() == 1 && step.ends_with(first.label);
-    const std::string text = is_told ? values_of(first) : line_of(first);
+    const bool is_named = changes.size() == 1 && step.ends_with(first.label);
+    const std::string text = is_named ? values_of(first) : line_of(first);
     return changes.size() == 1 ? text : fmt::format("{}, {} more", text, changes.size() - 1);
 }

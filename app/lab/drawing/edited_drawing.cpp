@@ -95,14 +95,14 @@ void EditedDrawing::remove_keyframe(Document& document) {
     m_keyframe = index > 0 ? index - 1 : 0;
 }
 
-void EditedDrawing::move_keyframe(int places, Document& document) {
+void EditedDrawing::move_keyframe(int steps, Document& document) {
     if (!m_drawing)
         return;
     Drawing drawing = *m_drawing;
     const std::size_t index = keyframe();
     const auto last = static_cast<std::ptrdiff_t>(drawing.keyframes.size()) - 1;
     const auto next = static_cast<std::size_t>(
-        std::clamp(static_cast<std::ptrdiff_t>(index) + places, std::ptrdiff_t{0}, last));
+        std::clamp(static_cast<std::ptrdiff_t>(index) + steps, std::ptrdiff_t{0}, last));
     std::swap(drawing.keyframes[index], drawing.keyframes[next]);
     set(drawing, "Move keyframe", document);
     m_keyframe = next;

@@ -28,7 +28,7 @@ public:
     void add_keyframe(Document& document);  // empty, after the current one; becomes current
     void duplicate_keyframe(Document& document);
     void remove_keyframe(Document& document);
-    void move_keyframe(int places, Document& document);
+    void move_keyframe(int steps, Document& document);
     void clear_keyframe(Document& document);
 
 private:

@@ -392,10 +392,10 @@ void FrameLoop::draw_picture(double wall_seconds) {
     limit_frame(wall_seconds);
     m_work.renderer->executors().inputs().sound = m_work.player.signal().sound_texels();
     m_work.renderer->executors().inputs().date = local_date();
-    const bool rests = m_work.player.transport().is_playing() && has_converged();
-    const bool comes_next =
-        m_work.player.transport().is_playing() && !rests;  // a frame, which includes all redraws
-    const bool waits = rests || m_work.renderer->replay().is_of_variant();
+    const bool is_static = m_work.player.transport().is_playing() && has_converged();
+    const bool comes_next = m_work.player.transport().is_playing() &&
+                            !is_static;  // a frame, which includes all redraws
+    const bool waits = is_static || m_work.renderer->replay().is_of_variant();
     const auto frame = waits ? std::nullopt : m_work.player.advance(wall_seconds);
     if (frame) {
         m_work.redraw.clear();

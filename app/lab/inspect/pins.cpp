@@ -22,14 +22,14 @@ void Pins::update(const Executor& executor, const std::vector<Pin>& pins, double
         m_values = std::move(*values);
     if (pins.empty() || m_gatherer.is_busy() || seconds < m_due)
         return;
-    std::vector<TexelPosition> places;
+    std::vector<TexelPosition> positions;
     for (const Pin& pin : pins)
         for (std::size_t pass = 0; pass < passes; ++pass) {
             const gpu::Texture& target = executor.target(static_cast<int>(pass));
             const auto [x, y] = pin.texel(target.extent());
-            places.push_back({target, x, y});
+            positions.push_back({target, x, y});
         }
-    m_gatherer.start(places);
+    m_gatherer.start(positions);
     m_pins = pins;
     m_passes = passes;
     m_due = seconds + pause_seconds;

@@ -22,8 +22,8 @@ std::optional<std::size_t> RoundRobin::due(std::uint64_t picture, double seconds
     }
     if (m_pending == 0)
         return std::nullopt;
-    const bool rests = seconds - m_changed >= rest_seconds;
-    if (m_new == 0 && !rests && seconds < m_due)
+    const bool is_static = seconds - m_changed >= rest_seconds;
+    if (m_new == 0 && !is_static && seconds < m_due)
         return std::nullopt;
     return m_next;
 }

@@ -130,13 +130,14 @@ MenuSection drawing_section(const DrawingBoard& board) {
 }
 
 // The menu displays them with pictures.
-MenuSection unsaved_section(const KeptSessions& sessions) {
+MenuSection unsaved_section(const SessionStash& sessions) {
     MenuSection section{"Unsaved changes"};
-    for (const KeptSession& session : sessions.list())
+    for (const StashedSession& session : sessions.list())
         section.entries.push_back(
             {.name = session.preset.empty() ? session.look
                                             : fmt::format("{} – {}", session.look, session.preset),
-             .commands = {[file = session.file](Lab& changed) { restore_kept(changed, file); }}});
+             .commands = {
+                 [file = session.file](Lab& changed) { restore_stashed(changed, file); }}});
     return section;
 }
 
@@ -193,7 +194,7 @@ void add_of_look(const LabParts& lab, const WindowState& window,
                               inspected_parts(lab.renderer->executor(), window.views.inspected),
                               window.views.inspected));
     all.push_back(comparison_section(lab));
-    all.push_back(unsaved_section(lab.looks.kept_sessions()));
+    all.push_back(unsaved_section(lab.looks.stash()));
     add_sections(
         all, preset_sections(listed_presets(document, looks, lab.presets.navigation().stars(), {}),
                              window.presets));

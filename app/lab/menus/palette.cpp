@@ -60,7 +60,7 @@ std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query)
     constexpr int for_kind = 5;  // matches only the kind, not the name
     constexpr int for_detail = 12;
     if (auto match = fuzzy_match(query, entry.label)) {
-        if (!match->places.empty() && match->places.back() < name_start(entry))
+        if (!match->positions.empty() && match->positions.back() < name_start(entry))
             match->score -= for_kind;
         return match;
     }
@@ -68,7 +68,7 @@ std::optional<FuzzyMatch> fit(const PaletteEntry& entry, std::string_view query)
     if (!match)
         return match;
     match->score -= for_detail;
-    std::erase_if(match->places, [&](std::size_t index) { return index >= entry.label.size(); });
+    std::erase_if(match->positions, [&](std::size_t index) { return index >= entry.label.size(); });
     return match;
 }
 }  // namespace
@@ -157,11 +157,11 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
             continue;
         const auto use = std::find(used.begin(), used.end(), entries[i].id);
         const std::size_t start = name_start(entries[i]);
-        const bool is_named = !match->places.empty() && match->places.back() >= start;
+        const bool is_named = !match->positions.empty() && match->positions.back() >= start;
         ranked.push_back({{-match->score, static_cast<std::size_t>(use - used.begin()),
                            entries[i].kind == Kind::menu_entry,
                            is_named ? entries[i].label.size() - start : 0, i},
-                          {i, match->places}});
+                          {i, match->positions}});
     }
     std::sort(ranked.begin(), ranked.end(),
               [](const Ranked& a, const Ranked& b) { return a.order < b.order; });

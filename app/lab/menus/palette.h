@@ -37,7 +37,7 @@ std::vector<PaletteEntry> difference_entries(const Look& open,
 /// An entry that matches the query.
 struct PaletteMatch {
     std::size_t entry = 0;
-    std::vector<std::size_t> places;  // matching bytes of its label
+    std::vector<std::size_t> positions;  // matching bytes of its label
 };
 
 /// The matches of `query`, the best first. Ties are sorted by last use (`used`: ids, last used

@@ -171,10 +171,11 @@ bool Offline::is_animated(const Parameter& parameter) const {
 
 Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
     const Look look = executor().look();
-    const bool turns_texts = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
-        return parameter.is_constant && is_animated(parameter);
-    });
-    if (turns_texts || m_generic)
+    const bool has_constants =
+        std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+            return parameter.is_constant && is_animated(parameter);
+        });
+    if (has_constants || m_generic)
         return {};
     const std::vector<bool> is_displayed = displayed_with_picture(displayed);
     if (auto done = show_to(is_displayed); !done)

@@ -45,14 +45,14 @@ std::optional<UnfinishedOpening> parse_mark(std::string_view text) {
     UnfinishedOpening opening{std::string(fields[2]), {}, std::string(fields[3])};
     opening.is_reset = fields[1] == reset;
     for (std::size_t i = 4; i < fields.size(); ++i)
-        opening.places.emplace_back(std::string(fields[i]));
+        opening.paths.emplace_back(std::string(fields[i]));
     return opening;
 }
 }  // namespace
 
 bool UnfinishedOpening::has(const fs::path& manifest) const {
     return !manifest.empty() &&
-           std::ranges::find(places, fs::absolute(manifest).lexically_normal()) != places.end();
+           std::ranges::find(paths, fs::absolute(manifest).lexically_normal()) != paths.end();
 }
 
 OpeningMark::OpeningMark(const Roots& roots)

@@ -10,14 +10,14 @@
 
 /// A look that was being opened or compiled when the program ended.
 struct UnfinishedOpening {
-    std::string look;                           // its name
-    std::vector<std::filesystem::path> places;  // manifests or foreign files; several for a stack
-    std::filesystem::path edited = {};          // the file whose edit was compiled; "": none
-    bool is_reset = false;                      // the driver lost the context while drawing
+    std::string look;                          // its name
+    std::vector<std::filesystem::path> paths;  // manifests or foreign files; several for a stack
+    std::filesystem::path edited = {};         // the file whose edit was compiled; "": none
+    bool is_reset = false;                     // the driver lost the context while drawing
 
     /// The file to check first.
-    std::filesystem::path file() const { return edited.empty() ? places.front() : edited; }
-    /// Whether a look.json or foreign file is one of its places.
+    std::filesystem::path file() const { return edited.empty() ? paths.front() : edited; }
+    /// Whether a look.json or foreign file is one of its paths.
     bool has(const std::filesystem::path& manifest) const;
 
     bool operator==(const UnfinishedOpening&) const = default;

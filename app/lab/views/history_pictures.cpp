@@ -10,11 +10,11 @@ bool is_copy_due(int frame) {
     return frame >= 1 && frame <= last && (frame & (frame - 1)) == 0;
 }
 
-std::size_t farthest_index(const std::vector<std::size_t>& places, std::size_t present) {
+std::size_t farthest_index(const std::vector<std::size_t>& indices, std::size_t present) {
     const auto distance = [present](std::size_t index) {
         return index > present ? index - present : present - index;
     };
-    return *std::max_element(places.begin(), places.end(), [&](std::size_t a, std::size_t b) {
+    return *std::max_element(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {
         return distance(a) < distance(b);
     });
 }
@@ -56,10 +56,10 @@ void HistoryPictures::forget_far(std::size_t index) {
     constexpr std::size_t most = 64;  // about 2 MB
     if (m_copies.size() <= most)
         return;
-    std::vector<std::size_t> places;
+    std::vector<std::size_t> indices;
     for (const auto& [at, copy] : m_copies)
-        places.push_back(at);
-    m_copies.erase(farthest_index(places, index));
+        indices.push_back(at);
+    m_copies.erase(farthest_index(indices, index));
 }
 
 ViewImage HistoryPictures::picture(const Document& document, std::size_t index) const {

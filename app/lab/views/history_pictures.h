@@ -14,8 +14,8 @@ class Lab;
 /// 128, about two seconds, because the picture changes less and less.
 bool is_copy_due(int frame);
 
-/// The index farthest from the current one, of those with a copy; `places` is not empty.
-std::size_t farthest_index(const std::vector<std::size_t>& places, std::size_t present);
+/// The index farthest from the current one, of those with a copy; `indices` is not empty.
+std::size_t farthest_index(const std::vector<std::size_t>& indices, std::size_t present);
 
 /// Thumbnails of the recently displayed states of the history.
 class HistoryPictures {

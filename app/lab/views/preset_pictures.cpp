@@ -68,7 +68,7 @@ void PresetPictures::update(const Lab& lab, bool is_seen, double wall_seconds,
 
 namespace {
 // Changed constants do not affect presets, which define their own values.
-bool is_only_turned(const Look& before, const Look& now) {
+bool differs_in_constants(const Look& before, const Look& now) {
     return before.constants != now.constants &&
            std::ranges::equal(before.constants, now.constants, {}, &Values::value_type::first,
                               &Values::value_type::first);
@@ -79,7 +79,7 @@ bool is_only_turned(const Look& before, const Look& now) {
 void PresetPictures::list(const Lab& lab, const std::optional<Content>& content) {
     const Look& look = lab.document()->look();
     const bool is_other = !m_look || m_look->id != look.id;
-    const bool is_turned = !is_other && is_only_turned(*m_look, look);
+    const bool is_turned = !is_other && differs_in_constants(*m_look, look);
     const bool shows_other = std::exchange(m_content, content) != content;
     const bool is_edited = !is_other && ((!is_turned && *m_look != look) || shows_other);
     if (is_turned)

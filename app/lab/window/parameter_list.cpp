@@ -83,8 +83,8 @@ ParameterQuery query_of(const WindowState& window) {
     return {window.parameters.search, window.parameters.filter, window.views.inspected.pass};
 }
 
-std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
-                                     const Pointed& present, int by) {
+std::optional<Pointed> listed_neighbour(const std::vector<ParameterGroup>& groups,
+                                        const Pointed& present, int by) {
     std::vector<Pointed> lines;
     for (const ParameterGroup& group : groups)
         for (const Parameter* parameter : group.parameters) {

@@ -26,8 +26,8 @@ ParameterQuery query_of(const WindowState& window);
 /// The number `by` lines below `present` in the list (negative: above), limited to the list. Each
 /// component of a vector has its own line. If `present` is not listed, the first or last number.
 /// nullopt: the list is empty.
-std::optional<Pointed> listed_beside(const std::vector<ParameterGroup>& groups,
-                                     const Pointed& present, int by);
+std::optional<Pointed> listed_neighbour(const std::vector<ParameterGroup>& groups,
+                                        const Pointed& present, int by);
 
 /// The message for an empty list.
 std::string why_nothing_is_listed(const ParameterQuery& query);

@@ -48,6 +48,6 @@ struct Probes {
     std::optional<Probe> pointer;  // the pixel under it
     std::vector<Pin> pins;
     ScanLine scan_line;
-    std::optional<double> scan_place;  // 0..1 along it, hovered in the plot
-    bool plots_luminance = false;      // instead of red, green and blue
+    std::optional<double> scan_position;  // 0..1 along it, hovered in the plot
+    bool plots_luminance = false;         // instead of red, green and blue
 };

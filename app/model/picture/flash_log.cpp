@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace {
-constexpr int places = 8;  // samples per row of a cell
+constexpr int samples_per_row = 8;  // samples per row of a cell
 
 float light_of(float stored, Encoding encoding) {
     if (!(stored > 0.0f))  // NaN too
@@ -39,16 +39,16 @@ std::vector<Light> cells_by(Extent extent, const LightAt& light) {
     std::vector<Light> cells(static_cast<std::size_t>(flash_cells.width * flash_cells.height));
     if (extent.is_empty())
         return cells;
-    const int columns = flash_cells.width * places;
-    const int rows = flash_cells.height * places;
+    const int columns = flash_cells.width * samples_per_row;
+    const int rows = flash_cells.height * samples_per_row;
     for (int row = 0; row < rows; ++row)
         for (int column = 0; column < columns; ++column) {
             const int x = (2 * column + 1) * extent.width / (2 * columns);
             const int y = (2 * row + 1) * extent.height / (2 * rows);
-            const int index = row / places * flash_cells.width + column / places;
+            const int index = row / samples_per_row * flash_cells.width + column / samples_per_row;
             Light& cell = cells[static_cast<std::size_t>(index)];
             for (std::size_t i = 0; i < 3; ++i)
-                cell[i] += light(x, y, i) / static_cast<float>(places * places);
+                cell[i] += light(x, y, i) / static_cast<float>(samples_per_row * samples_per_row);
         }
     return cells;
 }

@@ -35,9 +35,9 @@ void append_texel(const Picture& flat, int x, int y, Picture& solid) {
 }
 
 Picture from_cross(const Picture& flat, int side,
-                   const std::array<FacePosition, cube_faces>& places) {
+                   const std::array<FacePosition, cube_faces>& faces) {
     Picture solid = empty_solid(flat, side, cube_faces, PictureShape::cube);
-    for (const FacePosition& face : places)
+    for (const FacePosition& face : faces)
         for (int y = 0; y < side; ++y)
             for (int x = 0; x < side; ++x)
                 append_texel(flat, face.column * side + (face.is_turned ? side - 1 - x : x),

@@ -72,22 +72,22 @@ struct Stop {
 };
 using Columns = std::vector<std::vector<Stop>>;
 
-Columns stops_of(const PassGraph& graph, std::vector<std::size_t>& place_of_node) {
+Columns stops_of(const PassGraph& graph, std::vector<std::size_t>& index_in_column) {
     Columns columns(static_cast<std::size_t>(graph.columns));
     for (std::size_t i = 0; i < graph.nodes.size(); ++i) {
         auto& column = columns[static_cast<std::size_t>(graph.nodes[i].column)];
-        place_of_node.push_back(column.size());
+        index_in_column.push_back(column.size());
         column.push_back({i, 0, {}});
     }
     for (std::size_t i = 0; i < graph.edges.size(); ++i) {
         const Edge& edge = graph.edges[i];
         if (!is_forward(edge, graph))
             continue;
-        std::pair before{graph.nodes[edge.from].column, place_of_node[edge.from]};
+        std::pair before{graph.nodes[edge.from].column, index_in_column[edge.from]};
         const int end = graph.nodes[edge.to].column;
         for (int at = before.first + 1; at <= end; ++at) {
             auto& column = columns[static_cast<std::size_t>(at)];
-            const std::size_t index = at == end ? place_of_node[edge.to] : column.size();
+            const std::size_t index = at == end ? index_in_column[edge.to] : column.size();
             if (at < end)
                 column.push_back({std::nullopt, i, {}});
             column[index].neighbours.push_back(before);
@@ -154,8 +154,8 @@ PassGraph graph_of(const Look& look) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         add_edges(look, i, graph);
     assign_columns(look.passes.size(), graph);
-    std::vector<std::size_t> place_of_node;
-    const Columns columns = stops_of(graph, place_of_node);
+    std::vector<std::size_t> index_in_column;
+    const Columns columns = stops_of(graph, index_in_column);
     const Rows rows = rows_of(columns);
     for (std::size_t column = 0; column < columns.size(); ++column)
         for (std::size_t i = 0; i < columns[column].size(); ++i) {

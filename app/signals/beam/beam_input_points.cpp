@@ -25,13 +25,13 @@ constexpr std::array<Range, 7> ranges{{{"x", -1000, 1000},
                                        {"red", 0, 1000},
                                        {"green", 0, 1000},
                                        {"blue", 0, 1000}}};
-constexpr std::size_t seconds_place = 3;
+constexpr std::size_t seconds_column = 3;
 
 using Numbers = std::array<double, ranges.size()>;  // in the order of `ranges`
 
 BeamInputPoint point_of(const Numbers& values, bool has_tint) {
     const auto value = [&](std::size_t i) { return static_cast<float>(values[i]); };
-    BeamInputPoint point{value(0), value(1), value(2), values[seconds_place]};
+    BeamInputPoint point{value(0), value(1), value(2), values[seconds_column]};
     if (has_tint)
         point.tint = BeamTint{value(4), value(5), value(6)};
     return point;
@@ -155,7 +155,7 @@ void BeamInputReader::take_frame(std::string_view frame, std::vector<BeamInputPo
             return pass_over(0, fmt::format("point {}: '{}' must be between {} and {}, got {}",
                                             m_number, ranges[i].name, format_number(ranges[i].low),
                                             format_number(ranges[i].high), values[i]));
-        has_tint = has_tint || i > seconds_place;
+        has_tint = has_tint || i > seconds_column;
     }
     points.push_back(point_of(values, has_tint));
 }

@@ -34,10 +34,10 @@ BeamPosition position_at(const Line& line, const std::vector<double>& shares, do
 
 Line positions_at(const Line& line, const std::vector<double>& shares) {
     const std::vector<double> own = shares_of(line);
-    Line places;
+    Line positions;
     for (const double share : shares)
-        places.push_back(position_at(line, own, share));
-    return places;
+        positions.push_back(position_at(line, own, share));
+    return positions;
 }
 
 std::vector<double> even_shares(std::size_t count) {
@@ -67,7 +67,7 @@ Line aligned(const Line& from, const Line& to) {
     constexpr std::size_t samples = 48;
     constexpr std::size_t most_tries = 64;
     constexpr double clearly = 1.0 - 1e-9;  // as drawn, unless another is better
-    const Line places = positions_at(from, even_shares(samples));
+    const Line positions = positions_at(from, even_shares(samples));
     const std::size_t stride = std::max<std::size_t>(1, (to.size() - 1) / most_tries);
     Line best = to;
     double least = std::numeric_limits<double>::infinity();
@@ -75,7 +75,7 @@ Line aligned(const Line& from, const Line& to) {
         const Line line = is_backwards ? Line(to.rbegin(), to.rend()) : to;
         for (std::size_t corner = 0; corner + 1 < line.size(); corner += stride) {
             Line rotated = begun_at(line, corner);
-            const double way = way_between(places, positions_at(rotated, even_shares(samples)));
+            const double way = way_between(positions, positions_at(rotated, even_shares(samples)));
             if (way < least * clearly) {
                 least = way;
                 best = std::move(rotated);

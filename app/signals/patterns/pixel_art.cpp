@@ -169,9 +169,9 @@ void draw_boat(PixelCanvas& canvas, int tick) {
 }
 
 void draw_gulls(PixelCanvas& canvas, int tick) {
-    constexpr std::array<std::array<int, 2>, 4> places{{{66, 62}, {79, 55}, {93, 64}, {214, 74}}};
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto [x, y] = places[i];
+    constexpr std::array<std::array<int, 2>, 4> pixels{{{66, 62}, {79, 55}, {93, 64}, {214, 74}}};
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const auto [x, y] = pixels[i];
         const int wing = (tick / 2 + static_cast<int>(i)) % 4 == 0 ? 1 : -1;
         canvas.set(x, y, night);
         for (int side : {-1, 1}) {

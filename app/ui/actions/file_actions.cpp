@@ -78,11 +78,11 @@ void paste_line(const Scene&, Edits& edits) {
 }
 
 void take_up_unsaved(const Scene& scene, Edits& edits) {
-    edits.open_unsaved(scene.lab.looks.kept_sessions().files().front());
+    edits.open_unsaved(scene.lab.looks.stash().files().front());
 }
 
-bool has_kept_session(const Scene& scene) {
-    return !scene.lab.looks.kept_sessions().files().empty();
+bool has_stashed_session(const Scene& scene) {
+    return !scene.lab.looks.stash().files().empty();
 }
 
 void quit(const Scene&, Edits& edits) {
@@ -207,7 +207,7 @@ std::vector<Action> file_actions::list() {
          {'O', true, true},
          false,
          take_up_unsaved,
-         has_kept_session},
+         has_stashed_session},
         {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
         {ActionId::duplicate_look,
          Menu::file,

@@ -25,8 +25,8 @@ template <int by>
 void go(const Scene& scene, Edits& edits) {
     const Revealed& revealed = scene.window.parameters.revealed;
     const auto next =
-        listed_beside(listed_parameters(*scene.lab.document, query_of(scene.window)),
-                      {.parameter = revealed.parameter, .component = revealed.component}, by);
+        listed_neighbour(listed_parameters(*scene.lab.document, query_of(scene.window)),
+                         {.parameter = revealed.parameter, .component = revealed.component}, by);
     if (!next)
         return;
     edits.arrange([next](WindowState& window) {

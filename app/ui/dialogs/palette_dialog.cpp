@@ -49,7 +49,7 @@ int moved_choice(int chosen, int count, Edits& edits) {
 
 struct PaletteRow {
     const PaletteEntry& entry;
-    const std::vector<std::size_t>& places;
+    const std::vector<std::size_t>& positions;
     bool is_chosen = false;
     float width = 0.0f;
 };
@@ -60,7 +60,7 @@ float draw_label(const PaletteRow& row, ImVec2 at) {
     const theme::Color plain = row.entry.why_not.empty() ? theme::text : theme::faint;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto fits = [&row](std::size_t index) {
-        return std::binary_search(row.places.begin(), row.places.end(), index);
+        return std::binary_search(row.positions.begin(), row.positions.end(), index);
     };
     for (std::size_t start = 0, end = 0; start < label.size(); start = end) {
         const bool is_fit = fits(start);
@@ -112,7 +112,7 @@ int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<Palett
             const PaletteMatch& match = matches[static_cast<std::size_t>(i)];
             const PaletteEntry& entry = entries[match.entry];
             if (draw_palette_row(
-                    {entry, match.places, i == chosen, ImGui::GetContentRegionAvail().x}))
+                    {entry, match.positions, i == chosen, ImGui::GetContentRegionAvail().x}))
                 clicked = i;
             edits.mark("palette:" + entry.label);
         }

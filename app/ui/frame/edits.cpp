@@ -32,7 +32,7 @@ void Edits::open_file(const std::filesystem::path& file) {
 }
 
 void Edits::open_unsaved(const std::filesystem::path& stored) {
-    change([stored](Lab& lab) { restore_kept(lab, stored); });
+    change([stored](Lab& lab) { restore_stashed(lab, stored); });
 }
 
 void Edits::mark(const std::string& name) {

@@ -20,18 +20,18 @@ std::string look_name(const std::string& id, const Scene& scene) {
     return found == looks.end() ? id : found->name;
 }
 
-double age_of(const KeptSession& kept) {
+double age_of(const StashedSession& kept) {
     const auto now = std::filesystem::file_time_type::clock::now();
     return std::max(std::chrono::duration<double>(now - kept.time).count(), 0.0);
 }
 
-std::string changes_text(const KeptSession& kept) {
+std::string changes_text(const StashedSession& kept) {
     const std::string age = age_text(age_of(kept));
     return kept.changes == 1 ? fmt::format("1 change · {}", age)
                              : fmt::format("{} changes · {}", kept.changes, age);
 }
 
-void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
+void draw_entry(const StashedSession& kept, const Scene& scene, Edits& edits) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const ImVec2 size(ImGui::GetFontSize() * 22.0f, line * 2.0f + 4.0f);
     const float picture_width = size.y * 16.0f / 9.0f;
@@ -62,14 +62,14 @@ void draw_entry(const KeptSession& kept, const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_unsaved_menu(const Scene& scene, Edits& edits) {
-    const auto& kept = scene.lab.looks.kept_sessions().list();
+    const auto& kept = scene.lab.looks.stash().list();
     if (kept.empty())
         return;
     const bool is_open = ImGui::BeginMenu("Unsaved changes");
     edits.mark("menu:Unsaved changes");
     if (!is_open)
         return;
-    for (const KeptSession& session : kept) {
+    for (const StashedSession& session : kept) {
         const ScopedId id(session.file.string());
         draw_entry(session, scene, edits);
     }

@@ -96,7 +96,7 @@ std::string range_text(const Parameter& parameter) {
 }
 
 // The control of a colour shows display values. This text therefore adds "linear light".
-std::string told_value(const Parameter& parameter, const Value& value) {
+std::string help_value(const Parameter& parameter, const Value& value) {
     const std::string text = short_value(parameter, value);
     return parameter.control == Control::color ? fmt::format("{} (linear light)", text) : text;
 }
@@ -120,7 +120,7 @@ void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
     }
     ImGui::Spacing();
     fact("Name", fmt::format("{}  ({})", parameter.name, type_name(parameter)));
-    fact("Value", told_value(parameter, entry.value));
+    fact("Value", help_value(parameter, entry.value));
     if (is_decay(parameter)) {
         fact("Half-life", duration_text(half_life(entry.value.number())));
         fact("To 10 %", duration_text(seconds_to(0.1, entry.value.number())));
@@ -131,7 +131,7 @@ void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
         ImGui::TextUnformatted(warning.c_str());
         ImGui::PopTextWrapPos();
     }
-    fact("Default", told_value(parameter, parameter.initial));
+    fact("Default", help_value(parameter, parameter.initial));
     fact("Range", range_text(parameter));
     fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
     for (const MidiBinding& binding : entry.midi)

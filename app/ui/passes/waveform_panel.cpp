@@ -215,7 +215,7 @@ void draw_waveform_panel(const Scene& scene, Edits& edits) {
                      theme::packed(theme::faint));
         edits.arrange([position = (static_cast<double>(*index) + 0.5) /
                                   static_cast<double>(plot.count)](WindowState& window) {
-            window.probes.scan_place = position;
+            window.probes.scan_position = position;
         });
     }
     list.PopClipRect();

@@ -56,7 +56,7 @@ std::function<Orbit(const Orbit&)> dragged_orbit(const PictureCanvas& canvas) {
     return [right, up](const Orbit& orbit) { return with_camera_moved(orbit, right, up); };
 }
 
-void turn_orbit(const PictureCanvas& canvas, CanvasInput& input) {
+void rotate_orbit(const PictureCanvas& canvas, CanvasInput& input) {
     constexpr double factor_a_notch = 0.9;
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel != 0.0f && ImGui::GetIO().KeyCtrl) {
@@ -109,7 +109,7 @@ CanvasInput draw_picture_canvas(const PictureCanvas& canvas, const Scene& scene)
     const auto pixel = pixel_at(mouse.x, mouse.y);
     input.hovered = pixel;
     if (canvas.has_orbit)
-        turn_orbit(canvas, input);
+        rotate_orbit(canvas, input);
     if (canvas.has_pen)
         read_pen(pixel_at, scene, input);
     if (input.orbit)

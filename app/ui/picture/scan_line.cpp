@@ -129,7 +129,7 @@ void draw_scan_line(const ImVec2& low, const ImVec2& size, const Scene& scene) {
         const ImVec2 middle = between(a, b, 0.5);
         list.AddRectFilled({middle.x - radius, middle.y - 0.5f * radius},
                            {middle.x + radius, middle.y + 0.5f * radius}, ink);
-        if (const auto& position = scene.window.probes.scan_place)
+        if (const auto& position = scene.window.probes.scan_position)
             list.AddCircle(between(a, b, *position), 1.5f * radius, ink, 16, 1.5f);
     }
     list.PopClipRect();

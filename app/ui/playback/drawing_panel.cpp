@@ -133,9 +133,9 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
          {"Remove", "keyframe_remove", "Removes this keyframe. The last one can't be removed.",
           keyframes.size() > 1, &EditedDrawing::remove_keyframe}},
         edits);
-    const auto move = [](int places) {
-        return [places](EditedDrawing& drawing, Document& document) {
-            drawing.move_keyframe(places, document);
+    const auto move = [](int steps) {
+        return [steps](EditedDrawing& drawing, Document& document) {
+            drawing.move_keyframe(steps, document);
         };
     };
     draw_buttons({{"Earlier", "keyframe_earlier", "Moves this keyframe one place earlier.",

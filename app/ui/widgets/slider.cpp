@@ -55,7 +55,7 @@ std::vector<double> notch_ratios(const SliderFacts& facts, double width) {
     const auto steps = steps_of(facts);
     if (!steps || steps->count * room > width + room)
         return {};
-    std::vector<double> places;
+    std::vector<double> ratios;
     double last = 0.0;
     for (double i = 0.0; i < steps->count; i += 1.0) {
         const double ratio = slider_ratio(steps->value(i), facts);
@@ -64,20 +64,20 @@ std::vector<double> notch_ratios(const SliderFacts& facts, double width) {
         last = ratio;
         constexpr double end = 1e-6;
         if (ratio > end && ratio < 1.0 - end)
-            places.push_back(ratio);
+            ratios.push_back(ratio);
     }
-    return places;
+    return ratios;
 }
 
 std::vector<double> safe_ratios(const SliderFacts& facts, double width) {
     constexpr double room = 5.0;  // minimum spacing in pixels
-    std::vector<double> places;
+    std::vector<double> ratios;
     for (const double value : facts.safe) {
         const double ratio = slider_ratio(value, facts);
-        if (places.empty() || (ratio - places.back()) * width >= room)
-            places.push_back(ratio);
+        if (ratios.empty() || (ratio - ratios.back()) * width >= room)
+            ratios.push_back(ratio);
     }
-    return places;
+    return ratios;
 }
 
 std::string short_number(double value) {

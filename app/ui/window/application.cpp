@@ -35,7 +35,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
         start.first_file = FirstFile(*std::exchange(look, {}));
     }
     if (look)
-        lab.looks().keep_unsaved(session);
+        lab.looks().stash_unsaved(session);
     start.state.first_steps.is_shown = session.look.empty();
     lab.parameters().set_all(session.parameter_settings);
     lab.content().set_initial(content_of(session));

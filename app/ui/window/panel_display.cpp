@@ -73,7 +73,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
                       .density = m_toolkit.density()};
     edits.arrange([](WindowState& changed) {  // panels set them again
         changed.probes.pointer.reset();
-        changed.probes.scan_place.reset();
+        changed.probes.scan_position.reset();
         changed.parameters.pointed.reset();
     });
     draw_window(scene, edits);

@@ -74,11 +74,11 @@ std::string problems_json(const Messages& messages) {
 }
 
 std::string widget_rects_text(const Edits& edits) {
-    std::vector<std::string> places;
+    std::vector<std::string> rects;
     for (const auto& [name, rect] : edits.widget_rects())
-        places.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
-                                     rect.left, rect.top, rect.right, rect.bottom));
-    return fmt::format("{{{}}}", fmt::join(places, ","));
+        rects.push_back(fmt::format("{}:[{:.0f},{:.0f},{:.0f},{:.0f}]", json_string(name),
+                                    rect.left, rect.top, rect.right, rect.bottom));
+    return fmt::format("{{{}}}", fmt::join(rects, ","));
 }
 
 std::string probe_text(const Scene& scene) {

@@ -12,7 +12,7 @@ Look look_of_texts(const std::string& first, const std::string& second = "") {
 }
 
 std::string mistakes_of(Look look) {
-    return to_string(turn_constants(look, nullptr));
+    return to_string(write_constants(look, nullptr));
 }
 }  // namespace
 
@@ -20,7 +20,7 @@ TEST_CASE("a constant is a parameter whose default is the written number") {
     Look look = look_of_texts(
         "#define STEPS 64  // @range 8 256 2 @label \"Steps\" @unit \"x\" @group \"Rays\" @help "
         "\"How many.\"\n");
-    REQUIRE(turn_constants(look, nullptr).empty());
+    REQUIRE(write_constants(look, nullptr).empty());
     REQUIRE(look.parameters.size() == 1);
     const Parameter& steps = look.parameters.front();
     CHECK(steps.name == "STEPS");
@@ -39,7 +39,7 @@ TEST_CASE("a constant is a parameter whose default is the written number") {
 TEST_CASE("a constant in capitals gets a readable label") {
     Look look =
         look_of_texts("#define MAX_STEPS 3  // @range 1 9\n#define softNess 0.5  // @range 0 1\n");
-    REQUIRE(turn_constants(look, nullptr).empty());
+    REQUIRE(write_constants(look, nullptr).empty());
     CHECK(look.parameters[0].label == "Max steps");
     CHECK(look.parameters[1].label == "SoftNess");
 }
@@ -49,7 +49,7 @@ TEST_CASE("a value replaces the written number, and no line moves") {
     Look look = look_of_texts(before + "const float A = 0.5, B = 1.0;  // @range -1 1\n", before);
     const Look plain = look;
     const Values values{{"N", 5.0}, {"A", -0.25}, {"other", 9.0}};
-    REQUIRE(turn_constants(look, &values).empty());
+    REQUIRE(write_constants(look, &values).empty());
     const auto with = [](std::string text, const std::string& from, const std::string& to) {
         return text.replace(text.find(from), from.size(), to);
     };
@@ -67,7 +67,7 @@ TEST_CASE("a value is converted to the constant's type, and found under its prev
     Look look =
         look_of_texts("#define N 3  // @range 1 9 @was COUNT\n#define ON false // @label \"On\"\n");
     const Values values{{"COUNT", 6.6}, {"ON", 3.0}};
-    REQUIRE(turn_constants(look, &values).empty());
+    REQUIRE(write_constants(look, &values).empty());
     CHECK(look.constants == Values{{"N", 7.0}, {"ON", 1.0}});
 }
 

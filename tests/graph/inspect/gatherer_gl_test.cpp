@@ -4,7 +4,7 @@
 
 namespace {
 // Red is the column, green the row from the top.
-Picture places(Extent extent) {
+Picture positions(Extent extent) {
     Picture picture{extent, 3, Encoding::linear, {}};
     for (int y = 0; y < extent.height; ++y)
         for (int x = 0; x < extent.width; ++x)
@@ -26,8 +26,8 @@ gpu::Texture gathered_texture(const Picture& picture, Format format) {
 TEST_CASE_FIXTURE(Headless, "texels of several targets are read together, in the requested order") {
     auto gatherer = Gatherer::make();
     REQUIRE(gatherer.has_value());
-    const gpu::Texture large = gathered_texture(places({7, 5}), Format::rgba32f);
-    const gpu::Texture lone = gathered_texture(places({2, 2}), Format::r32f);
+    const gpu::Texture large = gathered_texture(positions({7, 5}), Format::rgba32f);
+    const gpu::Texture lone = gathered_texture(positions({2, 2}), Format::r32f);
     auto whole = gpu::Canvas::make({1, 1}, Format::r32ui);
     REQUIRE(whole.has_value());
     whole->clear({70000, 0, 0, 0});

@@ -43,7 +43,7 @@ TEST_CASE("a crash leaves the name and location of the look that was compiled") 
     const auto left = find_unfinished_opening(run.roots());
     REQUIRE(left.has_value());
     CHECK(left->look == "bad.fs");
-    CHECK(left->places == std::vector<fs::path>{"/looks/bad.fs"});
+    CHECK(left->paths == std::vector<fs::path>{"/looks/bad.fs"});
     CHECK(left->file() == "/looks/part.glsl");
     CHECK(left->has("/looks/../looks/bad.fs"));
     CHECK_FALSE(left->has("/looks/good.fs"));

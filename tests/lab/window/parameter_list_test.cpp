@@ -81,12 +81,12 @@ TEST_CASE("keys move through the list, including components, and stop at its end
     std::string way;
     Pointed at{};
     for (int i = 0; i < 6; ++i) {
-        at = *listed_beside(groups, at, 1);
+        at = *listed_neighbour(groups, at, 1);
         way += at.parameter + char('0' + at.component) + ' ';
     }
     CHECK(way == "focus0 gain0 gain1 glow0 tint0 tint0 ");
-    CHECK(listed_beside(groups, {"glow", 0}, -1) == Pointed{"gain", 1});
-    CHECK(listed_beside(groups, {"focus", 0}, -1) == Pointed{"focus", 0});
-    CHECK(listed_beside(groups, {"gone", 0}, -1) == Pointed{"tint", 0});
-    CHECK(listed_beside({}, {"glow", 0}, 1) == std::nullopt);
+    CHECK(listed_neighbour(groups, {"glow", 0}, -1) == Pointed{"gain", 1});
+    CHECK(listed_neighbour(groups, {"focus", 0}, -1) == Pointed{"focus", 0});
+    CHECK(listed_neighbour(groups, {"gone", 0}, -1) == Pointed{"tint", 0});
+    CHECK(listed_neighbour({}, {"glow", 0}, 1) == std::nullopt);
 }

@@ -1,4 +1,4 @@
-#include "lab/storage/kept_sessions.h"
+#include "lab/storage/session_stash.h"
 
 #include "base/file.h"
 #include "io/files/atomic_file.h"
@@ -15,11 +15,11 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_kept_sessions = 12;
+constexpr std::size_t most_stashed_sessions = 12;
 constexpr std::size_t number_digits = 6;  // before the title
 constexpr std::string_view json_ending = ".json";
 
-bool is_kept_session(const fs::path& file) {
+bool is_stashed_session(const fs::path& file) {
     const std::string name = file.filename().string();
     return name.size() > number_digits + json_ending.size() && name.ends_with(json_ending) &&
            std::all_of(name.begin(), name.begin() + number_digits,
@@ -48,15 +48,15 @@ fs::path picture_of(const fs::path& file) {
 }
 
 // A damaged file is listed by its file name.
-KeptSession described(const fs::path& file) {
+StashedSession described(const fs::path& file) {
     std::error_code error;
-    KeptSession listed;
+    StashedSession listed;
     listed.file = file;
     listed.picture = picture_of(file);
     listed.time = fs::last_write_time(file, error);
     listed.look =
         file.stem().string().substr(std::min(number_digits + 1, file.stem().string().size()));
-    if (const auto session = KeptSessions::read(file)) {
+    if (const auto session = SessionStash::read(file)) {
         listed.look = session->current.preset.look;
         listed.preset = session->saved.preset.name;
         listed.changes = count_changes(*session);
@@ -69,23 +69,23 @@ bool holds_the_same(const Session& a, const Session& b) {
 }
 }  // namespace
 
-KeptSessions::KeptSessions(const Roots& roots) : m_folder(roots.state / "unsaved") {
+SessionStash::SessionStash(const Roots& roots) : m_folder(roots.state / "unsaved") {
     look_again();
 }
 
-void KeptSessions::look_again() {
+void SessionStash::look_again() {
     m_files.clear();
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(m_folder, error))
-        if (is_kept_session(entry.path()))
+        if (is_stashed_session(entry.path()))
             m_files.push_back(entry.path());
     std::ranges::sort(m_files, std::greater());
 }
 
-const std::vector<KeptSession>& KeptSessions::list() const {
-    std::vector<KeptSession> all;
+const std::vector<StashedSession>& SessionStash::list() const {
+    std::vector<StashedSession> all;
     for (const fs::path& file : m_files) {
-        const auto known = std::ranges::find(m_list, file, &KeptSession::file);
+        const auto known = std::ranges::find(m_list, file, &StashedSession::file);
         if (known != m_list.end())
             all.push_back(*known);
         else
@@ -95,7 +95,7 @@ const std::vector<KeptSession>& KeptSessions::list() const {
     return m_list;
 }
 
-Result<bool> KeptSessions::keep(const Session& session,
+Result<bool> SessionStash::keep(const Session& session,
                                 const std::function<std::optional<Picture>()>& picture) {
     if (!has_unsaved(session))
         return false;
@@ -112,17 +112,17 @@ Result<bool> KeptSessions::keep(const Session& session,
     m_files.insert(m_files.begin(), file);
     if (const auto drawn = picture ? picture() : std::nullopt)
         (void)save_picture(*drawn, picture_of(file));  // optional, so errors are ignored
-    while (m_files.size() > most_kept_sessions)
+    while (m_files.size() > most_stashed_sessions)
         forget(m_files.back());
     return true;
 }
 
-Result<Session> KeptSessions::read(const fs::path& file) {
+Result<Session> SessionStash::read(const fs::path& file) {
     const auto text = read_text(file);
     return text ? parse_session(*text, file) : fail(text.error());
 }
 
-void KeptSessions::forget(const fs::path& file) {
+void SessionStash::forget(const fs::path& file) {
     std::error_code error;
     fs::remove(file, error);
     fs::remove(picture_of(file), error);

@@ -11,7 +11,7 @@
 #include <vector>
 
 /// A stored session with unsaved changes, for display in a list.
-struct KeptSession {
+struct StashedSession {
     std::filesystem::path file;
     std::filesystem::path picture;  // a PNG; may not exist
     std::string look;               // its id, or "a+b"
@@ -21,14 +21,14 @@ struct KeptSession {
 };
 
 /// Stores unsaved changes when another look is opened: the latest 12, one file each.
-class KeptSessions {
+class SessionStash {
 public:
-    explicit KeptSessions(const Roots& roots);
+    explicit SessionStash(const Roots& roots);
 
     /// The latest first.
     const std::vector<std::filesystem::path>& files() const { return m_files; }
     /// The files with their contents; each is read only once.
-    const std::vector<KeptSession>& list() const;
+    const std::vector<StashedSession>& list() const;
     /// Stores a session with unsaved changes, unless the latest stored one is the same. False: no
     /// unsaved changes. `picture` renders the displayed picture; it is only called if needed.
     Result<bool> keep(const Session& session,
@@ -43,7 +43,7 @@ private:
 
     std::filesystem::path m_folder;
     std::vector<std::filesystem::path> m_files;
-    mutable std::vector<KeptSession> m_list;  // cached entries of m_files
+    mutable std::vector<StashedSession> m_list;  // cached entries of m_files
 };
 
 /// Whether closing without saving would lose changes.
