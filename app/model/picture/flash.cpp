@@ -10,7 +10,8 @@ double luminance(const Light& light) {
 }
 
 namespace {
-constexpr auto cell_count = static_cast<std::size_t>(flash_cells.width * flash_cells.height);
+constexpr auto cell_count =
+    static_cast<std::size_t>(flash_cells.width) * static_cast<std::size_t>(flash_cells.height);
 constexpr std::size_t quarter =
     static_cast<std::size_t>(flash_field.width * flash_field.height) / 4;
 constexpr double period_seconds = 1.0;
@@ -95,14 +96,15 @@ int FlashCounter::Tally::flashes() const {
     const int width = flash_cells.width;
     for (int wanted = most; wanted > 0; --wanted) {
         // A summed-area table gives the count of any field with three additions.
-        std::vector<std::size_t> sums(
-            static_cast<std::size_t>((width + 1) * (flash_cells.height + 1)));
+        const auto row = static_cast<std::size_t>(width) + 1;
+        std::vector<std::size_t> sums(row * (static_cast<std::size_t>(flash_cells.height) + 1));
         const auto at = [&](int x, int y) -> std::size_t& {
-            return sums[static_cast<std::size_t>(y * (width + 1) + x)];
+            return sums[static_cast<std::size_t>(y) * row + static_cast<std::size_t>(x)];
         };
         for (int y = 0; y < flash_cells.height; ++y)
             for (int x = 0; x < width; ++x) {
-                const bool counts = changes[static_cast<std::size_t>(y * width + x)] >= 2 * wanted;
+                const bool counts = changes[static_cast<std::size_t>(y) * (row - 1) +
+                                            static_cast<std::size_t>(x)] >= 2 * wanted;
                 at(x + 1, y + 1) = at(x, y + 1) + at(x + 1, y) - at(x, y) + (counts ? 1 : 0);
                 const int left = x + 1 - flash_field.width;
                 const int top = y + 1 - flash_field.height;

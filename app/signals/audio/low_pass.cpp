@@ -7,9 +7,7 @@
 
 LowPass::LowPass(double rate, double hertz, Read read)
     : m_read(std::move(read)),
-      m_block(std::max<std::int64_t>(static_cast<std::int64_t>(rate / 10.0), 1)),
-      m_memory(0),
-      m_pull(0.0f) {
+      m_block(std::max<std::int64_t>(static_cast<std::int64_t>(rate / 10.0), 1)) {
     // Samples older than ten time constants contribute less than 5e-5.
     constexpr double memory = 10.0;
     const double samples = rate / (2.0 * std::numbers::pi * hertz);

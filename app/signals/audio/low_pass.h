@@ -24,8 +24,8 @@ private:
 
     Read m_read;
     std::int64_t m_block;                     // samples after which the state is recomputed
-    std::int64_t m_memory;                    // samples of history for this
-    float m_pull;                             // fraction by which a sample moves the state
+    std::int64_t m_memory = 0;                // samples of history for this
+    float m_pull = 0.0f;                      // fraction by which a sample moves the state
     mutable std::int64_t m_next = INT64_MIN;  // the sample that m_state precedes
     mutable StereoSample m_state;
 };

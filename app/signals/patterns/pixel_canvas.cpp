@@ -56,7 +56,8 @@ void PixelCanvas::sprite(int x, int y, std::span<const std::string_view> rows) {
 
 void PixelCanvas::dithered(int x, int y, Index first, Index second, double share) {
     constexpr std::array<int, 16> bayer{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
-    const double threshold = (bayer[static_cast<std::size_t>((y & 3) * 4 + (x & 3))] + 0.5) / 16.0;
+    const double threshold =
+        (bayer[4 * static_cast<std::size_t>(y & 3) + static_cast<std::size_t>(x & 3)] + 0.5) / 16.0;
     set(x, y, share > threshold ? second : first);
 }
 

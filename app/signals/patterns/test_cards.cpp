@@ -125,8 +125,10 @@ Color checker(const PixelPosition& position) {
 // Concentric rings with r / width periods per pixel, up to the finest that pixels can show at the
 // sides. Rings with other centres are aliasing of the look under test.
 Color zone_plate(const PixelPosition& position) {
-    const double x = position.x - position.extent.width / 2;
-    const double y = position.y - position.extent.height / 2;
+    const int x_from_middle = position.x - position.extent.width / 2;
+    const int y_from_middle = position.y - position.extent.height / 2;
+    const double x = x_from_middle;
+    const double y = y_from_middle;
     const double width = std::max(position.extent.width, position.extent.height);
     return grey(0.5 + 0.5 * std::cos(std::numbers::pi * (x * x + y * y) / width));
 }

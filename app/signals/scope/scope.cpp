@@ -15,8 +15,6 @@ Scope::Scope(const ScopeControls& controls, std::array<bool, 2> is_shown, double
               : is_shown[1] ? 1
                             : -1),
       m_second(is_shown[0] && is_shown[1] && !controls.is_xy ? 1 : -1),
-      m_scale{},
-      m_offset{},
       m_charge(charge_of_point(rate * static_cast<double>(traces()))) {
     const bool is_split = controls.is_split && m_second >= 0;
     for (std::size_t i = 0; i < 2; ++i) {

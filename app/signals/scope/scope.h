@@ -43,8 +43,8 @@ private:
     bool m_is_xy;
     int m_first;   // visible channels, from 0; -1: none
     int m_second;  // -1 in xy
-    std::array<float, 2> m_scale;
-    std::array<float, 2> m_offset;
+    std::array<float, 2> m_scale{};
+    std::array<float, 2> m_offset{};
     double m_charge;
 };
 

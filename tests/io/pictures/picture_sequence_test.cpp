@@ -7,7 +7,8 @@
 
 namespace {
 Picture level(float value, Extent extent = {2, 1}) {
-    const auto count = static_cast<std::size_t>(extent.width * extent.height * 3);
+    const auto count =
+        3 * static_cast<std::size_t>(extent.width) * static_cast<std::size_t>(extent.height);
     return {extent, 3, Encoding::linear, std::vector<float>(count, value)};
 }
 

@@ -1,6 +1,8 @@
 #include "graph/looks.h"
 #include "lab/inspect/thumbnails.h"
 
+#include <cmath>
+
 namespace {
 Pass shade(const std::string& name) {
     return pass(name, "uniform float u_time;\nvoid main() { color = vec4(vec3(u_time), 1); }\n");
@@ -9,7 +11,8 @@ Pass shade(const std::string& name) {
 // The output of the look is display-encoded, so values are shown unchanged.
 int grey(const Thumbnails& thumbnails, std::size_t pass) {
     const gpu::Texture* picture = thumbnails.picture(pass);
-    return picture ? static_cast<int>(gpu::read_pixel(*picture, 3, 3)[0] * 255.0f + 0.5f) : -1;
+    return picture ? static_cast<int>(std::lround(gpu::read_pixel(*picture, 3, 3)[0] * 255.0f))
+                   : -1;
 }
 }  // namespace
 

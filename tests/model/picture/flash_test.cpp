@@ -15,11 +15,13 @@ using Cells = std::function<Light(int x, int y, int frame)>;
 Flashes counted(const Cells& picture, int frames = 120) {
     FlashCounter counter;
     Flashes most;
-    std::vector<Light> cells(static_cast<std::size_t>(flash_cells.width * flash_cells.height));
+    constexpr auto columns = static_cast<std::size_t>(flash_cells.width);
+    std::vector<Light> cells(columns * static_cast<std::size_t>(flash_cells.height));
     for (int frame = 0; frame < frames; ++frame) {
         for (int y = 0; y < flash_cells.height; ++y)
             for (int x = 0; x < flash_cells.width; ++x)
-                cells[static_cast<std::size_t>(y * flash_cells.width + x)] = picture(x, y, frame);
+                cells[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] =
+                    picture(x, y, frame);
         const Flashes now = counter.add(frame / 60.0, cells);
         most = {std::max(most.general, now.general), std::max(most.red, now.red)};
     }
