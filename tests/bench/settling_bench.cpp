@@ -109,7 +109,9 @@ int main(int argc, char** argv) {
     const fs::path folder = mkdtemp(name.data());
     std::vector<std::string> looks(argv + 1, argv + argc);
     if (looks.empty())
-        looks = {"phosphor", "presets/phosphor/crisp-lab-scope.json", "crt"};
+        looks = {"phosphor",    "presets/phosphor/crisp-lab-scope.json",
+                 "crt",         "shadow-mask",
+                 "vector-beam", "caffeine"};
     for (const std::string& look : looks) {
         SettlingBench bench(folder);
         measure(bench, look);
