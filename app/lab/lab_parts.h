@@ -24,5 +24,5 @@ struct LabParts {
 };
 LabParts parts_of(const Lab& lab);
 
-/// All parts; `window`: see WindowState.
+/// All parts to change. `window` is null without a window; edits of it then do nothing.
 MutableParts mutable_parts(Lab& lab, WindowState* window);

@@ -16,10 +16,10 @@ class Comparing(Person):
         program.key("ctrl+F5")
         program.wait("a wipe shows the slot", lambda s: s["wipe"] and s["compare"]["other"] == "Slot A")
         program.key("shift+w")
-        place = program.place("beside")
+        place = program.place("reference")
         self.assertLess(place[2], program.place("picture")[0] + 4)
         before = program.state()["probe"]
-        self.hover("beside")
+        self.hover("reference")
         theirs = program.wait("the reference pixel is reported",
                               lambda s: s["probe"] and s["probe"] != before)["probe"]
         self.hover("picture")

@@ -128,7 +128,7 @@ std::vector<Shown> shown_pictures(const Scene& scene) {
         return {ours};
     const Extent whole = scene.window.views.sizes.picture;
     const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
-    Shown reference{"beside", scene.views.main().reference(), 0.0f, true};
+    Shown reference{"reference", scene.views.main().reference(), 0.0f, true};
     (sides && !sides->is_other_left ? reference : ours).left = right;
     return {ours, reference};
 }
