@@ -8,8 +8,8 @@
 #include <optional>
 
 namespace {
-WindowOptions window_options(const std::string& look, Roots roots) {
-    WindowOptions options;
+ApplicationOptions window_options(const std::string& look, Roots roots) {
+    ApplicationOptions options;
     options.roots = std::move(roots);
     if (!look.empty())
         options.look = look;
@@ -28,7 +28,7 @@ int open_window(const std::string& look, const DataFolders& data) {
         return EXIT_FAILURE;
     }
     roots->shader_limits = data.limits;
-    const WindowOptions options = window_options(look, *roots);
+    const ApplicationOptions options = window_options(look, *roots);
     auto shown = run_window(options);
     if (!shown && !std::getenv("LIBGL_ALWAYS_SOFTWARE")) {
         std::cerr << to_string(shown.error()) << "Trying software OpenGL.\n";

@@ -7,12 +7,12 @@
 
 /// A ByteStore in memory, whose answers a test may read and spoil.
 struct ByteMap : ByteStore {
-    std::optional<std::string> find(std::string_view question) override {
-        const auto found = answers.find(std::string(question));
+    std::optional<std::string> find(std::string_view key) override {
+        const auto found = answers.find(std::string(key));
         return found == answers.end() ? std::nullopt : std::optional(found->second);
     }
-    void keep(std::string_view question, std::string_view answer) override {
-        answers[std::string(question)] = answer;
+    void keep(std::string_view key, std::string_view value) override {
+        answers[std::string(key)] = value;
     }
 
     std::map<std::string, std::string> answers;

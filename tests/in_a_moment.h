@@ -6,8 +6,8 @@
 
 /// Whether some work takes the processor no more than seconds. Given a text of megabytes, what
 /// takes a time that grows with the square of it takes minutes.
-template <class Work>
-bool is_done_in_a_moment(Work work) {
+template <class JobProgress>
+bool is_done_in_a_moment(JobProgress work) {
     constexpr double moment_seconds = 20.0;
     const std::clock_t start = std::clock();
     work();

@@ -13,6 +13,6 @@ public:
     ByteStore(const ByteStore&) = delete;
     ByteStore& operator=(const ByteStore&) = delete;
 
-    virtual std::optional<std::string> find(std::string_view question) = 0;
-    virtual void keep(std::string_view question, std::string_view answer) = 0;
+    virtual std::optional<std::string> find(std::string_view key) = 0;
+    virtual void keep(std::string_view key, std::string_view value) = 0;
 };

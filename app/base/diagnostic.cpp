@@ -7,7 +7,7 @@
 #include <algorithm>
 
 namespace {
-constexpr std::ptrdiff_t most_of_a_severity = 256;
+constexpr std::ptrdiff_t max_per_severity = 256;
 
 // Compares the most distinctive members first, because comparing paths is slow.
 bool are_same(const Diagnostic& a, const Diagnostic& b) {
@@ -48,16 +48,16 @@ bool has_errors(const Diagnostics& diagnostics) {
 
 void add_new(Diagnostics& all, Diagnostic one) {
     const auto count = std::ranges::count(all, one.severity, &Diagnostic::severity);
-    if (count > most_of_a_severity ||
+    if (count > max_per_severity ||
         std::ranges::any_of(all, [&](const Diagnostic& known) { return are_same(known, one); }))
         return;
-    if (count == most_of_a_severity) {
+    if (count == max_per_severity) {
         one.line = 0;
         one.message = one.severity == Severity::error
                           ? fmt::format("more than {0} errors; only the first {0} are listed",
-                                        most_of_a_severity)
+                                        max_per_severity)
                           : fmt::format("more than {0} warnings; only the first {0} are listed",
-                                        most_of_a_severity);
+                                        max_per_severity);
     }
     all.push_back(std::move(one));
 }

@@ -36,14 +36,14 @@ Result<std::string> read_so_many(const fs::path& file, std::size_t count) {
 }
 }  // namespace
 
-Result<std::string> read_bytes(const fs::path& file, std::size_t most_bytes) {
+Result<std::string> read_bytes(const fs::path& file, std::size_t max_bytes) {
     const auto size = size_of(file);
     if (!size)
         return fail(size.error());
-    if (*size > most_bytes)
+    if (*size > max_bytes)
         return fail(
             {file, 0,
-             fmt::format("the file is too large: {} bytes; the limit is {}", *size, most_bytes)});
+             fmt::format("the file is too large: {} bytes; the limit is {}", *size, max_bytes)});
     return read_so_many(file, *size);
 }
 
@@ -55,8 +55,8 @@ Result<std::string> read_start(const fs::path& file, std::size_t count) {
 }
 
 Result<std::string> read_text(const fs::path& file) {
-    constexpr std::size_t most_bytes = std::size_t{16} << 20;
-    auto text = read_bytes(file, most_bytes);
+    constexpr std::size_t max_bytes = std::size_t{16} << 20;
+    auto text = read_bytes(file, max_bytes);
     if (!text)
         return text;
     if (text->starts_with("\xef\xbb\xbf"))

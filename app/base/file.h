@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-/// The bytes of a regular file of at most `most_bytes`.
+/// The bytes of a regular file of at most `max_bytes`.
 Result<std::string> read_bytes(const std::filesystem::path& file,
-                               std::size_t most_bytes = std::size_t{1} << 30);
+                               std::size_t max_bytes = std::size_t{1} << 30);
 
 /// The first `count` bytes of a regular file of any size; all bytes of a shorter file.
 Result<std::string> read_start(const std::filesystem::path& file, std::size_t count);

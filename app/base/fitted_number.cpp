@@ -19,14 +19,14 @@ std::string without_padding(std::string text) {
 }
 }  // namespace
 
-std::string fitted_number(double number, int most) {
+std::string fitted_number(double number, int maximum) {
     if (!std::isfinite(number))
         return std::isnan(number) ? "NaN" : number > 0.0 ? "Inf" : "-Inf";
-    constexpr int most_digits = 7;
+    constexpr int max_digits = 7;
     std::string text;
-    for (int digits = most_digits; digits > 0; --digits) {
+    for (int digits = max_digits; digits > 0; --digits) {
         text = without_padding(fmt::format("{:.{}g}", number, digits));
-        if (text.size() <= static_cast<std::size_t>(most))
+        if (text.size() <= static_cast<std::size_t>(maximum))
             break;
     }
     return text == "-0" ? "0" : text;

@@ -33,9 +33,9 @@ std::uint64_t Unpacker::number() {
     return number;
 }
 
-std::uint64_t Unpacker::number(std::uint64_t most) {
+std::uint64_t Unpacker::number(std::uint64_t maximum) {
     const std::uint64_t read = number();
-    if (read <= most)
+    if (read <= maximum)
         return read;
     fault();
     return 0;

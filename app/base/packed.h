@@ -22,8 +22,8 @@ public:
     explicit Unpacker(std::string_view bytes) : m_rest(bytes) {}
 
     std::uint64_t number();
-    /// A number up to `most`; a larger one is an error.
-    std::uint64_t number(std::uint64_t most);
+    /// A number up to `maximum`; a larger one is an error.
+    std::uint64_t number(std::uint64_t maximum);
     std::string_view text();
     /// The number of elements that follow; more than the bytes left is an error.
     std::size_t count();

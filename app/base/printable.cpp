@@ -53,10 +53,10 @@ std::string printable(std::string_view text) {
     return shown;
 }
 
-std::string shortened(std::string text, std::size_t most_bytes) {
-    if (text.size() <= most_bytes)
+std::string shortened(std::string text, std::size_t max_bytes) {
+    if (text.size() <= max_bytes)
         return text;
-    std::size_t end = most_bytes;
+    std::size_t end = max_bytes;
     while (end > 0 && is_continuation(byte_at(text, end)))
         --end;
     text.resize(end);

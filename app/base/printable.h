@@ -8,5 +8,5 @@
 /// that are not valid UTF-8 become "\x1b".
 std::string printable(std::string_view text);
 
-/// At most `most_bytes` bytes of a text, cut between characters; "…" is appended if text was cut.
-std::string shortened(std::string text, std::size_t most_bytes);
+/// At most `max_bytes` bytes of a text, cut between characters; "…" is appended if text was cut.
+std::string shortened(std::string text, std::size_t max_bytes);

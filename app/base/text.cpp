@@ -67,11 +67,11 @@ std::optional<int> parse_integer(std::string_view text) {
 namespace {
 template <class Number>
 std::string shortest(Number number) {
-    constexpr auto least_decimal = static_cast<Number>(1e-4);
-    constexpr auto most_decimal = static_cast<Number>(1e15);
+    constexpr auto min_decimal = static_cast<Number>(1e-4);
+    constexpr auto max_decimal = static_cast<Number>(1e15);
     const Number size = number < 0 ? -number : number;
     char text[64];
-    const bool is_decimal = number == 0 || (size >= least_decimal && size < most_decimal);
+    const bool is_decimal = number == 0 || (size >= min_decimal && size < max_decimal);
     const auto [end, error] =
         is_decimal ? std::to_chars(text, text + sizeof text, number, std::chars_format::fixed)
                    : std::to_chars(text, text + sizeof text, number);
@@ -87,7 +87,7 @@ std::string format_float(float number) {
     return shortest(number);
 }
 
-std::string with_each(std::string_view text, std::string_view from, std::string_view to) {
+std::string replace_all(std::string_view text, std::string_view from, std::string_view to) {
     std::string changed;
     std::size_t done = 0;
     for (auto at = text.find(from); at != text.npos; at = text.find(from, done)) {

@@ -32,7 +32,7 @@ std::string format_number(double number);
 std::string format_float(float number);
 
 /// The text with each `from` (not empty) replaced by `to`.
-std::string with_each(std::string_view text, std::string_view from, std::string_view to);
+std::string replace_all(std::string_view text, std::string_view from, std::string_view to);
 
 /// ASCII letters in lower case; other bytes unchanged.
 std::string to_lower(std::string_view text);

@@ -52,7 +52,7 @@ void print_table(const Measurement& measured) {
 
 int bench(const BenchArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
-    const auto displayed = [](const Prepared&) { return std::vector<std::string>(); };
+    const auto displayed = [](const PreparedLook&) { return std::vector<std::string>(); };
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         const auto measured = measure(offline, arguments.frames);
         if (!measured)

@@ -46,6 +46,6 @@ Command add_check(CommandLine& program) {
         bool all_good = true;
         for (const std::string& look : *looks)
             all_good = is_good(look, *library) && all_good;
-        return all_good ? exit_done : exit_not_good;
+        return all_good ? exit_done : exit_failure;
     };
 }

@@ -13,7 +13,7 @@ class Option;
 }  // namespace CLI
 
 constexpr int exit_done = 0;
-constexpr int exit_not_good = 1;
+constexpr int exit_failure = 1;
 constexpr int exit_usage = 2;
 
 /// Wrong usage that is detected only after parsing. CommandLine::run() catches it.

@@ -10,7 +10,7 @@
 
 int report(const Diagnostics& reasons) {
     std::cerr << to_string(reasons);
-    return exit_not_good;
+    return exit_failure;
 }
 
 void warn(const Diagnostics& warnings) {
@@ -31,11 +31,11 @@ Extent parse_size(const std::string& text) {
 }
 
 void check_ending(const std::string& option, const std::string& file,
-                  const std::vector<std::string>& endings) {
+                  const std::vector<std::string>& extensions) {
     const std::string ending = to_lower(std::filesystem::path(file).extension().string());
-    if (std::find(endings.begin(), endings.end(), ending) == endings.end())
+    if (std::find(extensions.begin(), extensions.end(), ending) == extensions.end())
         throw UsageError(fmt::format("{}: the file name must end in {}, got '{}'", option,
-                                     or_list(endings), file));
+                                     or_list(extensions), file));
 }
 
 void LookOptions::add_to(Options& options, Take take) {
@@ -115,5 +115,5 @@ int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSte
     warn(problems);
     if (!done)
         return report(done.error());
-    return has_errors(problems) ? exit_not_good : exit_done;
+    return has_errors(problems) ? exit_failure : exit_done;
 }

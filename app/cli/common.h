@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// Prints the reasons to stderr, one per line. Returns exit_not_good.
+/// Prints the reasons to stderr, one per line. Returns exit_failure.
 int report(const Diagnostics& reasons);
 
 /// Prints the warnings to stderr, one per line.
@@ -22,7 +22,7 @@ Extent parse_size(const std::string& text);
 
 /// Throws UsageError if the file's name has none of these endings.
 void check_ending(const std::string& option, const std::string& file,
-                  const std::vector<std::string>& endings);
+                  const std::vector<std::string>& extensions);
 
 /// The options for a look and its input, shared by the commands that open one look.
 class LookOptions {
@@ -47,10 +47,11 @@ Result<Library> open_library(const DataFolders& data);
 /// The steps of a command that draws a look without a display.
 struct DrawingSteps {
     /// Reports errors before anything is drawn; may be empty.
-    std::function<Result<void>(const Prepared& prepared)> check;
+    std::function<Result<void>(const PreparedLook& prepared)> check;
     std::function<Result<void>(Offline& offline, const Library& library)> draw;
-    /// As Prepared::displayed; may be empty.
-    std::function<std::optional<std::vector<std::string>>(const Prepared& prepared)> displayed = {};
+    /// As PreparedLook::displayed; may be empty.
+    std::function<std::optional<std::vector<std::string>>(const PreparedLook& prepared)> displayed =
+        {};
 };
 /// Prepares the look, checks, draws and reports errors. Returns the exit code of the command.
 int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps);

@@ -85,7 +85,7 @@ int compare(const CompareArguments& arguments) {
     print(*difference, arguments.as_json);
     const bool is_beyond =
         !arguments.fail_above.empty() && !(measured(*difference, bound.measure) <= bound.value);
-    return is_beyond ? exit_not_good : exit_done;
+    return is_beyond ? exit_failure : exit_done;
 }
 }  // namespace
 

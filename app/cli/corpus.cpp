@@ -34,7 +34,7 @@ struct CorpusArguments {
     bool as_json = false;
 };
 
-Json json_of_trial(const CorpusTrial& trial) {
+Json json_of_trial(const CorpusResult& trial) {
     Json warnings = Json::array();
     for (const Diagnostic& warning : trial.warnings)
         warnings.push_back(to_string(warning));
@@ -56,7 +56,7 @@ Json json_of_trial(const CorpusTrial& trial) {
 }
 
 Json json_of_lost(const fs::path& file, const std::string& why) {
-    CorpusTrial lost;
+    CorpusResult lost;
     lost.file = file;
     lost.why = why;
     return json_of_trial(lost);
@@ -64,7 +64,7 @@ Json json_of_lost(const fs::path& file, const std::string& why) {
 
 // One process per file, because some shaders make a driver hang or crash.
 Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const DataFolders& data) {
-    constexpr std::size_t most_bytes = 1 << 22;
+    constexpr std::size_t max_bytes = 1 << 22;
     std::vector<std::string> command{
         program_command(), "corpus",       file.string(), "--json",
         "--size",          arguments.size, "--frames",    std::to_string(arguments.frames)};
@@ -77,7 +77,7 @@ Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const D
     auto child = ChildProcess::start(command);
     if (!child)
         return json_of_lost(file, to_string(child.error()));
-    const auto text = child->read_all_within(arguments.seconds, most_bytes);
+    const auto text = child->read_all_within(arguments.seconds, max_bytes);
     if (!text)
         return json_of_lost(file, fmt::format("timed out after {} s", arguments.seconds));
     const Json document = Json::parse(*text, nullptr, false);
@@ -90,7 +90,7 @@ Json tried_alone(const fs::path& file, const CorpusArguments& arguments, const D
 std::vector<Json> tried_all(const std::vector<fs::path>& files, const CorpusArguments& arguments,
                             const DataFolders& data) {
     std::vector<Json> trials(files.size());
-    Progress progress(Progress::Work::checking_files, static_cast<int>(files.size()));
+    Progress progress(Progress::Kind::checking_files, static_cast<int>(files.size()));
     std::atomic<std::size_t> next = 0;
     std::mutex mutex;
     int done = 0;
@@ -140,9 +140,9 @@ int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
     if (!fs::is_directory(arguments.folder, error)) {
         if (!fs::exists(arguments.folder, error))
             return report({{arguments.folder, 0, "file or folder not found"}});
-        const CorpusTrial trial = try_look(arguments.folder, task, *library);
+        const CorpusResult trial = try_look(arguments.folder, task, *library);
         print_trials({json_of_trial(trial)}, arguments.as_json);
-        return trial.why.empty() ? exit_done : exit_not_good;
+        return trial.why.empty() ? exit_done : exit_failure;
     }
     const std::vector<fs::path> files = corpus_files(arguments.folder, arguments.choice);
     if (files.empty())
@@ -151,7 +151,7 @@ int run_corpus(const CorpusArguments& arguments, const DataFolders& data) {
     print_trials(trials, arguments.as_json);
     const bool is_good = std::ranges::all_of(
         trials, [](const Json& trial) { return trial["why"].template get<std::string>().empty(); });
-    return is_good ? exit_done : exit_not_good;
+    return is_good ? exit_done : exit_failure;
 }
 }  // namespace
 

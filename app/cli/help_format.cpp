@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 namespace {
-constexpr std::size_t most_columns = 80;
+constexpr std::size_t max_columns = 80;
 constexpr std::size_t option_column = 25;   // start of the text of an option
 constexpr std::size_t command_column = 12;  // start of the text of a command
 
@@ -22,7 +22,7 @@ std::string wrapped(std::string_view text, std::size_t column) {
         if (line.data() != text.data())
             break_line();
         for (const std::string_view word : split(line, ' ')) {
-            if (end > column && end + 1 + word.size() > most_columns) {
+            if (end > column && end + 1 + word.size() > max_columns) {
                 break_line();
             } else if (end > column) {
                 result += ' ';
@@ -88,7 +88,7 @@ public:
     std::string make_option(const CLI::Option* option, bool is_positional) const override {
         if (is_positional)
             return help_row(option->get_name(true), option->get_description(), option_column);
-        std::string name = with_each(option->get_name(false, true), ",", ", ");
+        std::string name = replace_all(option->get_name(false, true), ",", ", ");
         if (!option->get_type_name().empty())
             name += ' ' + option->get_type_name();
         return help_row(name, option->get_description() + notes_of(*option), option_column);

@@ -54,11 +54,10 @@ void print_json(const ImpulseResponse& response) {
                           {"seconds_to_0.1_percent", json_of(pass.decay.to_thousandth)},
                           {"half_life_seconds", json_of(pass.decay.half_life)},
                           {"light", pass.light}});
-    const nlohmann::ordered_json document{
-        {"at", {response.question.pin.x, response.question.pin.y}},
-        {"fps", response.question.fps},
-        {"seconds", response.seconds},
-        {"passes", std::move(passes)}};
+    const nlohmann::ordered_json document{{"at", {response.request.pin.x, response.request.pin.y}},
+                                          {"fps", response.request.fps},
+                                          {"seconds", response.seconds},
+                                          {"passes", std::move(passes)}};
     std::cout << document.dump(2) << '\n';
 }
 
@@ -80,10 +79,11 @@ void print_table(const ImpulseResponse& response) {
 
 int impulse(const ImpulseArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
-    const ImpulseQuestion question{parse_position(arguments.pin), request.fps, arguments.seconds};
+    const ImpulseRequest impulse_request{parse_position(arguments.pin), request.fps,
+                                         arguments.seconds};
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
-        Work progress;
-        const auto response = fire_impulse(offline, request.size, question, progress);
+        JobProgress progress;
+        const auto response = fire_impulse(offline, request.size, impulse_request, progress);
         if (!response)
             return fail(response.error());
         arguments.as_json ? print_json(*response) : print_table(*response);

@@ -10,20 +10,20 @@
 
 namespace {
 // Arguments: finished, total, rate, decimals of the rate, seconds left.
-const char* pattern_of(Progress::Work work) {
+const char* pattern_of(Progress::Kind work) {
     switch (work) {
-        case Progress::Work::rendering_pictures:
+        case Progress::Kind::rendering_pictures:
             return "\rRendering: {} of {} pictures, {:.{}f} pictures/s, {:.0f} s left\033[K";
-        case Progress::Work::checking_files:
+        case Progress::Kind::checking_files:
             return "\rChecking: {} of {} files, {:.{}f} files/s, {:.0f} s left\033[K";
-        case Progress::Work::rendering_frames:
+        case Progress::Kind::rendering_frames:
             break;
     }
     return "\rRendering: {} of {} frames, {:.{}f} frames/s, {:.0f} s left\033[K";
 }
 }  // namespace
 
-Progress::Progress(Work work, int total)
+Progress::Progress(Kind work, int total)
     : m_work(work), m_total(total), m_is_shown(is_terminal(standard_error)) {}
 
 Progress::~Progress() {

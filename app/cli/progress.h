@@ -7,9 +7,9 @@
 /// Progress of long work, on one line of stderr. Prints nothing if stderr is not a terminal.
 class Progress {
 public:
-    enum class Work { rendering_frames, rendering_pictures, checking_files };
+    enum class Kind { rendering_frames, rendering_pictures, checking_files };
 
-    Progress(Work work, int total);
+    Progress(Kind work, int total);
     ~Progress();
     Progress(const Progress&) = delete;
     Progress& operator=(const Progress&) = delete;
@@ -19,7 +19,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    Work m_work;
+    Kind m_work;
     int m_total;
     bool m_is_shown;
     bool m_has_shown = false;

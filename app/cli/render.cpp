@@ -39,7 +39,7 @@ Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
         return static_cast<int>(look.passes.size()) - 1;
     std::vector<std::string> candidates;
     const std::vector<std::string> names = pass_names(look);
-    if (const auto name = meant_name(names, arguments.pass, candidates))
+    if (const auto name = resolve_name(names, arguments.pass, candidates))
         return *find_pass(look, *name);
     if (!candidates.empty())
         return fail({{},
@@ -101,7 +101,7 @@ Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline
     const double fps = arguments.look.request().fps;
     if (arguments.frames == 0 && arguments.seconds == 0.0) {
         const auto seconds = is_film_output(arguments.output)
-                                 ? usual_film_seconds(offline, arguments.start)
+                                 ? default_video_seconds(offline, arguments.start)
                                  : offline.document().look().settle_frames / fps;
         if (!seconds)
             return fail(seconds.error());
@@ -118,7 +118,7 @@ Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline
 /// Draws all frames up to the last one and saves it.
 Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& part, int pass,
                           Offline& offline, const RecentMedia& recent) {
-    Progress progress(Progress::Work::rendering_frames, static_cast<int>(part.end));
+    Progress progress(Progress::Kind::rendering_frames, static_cast<int>(part.end));
     for (std::int64_t frame = 1; frame <= part.end; ++frame) {
         frame < part.end ? offline.advance_unseen() : offline.advance();
         progress.show(static_cast<int>(frame));
@@ -130,7 +130,7 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
 
 /// Draws all frames of the part and saves them.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
-    Progress progress(Progress::Work::rendering_frames, static_cast<int>(job.part.end));
+    Progress progress(Progress::Kind::rendering_frames, static_cast<int>(job.part.end));
     job.should_continue = [&](std::int64_t drawn) {
         progress.show(static_cast<int>(drawn));
         return true;
@@ -188,12 +188,12 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
-    const auto check = [&](const Prepared&) { return check_outputs(arguments, names); };
+    const auto check = [&](const PreparedLook&) { return check_outputs(arguments, names); };
     const auto work = [&](Offline& offline, const Library& library) {
         return draw(arguments, names, offline, RecentMedia(library.roots()));
     };
     const auto displayed =
-        [&](const Prepared& prepared) -> std::optional<std::vector<std::string>> {
+        [&](const PreparedLook& prepared) -> std::optional<std::vector<std::string>> {
         const Look& look = prepared.document.look();
         const auto pass = chosen_pass(arguments, look);
         if (!pass || !draws_many(arguments, look))

@@ -75,7 +75,7 @@ Result<void> make_sheet(const SheetArguments& arguments, const Library& library)
     if (!requests)
         return fail(requests.error());
     std::vector<SheetCell> cells;
-    Progress progress(Progress::Work::rendering_pictures, static_cast<int>(requests->size()));
+    Progress progress(Progress::Kind::rendering_pictures, static_cast<int>(requests->size()));
     for (const RenderRequest& request : *requests) {
         auto cell = drawn(request, library);
         if (!cell)

@@ -25,7 +25,7 @@ int write_signal(const SignalArguments& arguments) {
     warn(problems);
     if (const auto saved = save_sound(*sound, arguments.output); !saved)
         return report(saved.error());
-    return has_errors(problems) ? exit_not_good : exit_done;
+    return has_errors(problems) ? exit_failure : exit_done;
 }
 }  // namespace
 

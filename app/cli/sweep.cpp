@@ -62,7 +62,7 @@ Result<void> draw_sheet(const SweepArguments& arguments, const std::vector<Sweep
     if (auto fits = check_sheet(size, count, columns); !fits)
         return fits;
     std::vector<SheetCell> drawn_cells;
-    Progress progress(Progress::Work::rendering_pictures, count);
+    Progress progress(Progress::Kind::rendering_pictures, count);
     for (const SweepCell& cell : cells) {
         auto picture = drawn(start, cell, frames, offline);
         if (!picture)
@@ -82,7 +82,7 @@ int sweep(const SweepArguments& arguments, const DataFolders& data) {
     if (arguments.axes.size() > 2)
         throw UsageError("--vary can be given at most twice: one parameter across and one down");
     std::vector<SweepAxis> axes;
-    const auto check = [&](const Prepared& prepared) -> Result<void> {
+    const auto check = [&](const PreparedLook& prepared) -> Result<void> {
         auto read = axes_of(arguments, prepared.document.look());
         if (!read)
             return fail(read.error());

@@ -20,7 +20,7 @@ int render_instead_of_window(const std::string& look, const DataFolders& data) {
     if (!offline)
         return report(offline.error());
     const int frames = offline->document().look().settle_frames;
-    Progress progress(Progress::Work::rendering_frames, frames);
+    Progress progress(Progress::Kind::rendering_frames, frames);
     for (int frame = 0; frame < frames; ++frame) {
         frame + 1 < frames ? offline->advance_unseen() : offline->advance();
         progress.show(frame + 1);

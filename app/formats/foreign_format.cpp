@@ -17,11 +17,11 @@ constexpr std::array<std::string_view, 1> isf_extensions{".fs"};
 constexpr std::array<std::string_view, 5> shader_extensions{".json", ".glsl", ".frag", ".fsh",
                                                             ".txt"};
 
-LoadedLook load_slang(const fs::path& file, const IncludeFolders&, const ReadingHelp& help) {
+LoadedLook load_slang(const fs::path& file, const IncludeFolders&, const LoadOptions& help) {
     return load_slang_look(file, help);
 }
 
-LoadedLook load_isf(const fs::path& file, const IncludeFolders&, const ReadingHelp& help) {
+LoadedLook load_isf(const fs::path& file, const IncludeFolders&, const LoadOptions& help) {
     return load_isf_look(file, help);
 }
 

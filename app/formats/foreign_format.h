@@ -13,7 +13,7 @@ struct ForeignFormat {
     std::span<const std::string_view> extensions;  // lower case: files that may have the format
     bool (*is_file)(const std::filesystem::path& file);  // by its name and content
     LoadedLook (*load)(const std::filesystem::path& file, const IncludeFolders& includes,
-                       const ReadingHelp& help);
+                       const LoadOptions& help);
 };
 
 /// The first format that recognises a file; null: it is not a look of another program.

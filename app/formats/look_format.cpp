@@ -85,7 +85,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
 }
 
 Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
-                       const ReadingHelp& help, LoadedLook& loaded) {
+                       const LoadOptions& help, LoadedLook& loaded) {
     auto look = load_manifest(manifest, loaded.files, help.disk);
     if (!look)
         return look;
@@ -108,7 +108,7 @@ Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
 }
 
 LoadedLook load_any(const fs::path& manifest, const IncludeFolders& includes,
-                    const ReadingHelp& help) {
+                    const LoadOptions& help) {
     if (const ForeignFormat* format = find_foreign_format(manifest))
         return format->load(manifest, includes, help);
     LoadedLook loaded;
@@ -124,7 +124,7 @@ fs::path manifest_of(const fs::path& folder_or_manifest) {
 }
 
 LoadedLook load_look(const fs::path& folder_or_manifest, const IncludeFolders& includes,
-                     const ReadingHelp& help) {
+                     const LoadOptions& help) {
     const fs::path manifest = manifest_of(folder_or_manifest);
     LoadedLook loaded = load_any(manifest, includes, help);
     if (std::ranges::find(loaded.files, manifest) == loaded.files.end())

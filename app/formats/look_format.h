@@ -12,7 +12,7 @@ std::filesystem::path manifest_of(const std::filesystem::path& folder_or_manifes
 /// `folder_or_manifest` is the look's folder, its look.json, or a foreign file (libretro, ISF,
 /// Shadertoy, or a single fragment shader). `includes` are additional include folders.
 LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
-                     const IncludeFolders& includes, const ReadingHelp& help = {});
+                     const IncludeFolders& includes, const LoadOptions& help = {});
 
 /// Whether a file is a look of another program, by its extension or, for ambiguous extensions, by
 /// its content.

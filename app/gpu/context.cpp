@@ -18,13 +18,13 @@ std::string text_of(GLenum name) {
 thread_local Context* current_context = nullptr;
 }  // namespace
 
-Facts read_facts() {
-    Facts facts{text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_VERSION)};
-    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &facts.largest_texture);
+DriverInfo read_info() {
+    DriverInfo info{text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_VERSION)};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.largest_texture);
     std::array<GLfloat, 2> sizes{};
     glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
-    facts.largest_point_size = sizes[1];
-    return facts;
+    info.largest_point_size = sizes[1];
+    return info;
 }
 
 bool was_reset() {
@@ -47,7 +47,7 @@ Context* Context::current() {
 void Context::make_current() {
     take_thread();
     current_context = this;
-    end_buried();
+    destroy_pending();
 }
 
 void Context::release() {
@@ -55,17 +55,17 @@ void Context::release() {
     current_context = nullptr;
 }
 
-void Context::bury(std::unique_ptr<const Program> object) {
+void Context::destroy_later(std::unique_ptr<const Program> object) {
     if (current_context == this)
         return;  // destroyed here
     const std::lock_guard lock(m_mutex);
-    m_buried.push_back(std::move(object));
+    m_pending_destruction.push_back(std::move(object));
 }
 
-void Context::end_buried() {
+void Context::destroy_pending() {
     std::vector<std::unique_ptr<const Program>> buried;
     const std::lock_guard lock(m_mutex);
-    buried.swap(m_buried);
+    buried.swap(m_pending_destruction);
 }
 
 namespace {

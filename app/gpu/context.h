@@ -12,7 +12,7 @@ namespace gpu {
 class Program;
 
 /// Properties that the driver of a context reports.
-struct Facts {
+struct DriverInfo {
     std::string renderer;
     std::string vendor;
     std::string version;
@@ -21,7 +21,7 @@ struct Facts {
 };
 
 /// Reads them from the current context.
-Facts read_facts();
+DriverInfo read_info();
 
 /// Whether the driver has lost the current context and all its objects. Always false for contexts
 /// without robustness.
@@ -48,8 +48,8 @@ public:
     void release();
     /// From any thread: `object` is destroyed when this context next becomes current, or with this
     /// context.
-    void bury(std::unique_ptr<const Program> object);
-    const Facts& facts() const { return m_facts; }
+    void destroy_later(std::unique_ptr<const Program> object);
+    const DriverInfo& info() const { return m_info; }
 
 protected:
     Context();
@@ -57,13 +57,13 @@ protected:
     virtual void take_thread() = 0;
     virtual void leave_thread() = 0;
 
-    Facts m_facts;
+    DriverInfo m_info;
 
 private:
-    void end_buried();
+    void destroy_pending();
 
     std::mutex m_mutex;
-    std::vector<std::unique_ptr<const Program>> m_buried;
+    std::vector<std::unique_ptr<const Program>> m_pending_destruction;
 };
 
 /// Makes another context, shared with the current one, current for its lifetime. Each context sees

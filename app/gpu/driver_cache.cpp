@@ -54,7 +54,7 @@ fs::path driver_cache_folder() {
 }
 }  // namespace
 
-bool has_room(const fs::path& folder, std::size_t bytes) {
+bool has_free_space(const fs::path& folder, std::size_t bytes) {
     std::error_code error;
     fs::path there = folder;
     while (!fs::is_directory(there, error) && there.has_relative_path())
@@ -74,15 +74,15 @@ void check_driver_cache() {
     static std::once_flag once;
     std::call_once(once, [] {
         const fs::path folder = driver_cache_folder();
-        if (folder.empty() || has_room(folder, enough_bytes))
+        if (folder.empty() || has_free_space(folder, enough_bytes))
             return;
         ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
         ::setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);  // the name before Mesa 22
     });
 }
 
-void wait_for_driver_cache(std::chrono::milliseconds most, const PassProgress& progress) {
-    const auto end = std::chrono::steady_clock::now() + most;
+void wait_for_driver_cache(std::chrono::milliseconds maximum, const PassProgress& progress) {
+    const auto end = std::chrono::steady_clock::now() + maximum;
     for (const fs::path& thread : cache_threads())
         while (!is_idle(thread) && !progress.is_cancelled() &&
                std::chrono::steady_clock::now() < end)

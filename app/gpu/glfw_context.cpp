@@ -85,7 +85,7 @@ Result<std::unique_ptr<GlfwContext>> GlfwContext::create(const WindowOptions& op
             {{}, 0, fmt::format("can't open a window with OpenGL 4.1: {}", last_problem())});
     std::unique_ptr<GlfwContext> context(new GlfwContext(std::move(*library), made));
     if (shared)
-        context->m_facts = shared->m_facts;
+        context->m_info = shared->m_info;
     return context;
 }
 
@@ -103,13 +103,13 @@ bool has_glx(GLFWwindow* window) {
 
 void GlfwContext::start() {
     make_current();
-    m_facts = read_facts();
+    m_info = read_info();
     if (has_glx(m_window))
         m_glx = current_glx_handles();
 }
 
 Result<std::unique_ptr<Context>> GlfwContext::make_sharing() const {
-    if (auto alone = share_through_glx(m_glx, m_facts))
+    if (auto alone = share_through_glx(m_glx, m_info))
         return alone;
     auto context = create({"", {16, 16}, std::nullopt, false, false}, this);
     if (!context)

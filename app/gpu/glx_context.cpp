@@ -38,9 +38,9 @@ private:
 
 class GlxContext : public Context {
 public:
-    GlxContext(Display* display, GLXContext context, const Facts& facts)
+    GlxContext(Display* display, GLXContext context, const DriverInfo& info)
         : m_display(display), m_context(context) {
-        m_facts = facts;
+        m_info = info;
     }
     ~GlxContext() override {
         if (glXGetCurrentContext() == m_context)
@@ -50,7 +50,7 @@ public:
 
 private:
     Result<std::unique_ptr<Context>> make_sharing() const override {
-        if (auto made = share_through_glx({m_display, m_context}, m_facts))
+        if (auto made = share_through_glx({m_display, m_context}, m_info))
             return made;
         return fail({{}, 0, "can't create another OpenGL 4.1 context"});
     }
@@ -122,7 +122,7 @@ GlxHandles current_glx_handles() {
     return {glXGetCurrentDisplay(), glXGetCurrentContext()};
 }
 
-std::unique_ptr<Context> share_through_glx(const GlxHandles& handles, const Facts& facts) {
+std::unique_ptr<Context> share_through_glx(const GlxHandles& handles, const DriverInfo& info) {
     auto* const display = static_cast<Display*>(handles.display);
     if (!display)
         return nullptr;
@@ -132,7 +132,7 @@ std::unique_ptr<Context> share_through_glx(const GlxHandles& handles, const Fact
         return nullptr;
     const bool is_good = can_be_current_alone(display, made) && !refusals.has_any();
     if (is_good)
-        return std::make_unique<GlxContext>(display, made, facts);
+        return std::make_unique<GlxContext>(display, made, info);
     glXDestroyContext(display, made);
     return nullptr;
 }

@@ -72,7 +72,7 @@ public:
         make_current();
         if (eglGetCurrentContext() != m_context)
             return false;
-        m_facts = read_facts();
+        m_info = read_info();
         return true;
     }
 
@@ -90,7 +90,7 @@ private:
         auto context = make(m_display, m_config, m_context);
         if (!context)
             return fail({{}, 0, "the graphics driver can't create a second OpenGL context"});
-        context->m_facts = m_facts;
+        context->m_info = m_info;
         return context;
     }
 

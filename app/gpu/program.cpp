@@ -78,8 +78,8 @@ Program::Program(GLuint id) : m_name(id) {}
 Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteStore* store) {
     if (!store)
         return compiled(vertex, fragment);
-    const std::string question = binary_question(vertex.text, fragment.text);
-    if (const auto binary = store->find(question)) {
+    const std::string key = binary_key(vertex.text, fragment.text);
+    if (const auto binary = store->find(key)) {
         Program program(glCreateProgram());
         if (load_binary(program.m_name.get(), *binary)) {
             program.list_uniforms();
@@ -90,7 +90,7 @@ Result<Program> Program::build(const Stage& vertex, const Stage& fragment, ByteS
     auto program = compiled(vertex, fragment);
     if (program)
         if (const std::string binary = binary_of(program->m_name.get()); !binary.empty())
-            store->keep(question, binary);
+            store->keep(key, binary);
     return program;
 }
 
@@ -164,7 +164,7 @@ std::shared_ptr<const Program> destroyed_in(std::shared_ptr<Context> context, Pr
     if (!context)
         return owned;
     return {owned.release(), [context = std::move(context)](const Program* ending) {
-                context->bury(std::unique_ptr<const Program>(ending));
+                context->destroy_later(std::unique_ptr<const Program>(ending));
             }};
 }
 

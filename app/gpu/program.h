@@ -42,7 +42,9 @@ public:
     void use() const;
 
     /// Records who writes the uniforms, by a number from 1. True if it was another one before.
-    bool claim(std::uint64_t writer) const { return std::exchange(m_writer, writer) != writer; }
+    bool set_uniform_owner(std::uint64_t writer) const {
+        return std::exchange(m_writer, writer) != writer;
+    }
 
 private:
     explicit Program(GLuint id);

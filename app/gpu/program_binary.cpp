@@ -29,11 +29,11 @@ bool is_linked(GLuint program) {
 }
 }  // namespace
 
-std::string binary_question(std::string_view vertex, std::string_view fragment) {
-    const Facts facts = read_facts();
+std::string binary_key(std::string_view vertex, std::string_view fragment) {
+    const DriverInfo info = read_info();
     return fmt::format("program {:x} {} {:x} {} {} / {} / {}", digest_of(vertex), vertex.size(),
-                       digest_of(fragment), fragment.size(), facts.renderer, facts.vendor,
-                       facts.version);
+                       digest_of(fragment), fragment.size(), info.renderer, info.vendor,
+                       info.version);
 }
 
 std::string binary_of(GLuint program) {

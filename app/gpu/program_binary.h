@@ -8,7 +8,7 @@
 namespace gpu {
 
 /// The cache key of a program's binary: these texts and the driver of the current context.
-std::string binary_question(std::string_view vertex, std::string_view fragment);
+std::string binary_key(std::string_view vertex, std::string_view fragment);
 
 /// The binary of a linked program; "" if the driver supports no binaries.
 std::string binary_of(GLuint program);

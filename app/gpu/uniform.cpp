@@ -21,10 +21,10 @@ constexpr auto number_names = std::to_array<NumberName>({
     {GL_INT_VEC2, {Scalar::integer, 2, 1}},
     {GL_INT_VEC3, {Scalar::integer, 3, 1}},
     {GL_INT_VEC4, {Scalar::integer, 4, 1}},
-    {GL_UNSIGNED_INT, {Scalar::natural, 1, 1}},
-    {GL_UNSIGNED_INT_VEC2, {Scalar::natural, 2, 1}},
-    {GL_UNSIGNED_INT_VEC3, {Scalar::natural, 3, 1}},
-    {GL_UNSIGNED_INT_VEC4, {Scalar::natural, 4, 1}},
+    {GL_UNSIGNED_INT, {Scalar::unsigned_integer, 1, 1}},
+    {GL_UNSIGNED_INT_VEC2, {Scalar::unsigned_integer, 2, 1}},
+    {GL_UNSIGNED_INT_VEC3, {Scalar::unsigned_integer, 3, 1}},
+    {GL_UNSIGNED_INT_VEC4, {Scalar::unsigned_integer, 4, 1}},
     {GL_BOOL, {Scalar::boolean, 1, 1}},
     {GL_BOOL_VEC2, {Scalar::boolean, 2, 1}},
     {GL_BOOL_VEC3, {Scalar::boolean, 3, 1}},
@@ -54,7 +54,7 @@ Uniform::Sampled sampled_by(GLenum type) {
         case GL_INT_SAMPLER_2D:
             return Uniform::Sampled::integer;
         case GL_UNSIGNED_INT_SAMPLER_2D:
-            return Uniform::Sampled::natural;
+            return Uniform::Sampled::unsigned_integer;
         case GL_SAMPLER_CUBE:
             return Uniform::Sampled::cube;
         case GL_SAMPLER_3D:
@@ -65,11 +65,11 @@ Uniform::Sampled sampled_by(GLenum type) {
 }
 
 // The maximum number of components per write.
-constexpr std::size_t most_components = 1024;
+constexpr std::size_t max_components = 1024;
 
 template <class Component>
 struct Components {
-    std::array<Component, most_components> values;
+    std::array<Component, max_components> values;
 
     const Component* from(std::span<const double> numbers) {
         for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -158,13 +158,13 @@ void write_uniform(GLuint program, const Uniform& uniform, std::span<const doubl
     const NumberType type = *uniform.number;
     const auto size = static_cast<std::size_t>(type.size());
     const std::size_t elements = std::min(
-        {static_cast<std::size_t>(uniform.count), numbers.size() / size, most_components / size});
+        {static_cast<std::size_t>(uniform.count), numbers.size() / size, max_components / size});
     numbers = numbers.first(elements * size);
     const auto count = static_cast<GLsizei>(elements);
     const GLint at = uniform.location;
     if (elements == 0)
         return;
-    if (type.scalar == Scalar::natural)
+    if (type.scalar == Scalar::unsigned_integer)
         write_naturals(program, at, type.rows, count, Components<GLuint>().from(numbers));
     else if (type.scalar != Scalar::floating)
         write_integers(program, at, type.rows, count, Components<GLint>().from(numbers));

@@ -11,7 +11,7 @@ namespace gpu {
 
 /// An active uniform of a linked program.
 struct Uniform {
-    enum class Sampled { none, floating, integer, natural, cube, volume, other };
+    enum class Sampled { none, floating, integer, unsigned_integer, cube, volume, other };
 
     std::string name;  // without "[0]" for an array
     GLint location = -1;

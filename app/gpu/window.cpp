@@ -17,8 +17,8 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
         return fail(context.error());
     std::unique_ptr<Window> window(new Window(std::move(*context)));
     GLFWwindow* made = window->handle();
-    constexpr Extent least{480, 320};  // controls overlap below this size
-    glfwSetWindowSizeLimits(made, least.width, least.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    constexpr Extent minimum{480, 320};  // controls overlap below this size
+    glfwSetWindowSizeLimits(made, minimum.width, minimum.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     if (options.position && !options.is_maximised)
         glfwSetWindowPos(made, (*options.position)[0], (*options.position)[1]);
     if (options.is_visible)

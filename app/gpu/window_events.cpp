@@ -67,9 +67,9 @@ void WindowEvents::poll() {
     glfwPollEvents();
 }
 
-void WindowEvents::wait(double most_seconds) {
-    if (most_seconds > 0)  // GLFW rejects a timeout of 0
-        glfwWaitEventsTimeout(most_seconds);
+void WindowEvents::wait(double max_seconds) {
+    if (max_seconds > 0)  // GLFW rejects a timeout of 0
+        glfwWaitEventsTimeout(max_seconds);
     else
         glfwPollEvents();
 }

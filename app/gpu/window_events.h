@@ -20,8 +20,8 @@ public:
 
     /// Processes pending events of all windows, on the main thread.
     static void poll();
-    /// As poll(), but first waits for an event, at most `most_seconds`.
-    static void wait(double most_seconds);
+    /// As poll(), but first waits for an event, at most `max_seconds`.
+    static void wait(double max_seconds);
     /// Ends a wait; can be called from any thread.
     static void wake();
 

@@ -6,7 +6,7 @@
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
-#include "lab/offline/small_picture.h"
+#include "lab/offline/thumbnail.h"
 #include "lab/session.h"
 
 #include <algorithm>
@@ -40,19 +40,19 @@ void Lab::update(double wall_seconds) {
 void Lab::update_loading(double wall_seconds) {
     for (const fs::path& file : m_loader.take_changed_files())
         file_changed(file);
-    const bool is_amid_frame = m_frames.is_amid_frame();
+    const bool has_unfinished_frame = m_frames.has_unfinished_frame();
     m_loader.worker().builder().set_picture(m_work.size.extent());
     m_loader.set_displayed(m_frames.displayed());
-    if (auto built = m_loader.update({m_work.size.extent(), is_amid_frame}, wall_seconds))
+    if (auto built = m_loader.update({m_work.size.extent(), has_unfinished_frame}, wall_seconds))
         take(std::move(*built));
     const bool has_drawn = !m_work.renderer || m_work.renderer->has_drawn();
-    m_loader.note_update(!m_loader.is_loading() && !m_frames.is_amid_frame() && has_drawn);
+    m_loader.note_update(!m_loader.is_loading() && !m_frames.has_unfinished_frame() && has_drawn);
 }
 
 void Lab::update_drawing(double wall_seconds, double loading_seconds) {
     m_presets.navigation().update(wall_seconds);
     m_drawing.follow();
-    if (!m_frames.is_amid_frame())
+    if (!m_frames.has_unfinished_frame())
         m_content.update();
     m_frames.update(wall_seconds, loading_seconds);
     m_automation.update(m_work.player.transport().time());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/reload/opening_mark.h"
+#include "lab/reload/crash_marker.h"
 #include "lab/session.h"
 
 /// Opens the look of the session; at the first start, or if its look is missing, Phosphor. If the

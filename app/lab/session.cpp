@@ -4,7 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
-#include "lab/offline/small_picture.h"
+#include "lab/offline/thumbnail.h"
 #include "model/look/stack_size.h"
 
 #include <fmt/format.h>
@@ -199,14 +199,14 @@ void rest_at(double seconds, Lab& lab) {
 
 namespace {
 // Content that is locked now stays when unsaved changes are restored.
-void keep_locked(const Content& present, Document& document) {
+void keep_locked(const Content& current, Document& document) {
     Content content = content_of(document);
-    if (present.locks.signal)
-        content.signal = present.signal;
-    if (present.locks.source)
-        content.source = present.source;
-    content.locks.signal |= present.locks.signal;
-    content.locks.source |= present.locks.source;
+    if (current.locks.signal)
+        content.signal = current.signal;
+    if (current.locks.source)
+        content.source = current.source;
+    content.locks.signal |= current.locks.signal;
+    content.locks.source |= current.locks.source;
     keep_content(document, content);
 }
 }  // namespace
@@ -220,11 +220,11 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
         return;
     if (const PlayedSignal& signal = lab.player().signal(); !signal.live_input().is_open())
         (void)lab.player().mute_input(true);  // the user has not enabled it yet
-    const Content present = lab.document() ? content_of(*lab.document()) : Content{};
-    const auto restore_rest = [&lab, session, then, present] {
+    const Content current = lab.document() ? content_of(*lab.document()) : Content{};
+    const auto restore_rest = [&lab, session, then, current] {
         Document& document = *lab.work().document;
         restore_document(document, session);
-        keep_locked(present, document);
+        keep_locked(current, document);
         if (session.is_playing)
             lab.player().seek(session.time);
         else

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int largest_side = 16384;
 // As floats in memory and RGBA floats on the GPU: 34 million pixels of RGB, 30 million of RGBA.
-constexpr std::int64_t most_bytes = std::int64_t{920} << 20;
+constexpr std::int64_t max_bytes = std::int64_t{920} << 20;
 
 // Marks our files, whose colours are not multiplied by alpha.
 constexpr const char* as_stored = "afterglowAsStored";
@@ -37,21 +37,21 @@ std::string cleaned(std::string_view message) {
     return text.empty() ? "no reason given" : text;
 }
 
-std::int64_t most_pixels(int channels) {
+std::int64_t max_pixels(int channels) {
     constexpr int gpu_channels = 4;
-    return most_bytes / (std::int64_t{4} * (std::max(channels, 1) + gpu_channels));
+    return max_bytes / (std::int64_t{4} * (std::max(channels, 1) + gpu_channels));
 }
 
 Result<void> check_extent(int width, int height, int channels, const fs::path& file) {
     if (width < 1 || height < 1)
         return fail({file, 0, "the file contains no flat picture"});
     if (width > largest_side || height > largest_side ||
-        std::int64_t{width} * height > most_pixels(channels))
+        std::int64_t{width} * height > max_pixels(channels))
         return fail(
             {file, 0,
              fmt::format("the picture is too large: {} x {} px; the limit is {} px per side and {} "
                          "pixels in total",
-                         width, height, largest_side, most_pixels(channels))});
+                         width, height, largest_side, max_pixels(channels))});
     return {};
 }
 

@@ -23,7 +23,7 @@ Diagnostic unknown_kind(const std::string& name) {
 
 Diagnostic unknown_setting(const SignalKind& kind, const std::string& key) {
     std::vector<std::string> known;
-    for (const SettingFacts& setting : kind.settings)
+    for (const SettingInfo& setting : kind.settings)
         known.push_back(setting.key);
     const std::string guess = did_you_mean(key, known);
     return problem(guess.empty()
@@ -38,46 +38,45 @@ std::string text_of(const Spec::Setting& value) {
 }
 
 // These functions return a description of the problem, or "".
-std::string number_problem(const SettingFacts& facts, const Spec::Setting& value) {
+std::string number_problem(const SettingInfo& info, const Spec::Setting& value) {
     const double* number = std::get_if<double>(&value);
     if (!number || !std::isfinite(*number))
-        return fmt::format("'{}' must be a number, got '{}'", facts.key, text_of(value));
-    if (*number < facts.limit.low || *number > facts.limit.high)
-        return fmt::format("'{}' must be between {} and {}, got {}", facts.key,
-                           format_number(facts.limit.low), format_number(facts.limit.high),
+        return fmt::format("'{}' must be a number, got '{}'", info.key, text_of(value));
+    if (*number < info.limit.low || *number > info.limit.high)
+        return fmt::format("'{}' must be between {} and {}, got {}", info.key,
+                           format_number(info.limit.low), format_number(info.limit.high),
                            format_number(*number));
-    if (facts.step == 1.0 && *number != std::floor(*number))
-        return fmt::format("'{}' must be a whole number, got {}", facts.key,
-                           format_number(*number));
+    if (info.step == 1.0 && *number != std::floor(*number))
+        return fmt::format("'{}' must be a whole number, got {}", info.key, format_number(*number));
     return {};
 }
 
-std::string word_problem(const SettingFacts& facts, const Spec::Setting& value) {
+std::string word_problem(const SettingInfo& info, const Spec::Setting& value) {
     const std::string word = text_of(value);
-    if (std::find(facts.words.begin(), facts.words.end(), word) != facts.words.end())
+    if (std::find(info.words.begin(), info.words.end(), word) != info.words.end())
         return {};
-    return fmt::format("'{}' must be one of '{}', got '{}'{}", facts.key,
-                       fmt::join(facts.words, "', '"), word, did_you_mean(word, facts.words));
+    return fmt::format("'{}' must be one of '{}', got '{}'{}", info.key,
+                       fmt::join(info.words, "', '"), word, did_you_mean(word, info.words));
 }
 
-std::string value_problem(const SettingFacts& facts, const Spec::Setting& value) {
-    switch (facts.type) {
+std::string value_problem(const SettingInfo& info, const Spec::Setting& value) {
+    switch (info.type) {
         case SettingType::number:
-            return number_problem(facts, value);
+            return number_problem(info, value);
         case SettingType::word:
-            return word_problem(facts, value);
+            return word_problem(info, value);
         case SettingType::text:
-            return text_of(value).empty() && !facts.may_be_empty
-                       ? fmt::format("'{}' is required", facts.key)
+            return text_of(value).empty() && !info.may_be_empty
+                       ? fmt::format("'{}' is required", info.key)
                        : std::string();
     }
     return {};
 }
 
-Spec::Setting initial_of(const SettingFacts& facts) {
-    if (facts.type == SettingType::number)
-        return facts.initial;
-    return facts.initial_word;
+Spec::Setting initial_of(const SettingInfo& info) {
+    if (info.type == SettingType::number)
+        return info.initial;
+    return info.initial_word;
 }
 
 // Moves the bare first word to the key that it stands for.
@@ -109,15 +108,15 @@ Result<Spec> completed(const Spec& given) {
             problems.push_back(unknown_setting(*kind, key));
 
     Spec complete{kind->kind, {}};
-    for (const SettingFacts& facts : kind->settings) {
-        const auto found = named->settings.find(facts.key);
-        Spec::Setting value = found == named->settings.end() ? initial_of(facts) : found->second;
-        const std::string wrong = value_problem(facts, value);
+    for (const SettingInfo& info : kind->settings) {
+        const auto found = named->settings.find(info.key);
+        Spec::Setting value = found == named->settings.end() ? initial_of(info) : found->second;
+        const std::string wrong = value_problem(info, value);
         if (!wrong.empty())
             problems.push_back(problem(fmt::format("{}: {}", kind->kind, wrong)));
-        if (facts.type != SettingType::number)
+        if (info.type != SettingType::number)
             value = text_of(value);
-        complete.settings.emplace(facts.key, std::move(value));
+        complete.settings.emplace(info.key, std::move(value));
     }
     if (!problems.empty())
         return fail(std::move(problems));

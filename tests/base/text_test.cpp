@@ -53,10 +53,10 @@ TEST_CASE("a diagnostic has the format of a compiler message") {
 }
 
 TEST_CASE("each occurrence in a text is replaced, in linear time") {
-    CHECK(with_each("a+b++", "+", "%2B") == "a%2Bb%2B%2B");
-    CHECK(with_each("aaa", "aa", "a") == "aa");
+    CHECK(replace_all("a+b++", "+", "%2B") == "a%2Bb%2B%2B");
+    CHECK(replace_all("aaa", "aa", "a") == "aa");
     std::string changed;
     CHECK(is_done_in_a_moment(
-        [&] { changed = with_each(times(1'000'000, "iCh0.sampler;"), "iCh0.sampler", "x"); }));
+        [&] { changed = replace_all(times(1'000'000, "iCh0.sampler;"), "iCh0.sampler", "x"); }));
     CHECK((changed == times(1'000'000, "x;")));
 }

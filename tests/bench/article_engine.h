@@ -18,7 +18,7 @@ struct Engine {
     Engine(const std::string& preset, const ValueTexts& values, Extent extent,
            const std::vector<std::string>& displayed = {})
         : offline(made(preset, values, extent)) {
-        tell_driver(offline.context().facts());
+        tell_driver(offline.context().info());
         if (auto set = player.set_signal(offline.document().state().signal); !set)
             give_up(set.error());
         if (auto off = offline.set_nan_policy(NanPolicy::off); !off)

@@ -57,7 +57,7 @@ public:
     Picture picture() const { return gpu::read_picture(m_executor.target(0)); }
 
 private:
-    static Prepared prepared(int samples) {
+    static PreparedLook prepared(int samples) {
         RenderRequest request;
         request.look = "vector-beam";
         request.size = screen;
@@ -69,7 +69,7 @@ private:
         const Library library(wanted(find_roots(AFTERGLOW_SOURCE_DIR)));
         return wanted(prepare(request, library));
     }
-    static Executor made(const Prepared& prepared) {
+    static Executor made(const PreparedLook& prepared) {
         const Look& look = prepared.document.look();
         const Values& values = prepared.document.values();
         const Plan plan = wanted(plan_targets(look, screen, {}, values));
@@ -79,7 +79,7 @@ private:
         return Executor(look, wanted(build_programs(specialized)));
     }
 
-    Prepared m_prepared;
+    PreparedLook m_prepared;
     Executor m_executor;
     Player m_player;
     PlayedFrame m_frame;
@@ -158,7 +158,7 @@ void compare_with_plain(int samples, std::optional<Bound> bound) {
     bench::tell(topic, cost);
 }
 
-void tell_growth(int few, int many, double most) {
+void tell_growth(int few, int many, double maximum) {
     constexpr double seconds = 5.0;
     OurBeam yardstick(few);
     OurBeam ours(many);
@@ -167,13 +167,13 @@ void tell_growth(int few, int many, double most) {
                            fmt::format("{} samples: CPU time relative to {} samples", many, few),
                            bench::side_by_side_for(
                                seconds, [&] { yardstick.draw(); }, [&] { ours.draw(); }),
-                           bench::at_most(most)));
+                           bench::at_most(maximum)));
 }
 }  // namespace
 
 int main() {
     const auto context = wanted(gpu::create_headless_context());
-    bench::tell_driver(context->facts());
+    bench::tell_driver(context->info());
     for (const int samples : {4096, 16384, 65536})
         compare_with_plain(samples, {});
     compare_with_plain(262144, bench::at_most(1.0 / 15.0));

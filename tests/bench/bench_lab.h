@@ -16,7 +16,7 @@ class BenchLab {
 public:
     BenchLab(const std::filesystem::path& folder, Extent picture) {
         m_context = wanted(gpu::create_headless_context());
-        tell_driver(m_context->facts());
+        tell_driver(m_context->info());
         auto worker = wanted(gpu::Context::shared_with(*m_context));
         Roots roots{AFTERGLOW_SOURCE_DIR, folder / "user", folder / "state", folder / "cache"};
         m_lab = std::make_unique<Lab>(Library(std::move(roots)), *m_context, std::move(worker));
@@ -31,9 +31,9 @@ protected:
     /// frame.
     template <class Draw>
     static void until_ready(Draw draw) {
-        constexpr auto patience = std::chrono::seconds(3);
+        constexpr auto timeout = std::chrono::seconds(3);
         for (const auto start = std::chrono::steady_clock::now();
-             std::chrono::steady_clock::now() - start < patience;)
+             std::chrono::steady_clock::now() - start < timeout;)
             draw();
     }
 

@@ -68,7 +68,7 @@ public:
         update();
         return milliseconds_since(start);
     }
-    int pictures_in_a_second() {
+    int pictures_per_second() {
         const auto start = Clock::now();
         int pictures = 0;
         double value = 1.0 + seen("GLOW");
@@ -119,7 +119,7 @@ int main() {
                      .detail = fmt::format("frame time {:.3g} ms", bench.frame_milliseconds())});
         bench::tell(topic, {.key = fmt::format("turning-{}", picture.height),
                             .what = fmt::format("{}: new pictures during continuous change", size),
-                            .value = static_cast<double>(bench.pictures_in_a_second()),
+                            .value = static_cast<double>(bench.pictures_per_second()),
                             .unit = "per second"});
     }
     fs::remove_all(folder);

@@ -57,10 +57,10 @@ double idle_share() {
     return (after[3] - before[3]) / all;
 }
 
-// Waits up to `most_seconds` for an idle machine.
-double idle_before(int most_seconds) {
+// Waits up to `max_seconds` for an idle machine.
+double idle_before(int max_seconds) {
     double idle = idle_share();
-    for (int i = 1; i < most_seconds && idle < quiet; ++i)
+    for (int i = 1; i < max_seconds && idle < quiet; ++i)
         idle = idle_share();
     return idle;
 }
@@ -99,7 +99,7 @@ Offline open_look(const fs::path& look, const fs::path& folder) {
     request.values = {{"as_written", "1"}};
     request.size = size;
     Offline offline = wanted(Offline::create(wanted(prepare(request, library)), size, 60.0));
-    bench::tell_driver(offline.context().facts());
+    bench::tell_driver(offline.context().info());
     return offline;
 }
 
@@ -125,7 +125,7 @@ void write_one_by_one(Offline& offline, const ExportJob& job) {
     }
 }
 
-Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) {
+Run run(Offline& offline, const FrameNames& names, bool is_piped, int timeout) {
     constexpr int warm_up = 5;
     wanted(offline.start_again(offline.document()));
     for (int i = 0; i < warm_up; ++i)
@@ -135,7 +135,7 @@ Run run(Offline& offline, const FrameNames& names, bool is_piped, int patience) 
                         .stages = sequence_stages(names, 0),
                         .should_continue = [](std::int64_t) { return true; }};
     Run run;
-    run.idle = idle_before(patience);
+    run.idle = idle_before(timeout);
     std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak to the current value
     const double memory_before = memory("VmRSS");
     const double cpu = bench::busy_seconds();
@@ -183,7 +183,7 @@ void tell_runs(const std::string& key, const std::string& what, const std::vecto
 
 struct Measuring {
     int turns = 3;
-    int patience = 10;  // s
+    int timeout = 10;  // s
     fs::path folder = {};
 };
 
@@ -192,29 +192,29 @@ struct Kind {
     std::string texel;
     std::string ending;
     double frame_bytes;
-    double most;  // limit of wall time relative to ideal
+    double maximum;  // limit of wall time relative to ideal
 };
 
 void measure_kind(const Kind& kind, const Measuring& measuring) {
-    constexpr double most_frames = 6.0;
+    constexpr double max_frames = 6.0;
     const fs::path& folder = measuring.folder;
     Offline offline = open_look(look_with(kind.texel, folder), folder);
     const auto names = parse_frame_names((folder / ("f_%04d" + kind.ending)).string());
     run(offline, *names, true, 0);  // loads all code and tables
     tell_runs(kind.key + "-one-by-one",
               fmt::format("{} of {}, sequential", kind.ending, kind.texel),
-              {run(offline, *names, false, measuring.patience)}, {});
+              {run(offline, *names, false, measuring.timeout)}, {});
     std::vector<Run> runs;
     for (int turn = 0; turn < measuring.turns; ++turn)
-        runs.push_back(run(offline, *names, true, measuring.patience));
+        runs.push_back(run(offline, *names, true, measuring.timeout));
     tell_runs(kind.key, fmt::format("{} of {}, parallel encoders", kind.ending, kind.texel), runs,
-              bench::at_most(kind.most));
+              bench::at_most(kind.maximum));
     bench::tell(topic, {.key = kind.key + "-memory",
                         .what = fmt::format("{}: memory in addition to drawing", kind.ending),
                         .value = std::ranges::max(runs, {}, &Run::more_memory).more_memory *
                                  1024.0 / kind.frame_bytes,
                         .unit = "frames",
-                        .bound = bench::at_most(most_frames)});
+                        .bound = bench::at_most(max_frames)});
 }
 
 /// A picture of a look after some frames, as read back.
@@ -268,7 +268,7 @@ int main(int argc, char** argv) {
     if (argc > 1)
         measuring.turns = std::max(1, std::atoi(argv[1]));
     if (argc > 2)
-        measuring.patience = std::atoi(argv[2]);
+        measuring.timeout = std::atoi(argv[2]);
     constexpr double texels = 1280.0 * 720.0;
     measure_kind({"exr-sequence", "rgba16f", ".exr", 8.0 * texels, 1.12}, measuring);
     measure_kind({"png-sequence", "rgba8", ".png", 4.0 * texels, 1.15}, measuring);

@@ -10,7 +10,7 @@
 namespace bench {
 
 namespace {
-constexpr double least_idle = 0.92;
+constexpr double min_idle = 0.92;
 
 const char* text_of(Verdict verdict) {
     switch (verdict) {
@@ -53,7 +53,7 @@ void write_line(const nlohmann::ordered_json& line) {
 
 Verdict verdict_of(const Figure& figure) {
     if ((figure.itself && !is_itself(*figure.itself)) ||
-        (figure.idle && !(*figure.idle >= least_idle)))
+        (figure.idle && !(*figure.idle >= min_idle)))
         return Verdict::noise;
     if (!figure.bound)
         return Verdict::none;
@@ -96,8 +96,8 @@ void tell(const Topic& topic, const Figure& figure) {
     write_line(told);
 }
 
-void tell_driver(const gpu::Facts& facts) {
-    write_line({{"driver", facts.renderer + ", OpenGL " + facts.version}});
+void tell_driver(const gpu::DriverInfo& info) {
+    write_line({{"driver", info.renderer + ", OpenGL " + info.version}});
 }
 
 }  // namespace bench

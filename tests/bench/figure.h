@@ -53,6 +53,6 @@ Verdict verdict_of(const Figure& figure);
 void tell(const Topic& topic, const Figure& figure);
 
 /// Adds the driver to the same file.
-void tell_driver(const gpu::Facts& facts);
+void tell_driver(const gpu::DriverInfo& info);
 
 }  // namespace bench

@@ -31,8 +31,8 @@ struct Candidate {
     ValueTexts values;
     Way way;
     GLenum format;
-    double most;   // limit of ours relative to plain
-    double least;  // dB
+    double maximum;  // limit of ours relative to plain
+    double minimum;  // dB
 };
 
 // Without bloom, because the kinds of bloom differ.
@@ -58,7 +58,7 @@ void tell_pictures(const Candidate& candidate) {
                                             candidate.name),
                         .value = decibels(engine.offline.picture()),
                         .unit = "dB",
-                        .bound = bench::at_least(candidate.least),
+                        .bound = bench::at_least(candidate.minimum),
                         .detail = fmt::format("plain GL {:.1f} dB", decibels(plain.picture()))});
 }
 
@@ -66,7 +66,7 @@ void tell_pictures(const Candidate& candidate) {
 void tell_bloom(const Candidate& candidate, const char* pass) {
     Beam point{{0.0f, 0.0f, 1.0f, 0.0f}};
     Engine engine(candidate.preset, candidate.values, picture_extent, {"persistence", pass});
-    engine.offline.drive_by([&](const PlayedFrame&) -> Beam { return point; });
+    engine.offline.override_beam([&](const PlayedFrame&) -> Beam { return point; });
     engine.draw();
     const Look& look = engine.offline.executor().look();
     const auto seen = [&](const char* name) {
@@ -115,10 +115,10 @@ std::vector<Cost> costs_of_openings(const Candidate& candidate) {
 void compare(const Candidate& candidate) {
     tell_pictures(candidate);
     tell_bloom(candidate, "bloom_y");
-    bench::tell(
-        topic, bench::ratio_figure(candidate.key,
-                                   fmt::format("{}: CPU time relative to plain GL", candidate.name),
-                                   costs_of_openings(candidate), bench::at_most(candidate.most)));
+    bench::tell(topic,
+                bench::ratio_figure(
+                    candidate.key, fmt::format("{}: CPU time relative to plain GL", candidate.name),
+                    costs_of_openings(candidate), bench::at_most(candidate.maximum)));
 }
 
 // With very few pixels, only the cost of the calls remains.

@@ -38,7 +38,7 @@ Offline specialized(const Setting& setting) {
 
 void tell_memory(const Setting& setting) {
     const Offline offline = specialized(setting);
-    bench::tell_driver(offline.context().facts());
+    bench::tell_driver(offline.context().info());
     const Executor& executor = offline.executor();
     bench::tell(topic, {.key = setting.key,
                         .what = fmt::format("{}: all targets", setting.name),
@@ -54,30 +54,30 @@ void tell_memory(const Setting& setting) {
 }  // namespace
 
 int main() {
-    constexpr bench::Bound most_of_32_bits = bench::at_most(115.0);
-    constexpr bench::Bound most_of_16_bits = bench::at_most(80.0);
+    constexpr bench::Bound max_32_bits = bench::at_most(115.0);
+    constexpr bench::Bound max_16_bits = bench::at_most(80.0);
     const std::vector<Setting> settings{
         {"tube", "measured tube P31", "green-p31", {}, {}, {}},
-        {"default", "Default", "", {}, most_of_32_bits, {}},
-        {"article", "Original article", "article", {}, most_of_32_bits, {}},
+        {"default", "Default", "", {}, max_32_bits, {}},
+        {"article", "Original article", "article", {}, max_32_bits, {}},
         {"article-16",
          "Original article, 16 bit",
          "article",
          {{"light_bits", "1"}},
-         most_of_16_bits,
+         max_16_bits,
          bench::at_most(48.0)},
         {"taps", "Original article, Blur Taps", "article", {{"bloom_kind", "Taps"}}, {}, {}},
         {"mono-32",
          "Original article, monochrome, 32 bit",
          "article-mono",
          {},
-         most_of_32_bits,
+         max_32_bits,
          bench::at_most(26.0)},
         {"mono-16",
          "Original article, monochrome, 16 bit",
          "article-mono",
          {{"light_bits", "1"}},
-         most_of_16_bits,
+         max_16_bits,
          bench::at_most(16.0)},
     };
     for (const Setting& setting : settings)

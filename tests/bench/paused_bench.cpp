@@ -33,7 +33,7 @@ public:
     /// Updates until a picture drawn in slices is complete.
     void finish_picture() {
         m_is_sliced = false;
-        for (update(); m_lab->frames().is_amid_frame(); update())
+        for (update(); m_lab->frames().has_unfinished_frame(); update())
             m_is_sliced = true;
     }
     /// Whether the latest picture was drawn in slices.

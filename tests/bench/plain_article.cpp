@@ -27,8 +27,8 @@ double variance_of_article() {
 // The variance in px^2 added by downsampling to 1 / 2^levels of the size and upsampling to half
 // size. Each step adds 3/4 of a squared texel, but the first one 1/4.
 double variance_of_levels(int levels) {
-    const double there_and_back = 0.5 * (std::pow(4.0, levels) - 1.0);
-    return there_and_back - 0.5 - 0.75;  // without the last upsampling
+    const double ping_pong = 0.5 * (std::pow(4.0, levels) - 1.0);
+    return ping_pong - 0.5 - 0.75;  // without the last upsampling
 }
 
 Extent halved(Extent extent) {
@@ -155,10 +155,10 @@ Result<void> PlainArticle::add_literal() {
 
 Result<void> PlainArticle::add_best() {
     // A single number for all channels grows until the weakest channel reaches its ceiling.
-    const double most_kept = m_settings.way == Way::best_colour ? ceiling : ceiling / beam_color[0];
+    const double max_kept = m_settings.way == Way::best_colour ? ceiling : ceiling / beam_color[0];
     if (auto added = add(texts::fading_fragment,
                          {&(*m_glowing)[0], {{"previous", &(*m_glowing)[1], Reading::exact}}},
-                         {{"most", {most_kept}}});
+                         {{"most", {max_kept}}});
         !added)
         return added;
     if (auto added = add_beam(&(*m_glowing)[0], false); !added)

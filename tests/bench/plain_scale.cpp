@@ -34,7 +34,7 @@ std::string fragment_of(const ScaleSize& size, int pass) {
         "#version 410 core\nuniform sampler2D before;\nuniform sampler2D former;\n"
         "uniform float u_time;\nin vec2 uv;\nout vec4 color;\n";
     std::string sum;
-    for (int i = 0; i < size.parameters_a_pass; ++i) {
+    for (int i = 0; i < size.parameters_per_pass; ++i) {
         const std::string name = scale_parameter(pass, i);
         text +=
             fmt::format("uniform float {} = {};  // @range 0 1\n", name, scale_initial(pass, i));
@@ -97,7 +97,7 @@ Result<PlainScale> PlainScale::make(const ScaleSize& size) {
         program->set_unit(*program->find_uniform("before"), 0);
         program->set_unit(*program->find_uniform("former"), 1);
         std::vector<GLint> parameters;
-        for (int i = 0; i < size.parameters_a_pass; ++i)
+        for (int i = 0; i < size.parameters_per_pass; ++i)
             parameters.push_back(program->find_uniform(scale_parameter(pass, i))->location);
         const GLint time = program->find_uniform("u_time")->location;
         made.m_passes.push_back({std::move(*program), time, std::move(parameters)});

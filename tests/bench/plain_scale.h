@@ -17,7 +17,7 @@ struct ScaleTexts {
 
 struct ScaleSize {
     int passes = 50;
-    int parameters_a_pass = 20;
+    int parameters_per_pass = 20;
     int side = 8;  // of a target, px
     const char* format = "rgba8";
     GLenum gl_format = GL_RGBA8;

@@ -85,7 +85,7 @@ public:
             std::exit(EXIT_FAILURE);
         }
         m_context = std::move(*context);
-        bench::tell_driver(m_context->facts());
+        bench::tell_driver(m_context->info());
         m_lab = std::make_unique<Lab>(
             Library({folder, folder / "user", folder / "state", folder / "cache"}), *m_context,
             std::move(*worker));
@@ -163,7 +163,7 @@ private:
     }
     void frame(double seconds = 1.0 / 60.0) {
         m_lab->update(seconds);
-        while (m_lab->frames().is_amid_frame())
+        while (m_lab->frames().has_unfinished_frame())
             m_lab->update(0.0);
         gpu::finish();
     }

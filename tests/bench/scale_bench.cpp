@@ -27,7 +27,7 @@ struct DraggedParameter {
 };
 
 DraggedParameter dragged_parameter(const ScaleSize& size) {
-    return {size.passes / 2, size.parameters_a_pass / 2};
+    return {size.passes / 2, size.parameters_per_pass / 2};
 }
 
 double value_at(int step) {
@@ -38,7 +38,7 @@ double value_at(int step) {
 Values all_turned(const ScaleSize& size) {
     Values values;
     for (int pass = 0; pass < size.passes; ++pass)
-        for (int i = 0; i < size.parameters_a_pass; ++i)
+        for (int i = 0; i < size.parameters_per_pass; ++i)
             values[bench::scale_parameter(pass, i)] = Value(bench::scale_initial(pass, i) + 0.01);
     return values;
 }
@@ -104,7 +104,7 @@ public:
     // Such short updates that values do not count as static, so that programs are not specialised.
     void draw(double /*seconds*/ = 0.0) {
         m_lab->update(1e-5);
-        while (m_lab->frames().is_amid_frame())
+        while (m_lab->frames().has_unfinished_frame())
             m_lab->update(0.0);
     }
 };
@@ -181,7 +181,7 @@ void measure(const TemporaryFolder& folder, const ScaleSize& size, const std::st
     ScaleLab lab(folder.path(), place, values, extent);
     PlainScale plain = wanted(PlainScale::make(size));
     for (int pass = 0; pass < size.passes; ++pass)
-        for (int i = 0; i < size.parameters_a_pass; ++i)
+        for (int i = 0; i < size.parameters_per_pass; ++i)
             plain.set(pass, i, bench::scale_initial(pass, i) + 0.01);
     OwnExecutor executor(look_at(place), values, extent);
     tell_picture(size, plain, executor);

@@ -37,13 +37,13 @@ public:
     /// Returns false if the driver rejects specialised programs.
     bool specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
-        constexpr int most_frames = 300;
+        constexpr int max_frames = 300;
         int frames = 0;
-        while (!m_lab->renderer()->executor().programs().is_specialized() && ++frames < most_frames)
+        while (!m_lab->renderer()->executor().programs().is_specialized() && ++frames < max_frames)
             frame(longest);
         frame();
         frame();
-        return frames < most_frames;
+        return frames < max_frames;
     }
     /// The first change of a drag; too small to be visible.
     void change_a_parameter() {
@@ -67,7 +67,7 @@ public:
 private:
     void frame(double seconds = 1.0 / 60.0) {
         m_lab->update(seconds);
-        while (m_lab->frames().is_amid_frame())
+        while (m_lab->frames().has_unfinished_frame())
             m_lab->update(0.0);
         gpu::finish();
     }

@@ -98,8 +98,8 @@ Cost side_by_side(int rounds, int frames, Plain plain, Ours ours) {
 template <class Plain, class Ours>
 Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
     constexpr double turn_seconds = 0.02;
-    constexpr int least_rounds = 9;
-    constexpr int most_rounds = 301;
+    constexpr int min_rounds = 9;
+    constexpr int max_rounds = 301;
     seconds_of(warm_up_frames, plain);
     seconds_of(warm_up_frames, ours);
     const double plain_frame = seconds_of(warm_up_frames, plain) / warm_up_frames;
@@ -107,7 +107,7 @@ Cost side_by_side_for(double seconds, Plain plain, Ours ours) {
     const int frames = std::max(1, static_cast<int>(turn_seconds / plain_frame));
     const double round_seconds = frames * (plain_frame + our_frame);
     return side_by_side(
-        std::clamp(static_cast<int>(seconds / round_seconds), least_rounds, most_rounds), frames,
+        std::clamp(static_cast<int>(seconds / round_seconds), min_rounds, max_rounds), frames,
         plain, ours);
 }
 
@@ -140,10 +140,10 @@ inline Figure ratio_figure(std::string key, std::string what, const std::vector<
     };
     const Cost cost{middle(&Cost::plain_milliseconds), middle(&Cost::our_milliseconds),
                     middle(&Cost::ratio), middle(&Cost::more), middle(&Cost::itself)};
-    const auto [least, most] = std::ranges::minmax(costs, {}, &Cost::ratio);
+    const auto [minimum, maximum] = std::ranges::minmax(costs, {}, &Cost::ratio);
     Figure figure = ratio_figure(std::move(key), std::move(what), cost, bound);
-    figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings valid", least.ratio,
-                                 most.ratio, counting, openings.size());
+    figure.detail += fmt::format("; {:.3f} to {:.3f}, {} of {} openings valid", minimum.ratio,
+                                 maximum.ratio, counting, openings.size());
     return figure;
 }
 

@@ -25,10 +25,10 @@ using bench::Cost;
 
 Cost cost_of(plain::Pair& pair) {
     constexpr int rounds = 5;
-    constexpr double least_seconds = 0.1;
+    constexpr double min_seconds = 0.1;
     const auto plain = [&] { pair.draw_plain(); };
     bench::seconds_of(4, plain);  // the first frames compile
-    const int frames = static_cast<int>(least_seconds / (bench::seconds_of(4, plain) / 4)) + 1;
+    const int frames = static_cast<int>(min_seconds / (bench::seconds_of(4, plain) / 4)) + 1;
     return bench::side_by_side(rounds, frames, plain, [&] { pair.draw_ours(); });
 }
 
@@ -105,10 +105,10 @@ int compare_pictures(const fs::path& preset) {
 }
 
 void compare_alone(const fs::path& preset) {
-    constexpr double most_seconds = 600.0;
-    constexpr std::size_t most_bytes = 1 << 20;
+    constexpr double max_seconds = 600.0;
+    constexpr std::size_t max_bytes = 1 << 20;
     auto child = ChildProcess::start({"/proc/self/exe", "pictures", preset.string()});
-    const auto output = child ? child->read_all_within(most_seconds, most_bytes) : std::nullopt;
+    const auto output = child ? child->read_all_within(max_seconds, max_bytes) : std::nullopt;
     const nlohmann::ordered_json lost{{"file", preset.string()}, {"why", "timed out"}};
     fmt::print("{}", output && !output->empty() ? *output : lost.dump() + "\n");
     std::fflush(stdout);

@@ -22,9 +22,9 @@ public:
         : BenchLab(folder, {1280, 720}), m_views(Views::make().value()) {
         m_window.views.sizes.picture = {1280, 720};
         m_window.views.sizes.thumbnail_height = 64;
-        m_window.layout.panels.hide(PanelId::inspector);
+        m_window.layout.panels.hide(panel_id::inspector);
         if (!shows_strip)
-            m_window.layout.panels.hide(PanelId::strip);
+            m_window.layout.panels.hide(panel_id::strip);
         m_lab->looks().open(look);
         m_lab->update(0.0);
         while (m_lab->loader().is_loading() || !m_lab->renderer() ||
@@ -51,9 +51,9 @@ public:
 private:
     void specialize() {
         constexpr double longest = 0.1;  // of one update, so that the loop needs no waiting
-        constexpr int most_updates = 300;
+        constexpr int max_updates = 300;
         for (int i = 0;
-             i < most_updates && !m_lab->renderer()->executor().programs().is_specialized(); ++i)
+             i < max_updates && !m_lab->renderer()->executor().programs().is_specialized(); ++i)
             update(longest);
         for (int i = 0; i < 20; ++i)
             update();
@@ -62,7 +62,7 @@ private:
     void update(double seconds = 1.0 / 60.0) {
         m_lab->frames().set_displayed(displayed_passes(*m_lab, m_window));
         m_lab->update(seconds);
-        while (m_lab->frames().is_amid_frame())
+        while (m_lab->frames().has_unfinished_frame())
             m_lab->update(0.0);
         m_views.update(*m_lab, m_window);
         gpu::finish();

@@ -24,5 +24,5 @@ void fuzz_one(std::string_view input) {
     for (const Declaration& declared : find_declarations(stage.text))
         parse_hints(declared.comments, stage, problems);
     check_version(stage);
-    find_out_of_bounds(stage.text);
+    find_limit_violation(stage.text);
 }

@@ -20,7 +20,7 @@ void fuzz_one(std::string_view input) {
         pass.kind = kinds[shadertoy.passes.size()];
         pass.name = shadertoy_pass_name(pass.kind, 0);
         pass.code = builtin_stage(std::string(text));
-        pass.is_wired = false;
+        pass.has_explicit_inputs = false;
         shadertoy.passes.push_back(std::move(pass));
     }
     Diagnostics warnings;

@@ -20,7 +20,7 @@ Library library() {
     return Library(std::move(*roots));
 }
 
-Prepared prepared(const RenderRequest& request) {
+PreparedLook prepared(const RenderRequest& request) {
     auto result = prepare(request, library());
     REQUIRE_MESSAGE(result.has_value(), problems_of(result));
     return std::move(*result);
@@ -140,10 +140,10 @@ private:
     const Document& base(const std::string& signal) {
         auto found = m_bases.find(signal);
         if (found == m_bases.end()) {
-            Prepared made = prepared({.look = m_look.id,
-                                      .values = m_look.always,
-                                      .signal = signal.empty() ? m_look.signal : signal,
-                                      .source = m_look.source});
+            PreparedLook made = prepared({.look = m_look.id,
+                                          .values = m_look.always,
+                                          .signal = signal.empty() ? m_look.signal : signal,
+                                          .source = m_look.source});
             found = m_bases.emplace(signal, std::move(made.document)).first;
         }
         return found->second;

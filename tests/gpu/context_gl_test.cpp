@@ -11,11 +11,11 @@
 #include <thread>
 
 TEST_CASE_FIXTURE(Headless, "a context reports its renderer and limits") {
-    const gpu::Facts& facts = (*context)->facts();
-    CHECK_FALSE(facts.renderer.empty());
-    CHECK_FALSE(facts.version.empty());
-    CHECK(facts.largest_texture >= 16384 / 2);  // GL 4.1 requires 16384; some drivers have less
-    CHECK(facts.largest_point_size >= 1.0f);
+    const gpu::DriverInfo& info = (*context)->info();
+    CHECK_FALSE(info.renderer.empty());
+    CHECK_FALSE(info.version.empty());
+    CHECK(info.largest_texture >= 16384 / 2);  // GL 4.1 requires 16384; some drivers have less
+    CHECK(info.largest_point_size >= 1.0f);
 }
 
 TEST_CASE("a context needs no display") {

@@ -6,8 +6,8 @@
 
 TEST_CASE("free space of a folder is checked without leaving a file there") {
     const TemporaryFolder folder;
-    CHECK(gpu::has_room(folder.path(), 4096));
-    CHECK(gpu::has_room(folder / "not/there/yet", 4096));
-    CHECK_FALSE(gpu::has_room(folder.path(), std::size_t{1} << 60));
+    CHECK(gpu::has_free_space(folder.path(), 4096));
+    CHECK(gpu::has_free_space(folder / "not/there/yet", 4096));
+    CHECK_FALSE(gpu::has_free_space(folder.path(), std::size_t{1} << 60));
     CHECK(std::filesystem::is_empty(folder.path()));
 }

@@ -58,13 +58,13 @@ TEST_CASE_FIXTURE(Headless, "a program is compiled once, and later loaded from i
 TEST_CASE_FIXTURE(Headless, "a binary of another driver is not used") {
     ByteMap store;
     static_cast<void>(built(store, "3.0"));
-    const std::string question = store.answers.begin()->first;
-    const gpu::Facts facts = gpu::read_facts();
-    for (const std::string& fact : {facts.renderer, facts.vendor, facts.version})
-        CHECK(question.find(fact) != std::string::npos);
+    const std::string key = store.answers.begin()->first;
+    const gpu::DriverInfo info = gpu::read_info();
+    for (const std::string& fact : {info.renderer, info.vendor, info.version})
+        CHECK(key.find(fact) != std::string::npos);
     ByteMap of_other;
-    const std::size_t at = question.find(facts.version);
-    of_other.answers[std::string(question).replace(at, facts.version.size(), "4.1 other")] =
+    const std::size_t at = key.find(info.version);
+    of_other.answers[std::string(key).replace(at, info.version.size(), "4.1 other")] =
         store.answers.begin()->second;
     CHECK_FALSE(built(of_other, "3.0").is_restored());
 }

@@ -68,7 +68,7 @@ TEST_CASE_FIXTURE(Headless, "a program lists its active uniforms with types") {
     REQUIRE(program->find_uniform("turn"));
     CHECK(program->find_uniform("turn")->number == NumberType{Scalar::floating, 3, 2});
     REQUIRE(program->find_uniform("bits"));
-    CHECK(program->find_uniform("bits")->number == NumberType{Scalar::natural, 1, 1});
+    CHECK(program->find_uniform("bits")->number == NumberType{Scalar::unsigned_integer, 1, 1});
     REQUIRE(program->find_uniform("taps"));
     CHECK(program->find_uniform("taps")->count == 5);
     REQUIRE(program->find_uniform("image"));

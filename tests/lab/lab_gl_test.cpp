@@ -65,7 +65,7 @@ TEST_CASE("the render size is a fixed size or 1/4 to 2 times the view") {
     const auto drawn_at = [&small](const PictureSize& size) {
         small.lab().work().size.choose(size);
         small.update(1);
-        REQUIRE(small.update_until([&] { return !small.lab().frames().is_amid_frame(); }));
+        REQUIRE(small.update_until([&] { return !small.lab().frames().has_unfinished_frame(); }));
         return small.lab().renderer()->executor().target(1).extent();
     };
     CHECK(drawn_at({true, {}, 1.0}) == Extent{40, 20});

@@ -2,7 +2,7 @@
 #include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/session.h"
-#include "lab/session/session_keeper.h"
+#include "lab/session/session_autosave.h"
 #include "lab/small_lab.h"
 
 namespace fs = std::filesystem;
@@ -57,7 +57,7 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
 
 TEST_CASE("a change is saved at once, and a drag when it ends") {
     SmallLab small;
-    SessionKeeper keeper(small.roots());
+    SessionAutosave keeper(small.roots());
     const WindowState arrangement;
     const auto kept_gain = [&] {
         Diagnostics warnings;

@@ -233,9 +233,9 @@ TEST_CASE("history is the source of previous frames, initially transparent black
                            "");
     Offline offline = chain.open({1, 1}, flat(0.2f));
     CHECK(first_red(offline.picture_after(1)) == 0);
-    REQUIRE(offline.hold_source(flat(0.4f)));
+    REQUIRE(offline.override_source(flat(0.4f)));
     CHECK(first_red(offline.picture_after(1)) == 0);
-    REQUIRE(offline.hold_source(flat(0.6f)));
+    REQUIRE(offline.override_source(flat(0.6f)));
     CHECK(first_red(offline.picture_after(1)) == 51);
     CHECK(first_red(offline.picture_after(1)) == 102);
 }
@@ -263,7 +263,7 @@ TEST_CASE("a chain reads its source in 8 bits") {
     const DrawnChain chain(
         {chain_shader("vec4((texture(Source, at).r * 255.0 - 63.0) * 0.5)", {"Source"})}, "");
     Offline offline = chain.open({1, 1}, flat(0.0f));
-    REQUIRE(offline.hold_source(flat(0.25f)));
+    REQUIRE(offline.override_source(flat(0.25f)));
     CHECK(std::abs(first_red(offline.picture_after(1)) - 127.5) <= 1.0);
 }
 
@@ -285,7 +285,7 @@ TEST_CASE("integers pass through an integer target unchanged") {
 TEST_CASE("negative integers pass unchanged through every signed target and its feedback") {
     struct Signed {
         std::string format;
-        std::string least;
+        std::string minimum;
         float read = 0.0f;
     };
     const std::string of_32 = "(-2147483647 - 1)";
@@ -298,12 +298,12 @@ TEST_CASE("negative integers pass unchanged through every signed target and its 
           Signed{"R32G32B32A32_SINT", of_32, -2147483648.0f}}) {
         CAPTURE(one.format);
         const DrawnChain chain(
-            {chain_shader(fmt::format("ivec4({})", one.least), {},
+            {chain_shader(fmt::format("ivec4({})", one.minimum), {},
                           fmt::format("#pragma format {}\n#pragma name Signed\n", one.format),
                           "ivec4"),
              chain_shader(fmt::format("vec4(texture(Signed, at).r == {0} ? 0.2 : 0.0) +"
                                       " vec4(texture(SignedFeedback, at).r == {0} ? 0.4 : 0.0)",
-                                      one.least),
+                                      one.minimum),
                           {"Signed", "SignedFeedback"})},
             "");
         Offline offline = chain.open({1, 1}, flat(0.0f));

@@ -167,7 +167,7 @@ struct StackLab : SmallLab {
     }
     bool shows(const std::string& id) {
         return update_until([&] {
-            return document().look().id == id && !document().is_restacking() &&
+            return document().look().id == id && !document().has_pending_stack() &&
                    !lab().loader().is_loading();
         });
     }

@@ -13,7 +13,7 @@
 
 namespace {
 constexpr Extent size{8, 6};
-constexpr int most_bounces = 3;
+constexpr int max_bounces = 3;
 
 struct Vector {
     double x = 0.0;
@@ -156,14 +156,14 @@ Ray bounced(const Ray& ray, double away, const Vector& normal, const Material& m
 }
 
 /// The light of one path, for each number of bounces.
-std::array<double, most_bounces + 1> light_of(const Scene& scene, Ray ray, Chance& chance) {
-    std::array<double, most_bounces + 1> light{};
+std::array<double, max_bounces + 1> light_of(const Scene& scene, Ray ray, Chance& chance) {
+    std::array<double, max_bounces + 1> light{};
     const auto add = [&](int rays, double brightness) {
-        for (int bounces = std::max(0, rays - 1); bounces <= most_bounces; ++bounces)
+        for (int bounces = std::max(0, rays - 1); bounces <= max_bounces; ++bounces)
             light[static_cast<std::size_t>(bounces)] += brightness;
     };
     double carried = 1.0;
-    for (int rays = 0; rays <= most_bounces + 1; ++rays) {
+    for (int rays = 0; rays <= max_bounces + 1; ++rays) {
         double away = 1e30;
         const Ball* ball = nullptr;
         for (const Ball* other : {&scene.oxygens[0], &scene.oxygens[1], &scene.lamp})
@@ -193,14 +193,14 @@ struct Estimate {
     double error = 0.0;  // one standard deviation of the mean
 };
 /// For each number of bounces and each pixel, top row first.
-using Estimates = std::array<std::vector<Estimate>, most_bounces + 1>;
+using Estimates = std::array<std::vector<Estimate>, max_bounces + 1>;
 
 Estimates estimates_by_chance(const Scene& scene, int paths) {
     Chance chance;
     Estimates estimates;
     for (int pixel = 0; pixel < size.width * size.height; ++pixel) {
-        std::array<double, most_bounces + 1> sums{};
-        std::array<double, most_bounces + 1> squares{};
+        std::array<double, max_bounces + 1> sums{};
+        std::array<double, max_bounces + 1> squares{};
         for (int path = 0; path < paths; ++path) {
             const int y = size.height - 1 - pixel / size.width;
             const auto light =
@@ -222,7 +222,7 @@ Estimates estimates_by_chance(const Scene& scene, int paths) {
 TEST_CASE("every pixel matches the brute-force path tracer, for any number of bounces") {
     const Scene scene;
     const Estimates right = estimates_by_chance(scene, 20000);
-    for (const int bounces : {0, 1, most_bounces}) {
+    for (const int bounces : {0, 1, max_bounces}) {
         CAPTURE(bounces);
         auto tracer = PathTracer::create(scene.settings(bounces), size, 256);
         REQUIRE_MESSAGE(tracer.has_value(), problems_of(tracer));

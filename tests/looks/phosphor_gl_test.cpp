@@ -108,10 +108,10 @@ TEST_CASE("the bloom keeps the energy of a single lit spot") {
                       {"ceiling", Value(1000.0)},
                       {"bloom_size", Value(size)}});
         tube.draw({{0.1f, -0.2f, 1.0f, 0.0f}});
-        const double pixels_a_texel = 1.0 / (size * size);
+        const double pixels_per_texel = 1.0 / (size * size);
         CHECK(tube.target("bloom_y").extent.width == 256 * size);
-        CHECK(tube.sum("bloom_x") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
-        CHECK(tube.sum("bloom_y") * pixels_a_texel == about(tube.sum("persistence"), 0.01));
+        CHECK(tube.sum("bloom_x") * pixels_per_texel == about(tube.sum("persistence"), 0.01));
+        CHECK(tube.sum("bloom_y") * pixels_per_texel == about(tube.sum("persistence"), 0.01));
     }
 }
 

@@ -119,9 +119,9 @@ std::array<double, 3> light_of(const Tube& tube) {
 }
 
 std::array<double, 3> scaled_to_1(std::array<double, 3> rgb) {
-    const double most = *std::max_element(rgb.begin(), rgb.end());
+    const double maximum = *std::max_element(rgb.begin(), rgb.end());
     for (double& channel : rgb)
-        channel /= most;
+        channel /= maximum;
     return rgb;
 }
 }  // namespace
@@ -209,8 +209,8 @@ TEST_CASE("a static trace has the same brightness at every frame rate") {
         tube.restart(white(p32));
         for (int k = 1; k <= 2 * fps; ++k)
             tube.draw(beam, fps);
-        const double charge_a_second = tube.sum("beam", 3) * fps;
-        CHECK(std::abs(tube.sum("persistence") / (charge_a_second * 12 / 60) - 1) < 0.001);
+        const double charge_per_second = tube.sum("beam", 3) * fps;
+        CHECK(std::abs(tube.sum("persistence") / (charge_per_second * 12 / 60) - 1) < 0.001);
     }
 }
 

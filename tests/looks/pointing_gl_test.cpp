@@ -1,7 +1,7 @@
 // The beam appears where the user points: positions compared with pictures of the built-in looks.
 #include "base/text.h"
 #include "lab/document/users_content.h"
-#include "lab/drawing/beam_position.h"
+#include "lab/drawing/beam_mapping.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 
@@ -50,7 +50,7 @@ void check_pointing(const std::string& look, Extent size, const Texts& values) {
     const BeamPosition place{-0.55, 0.7};
     const Offline offline = pointed(look, place, size, values);
     const Document& document = offline.document();
-    const BeamPlacing placing(document.look(), document.values(), size,
+    const BeamMapping placing(document.look(), document.values(), size,
                               beam_fit_of(document.state().signal));
     const PicturePixel lit = lit_pixel(offline.picture());
     const PicturePixel expected = placing.pixel_of(place);
@@ -88,7 +88,7 @@ TEST_CASE("in a stack the look with the beam defines its position, and later loo
     REQUIRE(roots.has_value());
     const auto prepared = prepare({.look = "vector-beam+crt"}, Library(std::move(*roots)));
     REQUIRE(prepared.has_value());
-    const BeamPlacing placing(prepared->document.look(), {}, {200, 100});
+    const BeamMapping placing(prepared->document.look(), {}, {200, 100});
     // Round, and 0.9 of the picture: 1 is 45 px from the centre.
     const PicturePixel pixel = placing.pixel_of({1.0, 0.5});
     CHECK(std::abs(pixel[0] - 145.0) < 1e-9);

@@ -31,10 +31,10 @@ Beam without_tints(Beam beam) {
 }
 
 float largest(const Picture& picture, std::size_t channel) {
-    float most = 0.0f;
+    float maximum = 0.0f;
     for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
-        most = std::max(most, picture.pixels[i]);
-    return most;
+        maximum = std::max(maximum, picture.pixels[i]);
+    return maximum;
 }
 
 std::vector<float> rgb(const Picture& picture) {

@@ -56,7 +56,7 @@ Result<Pair> Pair::open(const std::filesystem::path& preset, Extent original, Ex
 
 Result<void> Pair::set_original(const Bytes& picture) {
     m_plain->set_original(picture);
-    return m_ours->hold_source(picture_of(picture));
+    return m_ours->override_source(picture_of(picture));
 }
 
 Difference Pair::difference() const {

@@ -242,7 +242,7 @@ Result<void> Chain::add_pass(const ParsedChain& parsed, const Names& names, int 
         State state;
         if (meant.number >= 0)
             state = state_of(parsed, meant, index);
-        if (uniform->sampled == gpu::Uniform::Sampled::natural)
+        if (uniform->sampled == gpu::Uniform::Sampled::unsigned_integer)
             state = {false, false, state.wrap, false};
         pass.reads.push_back({unit++, meant, sampler_for(state)});
     }

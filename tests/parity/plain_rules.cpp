@@ -62,7 +62,7 @@ int side_of(const SlangScale& scale, int source, int original, int viewport) {
 }  // namespace
 
 Names names_of(const ParsedChain& chain) {
-    constexpr int most_history = 128;
+    constexpr int max_history = 128;
     Names names;
     const auto add = [&names](const std::string& texture, const std::string& size, Read read) {
         names.textures.emplace(texture, read);
@@ -80,7 +80,7 @@ Names names_of(const ParsedChain& chain) {
     }
     add("Original", "OriginalSize", {Of::history, 0});
     add("Source", "SourceSize", {Of::source, 0});
-    for (int i = 0; i <= most_history; ++i)
+    for (int i = 0; i <= max_history; ++i)
         add("OriginalHistory" + std::to_string(i), "OriginalHistorySize" + std::to_string(i),
             {Of::history, i});
     for (int i = 0; i < count_of(chain); ++i) {
@@ -162,12 +162,12 @@ std::vector<Extent> sizes_of(const ParsedChain& chain, Extent original, Extent v
 }
 
 int history_of(const ParsedChain& chain, const Names& names) {
-    int most = 0;
+    int maximum = 0;
     for_each_sampler(chain, names, [&](const Read& read) {
         if (read.of == Of::history)
-            most = std::max(most, read.number);
+            maximum = std::max(maximum, read.number);
     });
-    return most;
+    return maximum;
 }
 
 bool has_feedback(const ParsedChain& chain, const Names& names, int pass) {

@@ -86,7 +86,7 @@ TEST_CASE("the signal table has labels, help and valid ranges for every setting"
         CHECK_FALSE(kind.label.empty());
         CHECK_FALSE(kind.help.empty());
         std::set<std::string> keys;
-        for (const SettingFacts& setting : kind.settings) {
+        for (const SettingInfo& setting : kind.settings) {
             INFO(setting.key);
             CHECK(keys.insert(setting.key).second);
             CHECK_FALSE(setting.label.empty());

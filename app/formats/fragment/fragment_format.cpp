@@ -20,7 +20,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_varyings = 256;
+constexpr std::size_t max_varyings = 256;
 constexpr int frames_shown = 120;  // two seconds: many shaders start black
 constexpr const char* source_pattern = "pattern:harbour";
 
@@ -41,7 +41,7 @@ bool defines_main(std::string_view text) {
 /// Converts a text to a look, one pass at a time.
 class FragmentLook {
 public:
-    FragmentLook(const Stage& written, const ReadingHelp& help, Diagnostics& warnings)
+    FragmentLook(const Stage& written, const LoadOptions& help, Diagnostics& warnings)
         : m_written(written), m_help(help), m_warnings(warnings) {}
 
     Result<Look> make() {
@@ -61,7 +61,7 @@ public:
         m_look.parameters.insert(m_look.parameters.begin(), parameters->begin(), parameters->end());
         for (Parameter& parameter : m_look.parameters)
             if (parameter.control == Control::image && parameter.initial.path.empty())
-                parameter.initial = Value::of_path(fragment_stand_in(parameter.name));
+                parameter.initial = Value::of_path(placeholder_picture(parameter.name));
         m_look.source_encoding = Encoding::display;
         m_look.output = Encoding::display;
         m_look.settle_frames = frames_shown;
@@ -88,11 +88,11 @@ private:
     Diagnostics feed(std::size_t index) {
         Pass& pass = m_look.passes[index];
         const std::vector<FragmentVarying> varyings = find_varyings(pass.fragment.text);
-        if (varyings.size() > most_varyings) {
-            const Location at = location_in(pass.fragment, varyings[most_varyings].line);
+        if (varyings.size() > max_varyings) {
+            const Location at = location_in(pass.fragment, varyings[max_varyings].line);
             return {{at.file, at.line,
                      fmt::format("the shader has {} varyings; the limit is {}", varyings.size(),
-                                 most_varyings)}};
+                                 max_varyings)}};
         }
         pass.vertex = vertex_stage_for(varyings, pass.fragment, m_warnings);
         const auto checked = m_help.cache ? m_help.cache->check(pass.vertex, pass.fragment)
@@ -166,13 +166,13 @@ private:
     }
 
     const Stage& m_written;
-    const ReadingHelp& m_help;
+    const LoadOptions& m_help;
     Diagnostics& m_warnings;
     Look m_look;
 };
 
 Result<Look> read_fragment_look(const fs::path& file, const IncludeFolders& includes,
-                                const ReadingHelp& help, LoadedLook& loaded) {
+                                const LoadOptions& help, LoadedLook& loaded) {
     const auto written =
         load_stage(file, {file.parent_path(), includes, host_chunks()}, loaded.files, help.disk);
     if (!written)
@@ -189,17 +189,17 @@ Result<Look> read_fragment_look(const fs::path& file, const IncludeFolders& incl
 }  // namespace
 
 bool is_fragment_file(const fs::path& file) {
-    constexpr std::size_t most_of_text = std::size_t{4} << 20;
+    constexpr std::size_t max_text = std::size_t{4} << 20;
     if (std::ranges::find(fragment_endings, to_lower(file.extension().string())) ==
         fragment_endings.end())
         return false;
     std::error_code error;
-    const auto text = read_start(file, most_of_text);
+    const auto text = read_start(file, max_text);
     return text ? defines_main(*text) : !fs::exists(file, error);
 }
 
 LoadedLook load_fragment_look(const fs::path& file, const IncludeFolders& includes,
-                              const ReadingHelp& help) {
+                              const LoadOptions& help) {
     LoadedLook loaded;
     loaded.look = read_fragment_look(file, includes, help, loaded);
     return loaded;

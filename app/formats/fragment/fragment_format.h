@@ -10,4 +10,4 @@ bool is_fragment_file(const std::filesystem::path& file);
 /// of GameMaker, glslViewer, three.js, raylib and Shadertoy. Other uniforms become parameters, as
 /// in native looks. Errors from includes and glslang have their lines.
 LoadedLook load_fragment_look(const std::filesystem::path& file, const IncludeFolders& includes,
-                              const ReadingHelp& help);
+                              const LoadOptions& help);

@@ -6,10 +6,10 @@
 #include <array>
 
 std::vector<FragmentPass> fragment_passes(const GlslWords& words) {
-    constexpr int most_buffers = 16;  // per kind
+    constexpr int max_buffers = 16;  // per kind
     std::vector<FragmentPass> passes;
     const auto add = [&](const char* define, const char* name) {
-        for (int i = 0; i < most_buffers; ++i)
+        for (int i = 0; i < max_buffers; ++i)
             if (std::string asked = define + std::to_string(i); words.contains(asked))
                 passes.push_back({name + std::to_string(i), std::move(asked)});
     };
@@ -23,7 +23,7 @@ const std::vector<BuiltInUniform>& fragment_built_ins() {
     static const std::vector<BuiltInUniform> all{// glslViewer and The Book of Shaders
                                                  {"u_time", BuiltIn::time_before},
                                                  {"u_delta", BuiltIn::time_delta},
-                                                 {"u_frame", BuiltIn::frame_before},
+                                                 {"u_frame", BuiltIn::frame_index},
                                                  {"u_resolution", BuiltIn::target_resolution},
                                                  {"u_mouse", BuiltIn::mouse},
                                                  {"u_date", BuiltIn::date_from_0},
@@ -35,7 +35,7 @@ const std::vector<BuiltInUniform>& fragment_built_ins() {
                                                  {"iTime", BuiltIn::time_before},
                                                  {"iGlobalTime", BuiltIn::time_before},
                                                  {"iTimeDelta", BuiltIn::time_delta},
-                                                 {"iFrame", BuiltIn::frame_before},
+                                                 {"iFrame", BuiltIn::frame_index},
                                                  {"iFrameRate", BuiltIn::frame_rate},
                                                  {"iResolution", BuiltIn::target_resolution},
                                                  {"iMouse", BuiltIn::press}};
@@ -56,7 +56,7 @@ bool is_drawn_by_viewer(std::string_view sampler) {
                                [&](std::string_view start) { return sampler.starts_with(start); });
 }
 
-const char* fragment_stand_in(std::string_view sampler) {
+const char* placeholder_picture(std::string_view sampler) {
     return to_lower(sampler).find("noise") == std::string::npos ? "pattern:harbour"
                                                                 : "pattern:noise";
 }

@@ -17,9 +17,9 @@ constexpr std::array qualifiers{"lowp",   "mediump",       "highp",    "flat",
                                 "smooth", "noperspective", "centroid", "invariant"};
 
 /// Macros and integer constants of a text, as far as declarations need them.
-class SmallFacts {
+class SmallInfo {
 public:
-    explicit SmallFacts(const std::vector<Token>& tokens) {
+    explicit SmallInfo(const std::vector<Token>& tokens) {
         for (std::size_t i = 0; i + 2 < tokens.size(); ++i) {
             const Token& word = tokens[i + 1];
             if (tokens[i].is("define") && tokens[i].in_directive && word.in_directive)
@@ -67,8 +67,8 @@ private:
 /// Parses one statement: `in highp vec2 uv, at[3]` or `in Block { vec2 uv; } name`.
 class StatementReader {
 public:
-    StatementReader(const std::vector<Token>& words, const SmallFacts& facts)
-        : m_words(words), m_facts(facts) {}
+    StatementReader(const std::vector<Token>& words, const SmallInfo& info)
+        : m_words(words), m_info(info) {}
 
     std::vector<FragmentVarying> varyings() {
         FragmentVarying first;
@@ -94,9 +94,9 @@ private:
             const Token& word = m_words[m_at];
             if (word.is("layout"))
                 skip_brackets();
-            else if (m_facts.is_in(word))
+            else if (m_info.is_in(word))
                 is_in = true;
-            else if (!m_facts.is_qualifier(word))
+            else if (!m_info.is_qualifier(word))
                 break;
             varying.is_flat = varying.is_flat || word.is("flat");
         }
@@ -112,7 +112,7 @@ private:
         std::string size;
         bool is_open = is_next("[");
         for (; is_open && m_at < m_words.size(); ++m_at) {
-            size += m_facts.number_for(m_words[m_at].text);
+            size += m_info.number_for(m_words[m_at].text);
             is_open = !m_words[m_at].is("]");
         }
         return size;
@@ -160,7 +160,7 @@ private:
     }
 
     const std::vector<Token>& m_words;
-    const SmallFacts& m_facts;
+    const SmallInfo& m_info;
     std::size_t m_at = 0;
 };
 
@@ -172,19 +172,19 @@ public:
         for (const Token& token : scan(text).all)
             if (token.kind != Token::Kind::comment)
                 tokens.push_back(token);
-        const SmallFacts facts(tokens);
+        const SmallInfo info(tokens);
         for (const Token& token : tokens)
             if (!token.in_directive)
-                add(token, facts);
+                add(token, info);
     }
 
     std::vector<FragmentVarying> found;
 
 private:
-    void add(const Token& token, const SmallFacts& facts) {
+    void add(const Token& token, const SmallInfo& info) {
         const bool opens = token.is("(") || token.is("{") || token.is("[");
         const bool closes = token.is(")") || token.is("}") || token.is("]");
-        m_is_of_in = m_is_of_in || (m_depth == 0 && facts.is_in(token));
+        m_is_of_in = m_is_of_in || (m_depth == 0 && info.is_in(token));
         m_depth = std::max(m_depth + (opens ? 1 : 0) - (closes ? 1 : 0), 0);
         // Ignores the content of function bodies and brackets.
         if (m_depth == 0 || opens || m_is_of_in)
@@ -193,7 +193,7 @@ private:
         if (m_depth > 0 || (!token.is(";") && !ends_code))
             return;
         if (m_is_of_in)
-            for (FragmentVarying& varying : StatementReader(m_statement, facts).varyings())
+            for (FragmentVarying& varying : StatementReader(m_statement, info).varyings())
                 if (!varying.name.starts_with("gl_") &&
                     m_names.insert(varying.name.empty() ? varying.type : varying.name).second)
                     found.push_back(std::move(varying));
@@ -242,7 +242,7 @@ void warn_of_guess(const FragmentVarying& varying, const std::string& value, con
                  ? fmt::format("no vertex shader sets '{}'; the texture coordinates are used",
                                varying.name)
                  : fmt::format("no vertex shader sets '{}'; {} is used", varying.name,
-                               with_each(value, "place", "uv")),
+                               replace_all(value, "place", "uv")),
              Severity::warning});
 }
 /// Builds a vertex stage and tracks the source location of each line.

@@ -15,10 +15,10 @@
 namespace {
 using JsonKind = JsonValue::Kind;
 
-constexpr std::size_t most_passes = 64;
-constexpr std::size_t most_inputs = 1024;
-constexpr std::size_t most_imports = 64;
-constexpr std::size_t most_values = 1024;
+constexpr std::size_t max_passes = 64;
+constexpr std::size_t max_inputs = 1024;
+constexpr std::size_t max_imports = 64;
+constexpr std::size_t max_values = 1024;
 
 /// The content of the first block comment of a text.
 struct HeaderComment {
@@ -163,10 +163,10 @@ public:
         m_header.about = text_of(find_member(json, "DESCRIPTION"));
         m_header.credit = text_of(find_member(json, "CREDIT"));
         for (const JsonValue& input :
-             few(list(json, "INPUTS"), most_inputs, "the header has {} inputs; the limit is {}"))
+             few(list(json, "INPUTS"), max_inputs, "the header has {} inputs; the limit is {}"))
             read_input(input);
         for (const JsonValue& pass :
-             few(list(json, "PASSES"), most_passes, "the header has {} passes; the limit is {}"))
+             few(list(json, "PASSES"), max_passes, "the header has {} passes; the limit is {}"))
             read_pass(pass);
         if (m_header.passes.empty())
             m_header.passes.push_back({{}, {}, {}, false, false, {m_file, 1}});
@@ -183,13 +183,13 @@ private:
         add_new(m_problems, {m_file, at.line, message + column_note(m_json, at.begin)});
     }
 
-    // All elements if there are at most `most`; otherwise none, with an error. `refusal` has a {}
-    // for the number and one for the limit.
-    std::span<const JsonValue> few(const std::vector<JsonValue>& all, std::size_t most,
+    // All elements if there are at most `maximum`; otherwise none, with an error. `refusal` has a
+    // {} for the number and one for the limit.
+    std::span<const JsonValue> few(const std::vector<JsonValue>& all, std::size_t maximum,
                                    std::string_view refusal) {
-        if (all.size() <= most)
+        if (all.size() <= maximum)
             return all;
-        problem(all[most], fmt::format(fmt::runtime(refusal), all.size(), most));
+        problem(all[maximum], fmt::format(fmt::runtime(refusal), all.size(), maximum));
         return {};
     }
 
@@ -271,26 +271,26 @@ private:
         read_numbers(json, input);
         if (const JsonValue* labels = find_member(json, "LABELS"))
             for (const JsonValue& label :
-                 few(labels->children, most_values, "the input has {} labels; the limit is {}"))
+                 few(labels->children, max_values, "the input has {} labels; the limit is {}"))
                 input.labels.push_back(text_of(&label));
         m_header.inputs.push_back(std::move(input));
     }
 
     void read_numbers(const JsonValue& json, IsfInput& input) {
         const bool is_integer = input.type == IsfInput::Type::integer;
-        const double most = is_integer ? double{std::numeric_limits<int>::max()}
-                                       : double{std::numeric_limits<float>::max()};
+        const double maximum = is_integer ? double{std::numeric_limits<int>::max()}
+                                          : double{std::numeric_limits<float>::max()};
         const auto read = [&](std::string_view key, std::vector<double>& numbers) {
             const JsonValue* value = find_member(json, key);
             numbers = numbers_of(value);
             if (value && numbers.empty() && trim(value->text).starts_with('#'))
                 problem(*value, fmt::format("'{}' isn't a colour; use #rrggbb or four numbers",
                                             value->text));
-            if (numbers.size() > most_values)
+            if (numbers.size() > max_values)
                 problem(*value, fmt::format("'{}' has {} numbers; the limit is {}", key,
-                                            numbers.size(), most_values));
+                                            numbers.size(), max_values));
             for (const double number : numbers)
-                if (std::abs(number) > most)
+                if (std::abs(number) > maximum)
                     problem(*value,
                             fmt::format("{} is out of range for a GLSL {}", format_number(number),
                                         is_integer ? "int" : "float"));
@@ -339,8 +339,8 @@ private:
         const JsonValue* imports = find_member(json, "IMPORTED");
         if (!imports)
             return;
-        for (const JsonValue& import : few(imports->children, most_imports,
-                                           "the header imports {} pictures; the limit is {}"))
+        for (const JsonValue& import :
+             few(imports->children, max_imports, "the header imports {} pictures; the limit is {}"))
             read_import(
                 imports->is(JsonKind::object) ? import.key : text_of(find_member(import, "NAME")),
                 import);
@@ -425,7 +425,7 @@ Result<IsfHeader> read_isf_header(std::string_view text, const std::filesystem::
             {file, 1,
              "not an ISF shader: the header comment /*{ ... }*/ with the inputs is missing"});
     const std::string json_text = json_of(text, *comment);
-    const auto json = parse_json(json_text, file, DoubleKeys::last_counts);
+    const auto json = parse_json(json_text, file, DuplicateKeys::last_wins);
     if (!json)
         return fail(json.error());
     auto header = HeaderReader(file, json_text).read(*json);

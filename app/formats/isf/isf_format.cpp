@@ -8,9 +8,9 @@ namespace fs = std::filesystem;
 
 namespace {
 Result<std::string> read_code(const fs::path& file) {
-    constexpr std::size_t most_bytes = std::size_t{4} << 20;
+    constexpr std::size_t max_bytes = std::size_t{4} << 20;
     auto text = read_text(file);
-    if (text && text->size() > most_bytes)
+    if (text && text->size() > max_bytes)
         return fail({file, 0, "the shader is larger than the limit of 4 MiB"});
     return text;
 }
@@ -34,7 +34,7 @@ Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
     return {};
 }
 
-Result<Look> read_isf_look(const fs::path& file, const ReadingHelp& help, LoadedLook& loaded) {
+Result<Look> read_isf_look(const fs::path& file, const LoadOptions& help, LoadedLook& loaded) {
     IsfSource source{file, {}, {}, {}};
     auto text = read_code(file);
     if (!text)
@@ -63,7 +63,7 @@ bool is_isf_file(const fs::path& file) {
     return text && has_isf_header(*text);
 }
 
-LoadedLook load_isf_look(const fs::path& file, const ReadingHelp& help) {
+LoadedLook load_isf_look(const fs::path& file, const LoadOptions& help) {
     LoadedLook loaded;
     loaded.look = read_isf_look(file, help, loaded);
     return loaded;

@@ -26,7 +26,7 @@ constexpr const char* usual_cube = "solid:sky";
 constexpr const char* usual_sound = "waveform:mode=xy,ch1=saw,f1=12,ch2=sine,f2=5";
 constexpr int wave_samples = 512;
 constexpr int spectrum_bins = 256;
-constexpr int most_sound_columns = 8192;
+constexpr int max_sound_columns = 8192;
 constexpr Extent usual_extent{1280, 720};  // for checking expressions
 constexpr int frames_until_seen = 60;      // for animations, which often start black
 
@@ -47,7 +47,7 @@ SoundTexture sound_texture_of(const IsfInput& input) {
     const double usual = is_wave ? wave_samples : spectrum_bins;
     const double columns = input.high.empty() ? usual : input.high.front();
     return {is_wave ? SoundTexture::Holds::wave : SoundTexture::Holds::spectrum,
-            static_cast<int>(std::clamp(columns, 1.0, 1.0 * most_sound_columns))};
+            static_cast<int>(std::clamp(columns, 1.0, 1.0 * max_sound_columns))};
 }
 
 // Sizes are whole texels, at least 1. A value that is not finite becomes 1, as in ISF's hosts.
@@ -65,19 +65,19 @@ std::vector<BuiltInUniform> isf_built_ins() {
     return {{"RENDERSIZE", BuiltIn::target_size},
             {"TIME", BuiltIn::time_before},
             {"TIMEDELTA", BuiltIn::delta_before},
-            {"FRAMEINDEX", BuiltIn::frame_before},
+            {"FRAMEINDEX", BuiltIn::frame_index},
             {"DATE", BuiltIn::date}};
 }
 
 bool tells_time_in_isf(const std::string& uniform) {
     const std::vector<BuiltInUniform> all = isf_built_ins();
     const auto found = std::ranges::find(all, uniform, &BuiltInUniform::name);
-    return found != all.end() && tells_time(found->says);
+    return found != all.end() && tells_time(found->kind);
 }
 
 class LookMaker {
 public:
-    LookMaker(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
+    LookMaker(const IsfSource& source, const IsfHeader& header, const LoadOptions& help,
               std::vector<fs::path>& files, Diagnostics& warnings)
         : m_source(source),
           m_header(header),
@@ -349,7 +349,7 @@ private:
 };
 }  // namespace
 
-Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
+Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const LoadOptions& help,
                          std::vector<fs::path>& files, Diagnostics& warnings) {
     return LookMaker(source, header, help, files, warnings).make();
 }

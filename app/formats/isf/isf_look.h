@@ -11,5 +11,5 @@
 /// target become separate passes, "t" and "t-2". A last pass with its own size is stretched to the
 /// picture by a pass `picture`. Errors: glslang's, at the author's lines; invalid size expressions.
 /// `files` receives the imports.
-Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const ReadingHelp& help,
+Result<Look> look_of_isf(const IsfSource& source, const IsfHeader& header, const LoadOptions& help,
                          std::vector<std::filesystem::path>& files, Diagnostics& warnings);

@@ -98,11 +98,11 @@ private:
         names.push_back(name);
         text += fmt::format("uniform {} {};\n", type, isf_declared_name(name));
         if (type == "sampler2D")
-            add_facts(name);
+            add_info(name);
     }
 
     // Not in the specification, but provided by hosts and used by shaders.
-    void add_facts(const std::string& name) {
+    void add_info(const std::string& name) {
         const auto add = [&](const char* fact, const std::string& value) {
             const std::string asked = fmt::format("_{}_{}", name, fact);
             if (m_asked.contains(asked))

@@ -13,7 +13,7 @@
 namespace {
 constexpr std::size_t largest_text = std::size_t{16} << 20;
 constexpr std::size_t deepest = 128;
-constexpr std::size_t most_values = 1000000;
+constexpr std::size_t max_values = 1000000;
 
 // An iterator that counts the characters read, because the parser does not report its position.
 class CountingIterator {
@@ -69,8 +69,8 @@ std::string reason_of(std::string_view message) {
 // Builds the tree during parsing. Stops at the first error, except for duplicate keys.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    Builder(std::string_view text, const std::filesystem::path& file, DoubleKeys double_keys)
-        : m_text(text), m_file(file), m_double_keys(double_keys) {}
+    Builder(std::string_view text, const std::filesystem::path& file, DuplicateKeys duplicate_keys)
+        : m_text(text), m_file(file), m_double_keys(duplicate_keys) {}
 
     std::size_t* consumed() { return &m_consumed; }
     Result<JsonValue> finished() {
@@ -176,7 +176,7 @@ private:
     }
 
     void note_double(const std::string& key) {
-        if (m_double_keys == DoubleKeys::refused)
+        if (m_double_keys == DuplicateKeys::refused)
             add_new(m_problems, {m_file, m_next.line, fmt::format("duplicate key '{}'", key)});
         else
             m_open.back().has_doubles = true;
@@ -199,8 +199,8 @@ private:
     }
 
     bool place(JsonValue value) {
-        if (++m_count > most_values)
-            return stop(fmt::format("too many values; the limit is {}", most_values));
+        if (++m_count > max_values)
+            return stop(fmt::format("too many values; the limit is {}", max_values));
         if (m_open.empty())
             m_root = std::move(value);
         else
@@ -229,7 +229,7 @@ private:
 
     std::string_view m_text;
     const std::filesystem::path& m_file;
-    DoubleKeys m_double_keys;
+    DuplicateKeys m_double_keys;
     Diagnostics m_problems;
     JsonValue m_root;
     std::vector<Open> m_open;
@@ -244,12 +244,12 @@ private:
 }  // namespace
 
 Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file,
-                             DoubleKeys double_keys) {
+                             DuplicateKeys duplicate_keys) {
     if (text.size() > largest_text)
         return fail({file, 0,
                      fmt::format("the text is too large: {} bytes; the limit is {}", text.size(),
                                  largest_text)});
-    Builder builder(text, file, double_keys);
+    Builder builder(text, file, duplicate_keys);
     const CountingIterator first(text.data(), builder.consumed());
     const CountingIterator last(text.data() + text.size(), builder.consumed());
     nlohmann::json::sax_parse(first, last, &builder);
@@ -288,7 +288,7 @@ std::string shown_json(const JsonValue& value) {
     return value.children.empty() ? "{}" : "{...}";
 }
 
-std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key) {
+std::map<std::string, int> member_lines(const std::filesystem::path& file, std::string_view key) {
     std::map<std::string, int> lines;
     const auto text = read_text(file);
     const auto document = text ? parse_json(*text, file) : fail(text.error());

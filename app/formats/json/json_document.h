@@ -28,12 +28,12 @@ struct JsonValue {
 };
 
 /// Duplicate keys of an object: an error, or the last one counts.
-enum class DoubleKeys { refused, last_counts };
+enum class DuplicateKeys { refused, last_wins };
 
 /// Parses a complete JSON text of at most 16 MiB, 128 levels and a million values. Errors have
 /// `file` and the line.
 Result<JsonValue> parse_json(std::string_view text, const std::filesystem::path& file,
-                             DoubleKeys double_keys = DoubleKeys::refused);
+                             DuplicateKeys duplicate_keys = DuplicateKeys::refused);
 
 /// " (column 12)" for a location in a text whose values are on one line, where a line number is not
 /// enough; otherwise "".
@@ -43,7 +43,7 @@ std::string column_note(std::string_view text, std::size_t at);
 const JsonValue* find_member(const JsonValue& object, std::string_view key);
 
 /// The lines of the members of `key` in a file, by name; empty if it is not valid JSON.
-std::map<std::string, int> lines_below(const std::filesystem::path& file, std::string_view key);
+std::map<std::string, int> member_lines(const std::filesystem::path& file, std::string_view key);
 
 /// A value as shown in messages: "5", "'amber'", "[...]".
 std::string shown_json(const JsonValue& value);

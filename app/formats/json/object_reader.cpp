@@ -87,7 +87,7 @@ int ObjectReader::whole(std::string_view key, int fallback, int low, int high) {
     return fallback;
 }
 
-void ObjectReader::refuse_unknown() {
+void ObjectReader::report_unknown_keys() {
     if (!m_object.is(JsonValue::Kind::object))
         return;
     for (const JsonValue& member : m_object.children)

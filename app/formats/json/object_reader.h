@@ -16,7 +16,7 @@ template <class T>
 using Choices = std::vector<std::pair<std::string_view, T>>;
 
 /// Reads an object by member and reports each error with its line. An invalid or missing member
-/// reads as the fallback. At the end, refuse_unknown() reports each key that was not read.
+/// reads as the fallback. At the end, report_unknown_keys() reports each key that was not read.
 class ObjectReader {
 public:
     /// Reports an error if `value` is not an object, and then has no members. Keeps references.
@@ -49,7 +49,7 @@ public:
     }
 
     /// Reports each unknown key, with the most similar known key.
-    void refuse_unknown();
+    void report_unknown_keys();
 
     /// Reports an error at `value`'s line.
     void problem(const JsonValue& value, std::string message);

@@ -15,9 +15,9 @@ std::optional<double> number_of(const JsonValue& value) {
 
 // Empty unless the value is a list of 1 to 16 numbers.
 std::vector<double> numbers_of(const JsonValue& value) {
-    constexpr std::size_t most = 16;  // a mat4
+    constexpr std::size_t maximum = 16;  // a mat4
     std::vector<double> numbers;
-    if (!value.is(JsonValue::Kind::array) || value.children.size() > most)
+    if (!value.is(JsonValue::Kind::array) || value.children.size() > maximum)
         return {};
     for (const JsonValue& element : value.children) {
         const auto number = number_of(element);

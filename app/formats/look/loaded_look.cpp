@@ -5,9 +5,9 @@
 namespace fs = std::filesystem;
 
 std::string foreign_look_id(const fs::path& file) {
-    return with_each(with_each(file.filename().string(), "+", "%2B"), "#", "%23");
+    return replace_all(replace_all(file.filename().string(), "+", "%2B"), "#", "%23");
 }
 
 std::string foreign_file_name(std::string_view id) {
-    return with_each(with_each(id, "%2B", "+"), "%23", "#");
+    return replace_all(replace_all(id, "%2B", "+"), "%23", "#");
 }

@@ -13,7 +13,7 @@ class PassProgress;
 class ShaderFiles;
 
 /// Optional inputs for loading a look; all may be null.
-struct ReadingHelp {
+struct LoadOptions {
     CheckCache* cache = nullptr;       // avoids checking unchanged shaders again
     PassProgress* progress = nullptr;  // for translated looks; cancelling it makes loading fail
     const Values* values = nullptr;    // values, including those of adjustable constants

@@ -38,11 +38,11 @@ std::optional<fs::path> LookFolder::find(std::string_view name, const JsonValue&
 }
 
 std::string LookFolder::nearest_name(const fs::path& file) const {
-    constexpr std::size_t most_names = 1000;
+    constexpr std::size_t max_names = 1000;
     std::vector<std::string> names;
     std::error_code error;
     for (fs::directory_iterator entry(file.parent_path().empty() ? "." : file.parent_path(), error);
-         entry != fs::directory_iterator() && names.size() < most_names; entry.increment(error))
+         entry != fs::directory_iterator() && names.size() < max_names; entry.increment(error))
         names.push_back(entry->path().filename().string());
     std::sort(names.begin(), names.end());
     return did_you_mean(file.filename().string(), names);

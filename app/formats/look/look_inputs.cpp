@@ -5,9 +5,9 @@
 #include <algorithm>
 
 namespace {
-constexpr int most_frames_ago = 64;
+constexpr int max_frames_ago = 64;
 // The minimum that each GL 4.1 implementation provides to fragment shaders.
-constexpr std::size_t most_inputs = 16;
+constexpr std::size_t max_inputs = 16;
 
 // Reads one input of a pass.
 class InputReading {
@@ -21,10 +21,10 @@ public:
         const std::string_view name = reference.substr(0, at);
         if (at != std::string_view::npos) {
             const auto frames = parse_integer(reference.substr(at + 1));
-            if (!frames || *frames < 0 || *frames > most_frames_ago)
+            if (!frames || *frames < 0 || *frames > max_frames_ago)
                 return problem(
                     fmt::format("'{}': expected a number of frames from 0 to {} after '@'",
-                                reference, most_frames_ago));
+                                reference, max_frames_ago));
             input.frames_ago = *frames;
         }
         input.name = name;
@@ -93,7 +93,7 @@ private:
 void check_texels(ObjectReader& reader, const Look& look, const JsonValue& member, Input& input) {
     const auto pass = find_pass(look, input.name);
     if (input.from != Input::From::pass || !pass ||
-        !facts_of(look.passes[static_cast<std::size_t>(*pass)].format).is_integer)
+        !info_of(look.passes[static_cast<std::size_t>(*pass)].format).is_integer)
         return;
     const JsonValue* filter = find_member(member, "filter");
     if (!filter)
@@ -125,7 +125,7 @@ Input read_input(const JsonValue& member, ObjectReader& parent, const Look& look
     input.sampler.filter = reader.find("filter") ? own.filter : input.sampler.filter;
     input.sampler.wrap = reader.find("wrap") ? own.wrap : input.sampler.wrap;
     input.sampler.mipmap = reader.find("mipmap") ? own.mipmap : input.sampler.mipmap;
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     check_texels(reader, look, member, input);
     return input;
 }
@@ -135,9 +135,9 @@ void read_inputs(ObjectReader& reader, Look& look, std::size_t pass) {
     const JsonValue* inputs = reader.find("inputs");
     if (!inputs || !reader.expect(*inputs, JsonValue::Kind::object))
         return;
-    if (inputs->children.size() > most_inputs)
+    if (inputs->children.size() > max_inputs)
         return reader.problem(*inputs, fmt::format("the pass has {} inputs; the limit is {}",
-                                                   inputs->children.size(), most_inputs));
+                                                   inputs->children.size(), max_inputs));
     for (const JsonValue& member : inputs->children)
         look.passes[pass].inputs.push_back(read_input(member, reader, look, pass));
 }

@@ -38,7 +38,7 @@ void read_default_signal(ObjectReader& reader, LookFolder& folder, Look& look) {
 void check_pattern(std::string_view pattern, const JsonValue& member, ObjectReader& reader) {
     const std::string_view name = pattern.substr(0, pattern.find(','));
     std::vector<std::string> names;
-    for (const PatternFacts& known : all_patterns())
+    for (const PatternInfo& known : all_patterns())
         names.push_back(known.name);
     if (std::find(names.begin(), names.end(), name) == names.end())
         reader.problem(member, fmt::format("unknown pattern '{}'{}; use one of: {}", name,
@@ -85,7 +85,7 @@ std::optional<Image> read_image(const JsonValue& member, ObjectReader& parent, L
         image.file = folder.find(file->text, *file, reader).value_or(fs::path());
     image.sampler = read_sampler(reader);
     image.is_linear = reader.boolean("linear", false);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return image;
 }
 
@@ -117,12 +117,12 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
     read_default_source(reader, folder, look);
     look.source_encoding = reader.choice("source_encoding", encoding_names(), Encoding::linear);
     look.output = reader.choice("output", encoding_names(), Encoding::display);
-    look.settle_frames = reader.whole("settle_frames", 1, 1, most_settle_frames);
+    look.settle_frames = reader.whole("settle_frames", 1, 1, max_settle_frames);
     look.has_orbit = reader.boolean("orbit", false);
     read_groups(reader, look);
     read_images(reader, folder, look);
     read_passes(reader, folder, look);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ const Choices<Wrap>& wrap_names() {
 const Choices<Format>& format_names() {
     static const Choices<Format> words = [] {
         Choices<Format> made;
-        for (const FormatFacts& facts : all_formats())
-            made.emplace_back(facts.name, facts.format);
+        for (const FormatInfo& info : all_formats())
+            made.emplace_back(info.name, info.format);
         return made;
     }();
     return words;

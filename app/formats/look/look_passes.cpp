@@ -8,11 +8,11 @@
 #include <map>
 
 namespace {
-constexpr std::size_t most_passes = 256;
+constexpr std::size_t max_passes = 256;
 constexpr double largest_scale = 64.0;
 constexpr int largest_side = 16384;
-constexpr int most_repeats = 1024;
-constexpr int most_samples = 1 << 24;
+constexpr int max_repeats = 1024;
+constexpr int max_samples = 1 << 24;
 constexpr int largest_modulo = 1 << 24;  // keeps u_frame exact as a float
 
 bool is_scale(const JsonValue& value) {
@@ -113,7 +113,7 @@ void read_onto(ObjectReader& reader, Look& look, std::size_t index) {
     const JsonValue* name = members.require("pass");
     const JsonValue* where = members.require("where");
     pass.onto = Onto{members.text("pass"), read_expression(members, "where", "1 - $is_squared")};
-    members.refuse_unknown();
+    members.report_unknown_keys();
     if (name && where)
         if (const auto problem = problem_of_onto(look, pass))
             reader.problem(*onto, *problem);
@@ -184,7 +184,7 @@ void read_converge(ObjectReader& reader, Pass& pass) {
     const JsonValue* converge = reader.find("converge");
     if (!converge)
         return;
-    pass.converge = read_count(reader, "converge", 0, {0, most_samples});
+    pass.converge = read_count(reader, "converge", 0, {0, max_samples});
     if (!pass.accumulate)
         reader.problem(*converge, "'converge' needs 'accumulate': true");
 }
@@ -227,12 +227,12 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     read_size(reader, look, pass);
     read_spot(reader, pass);
     pass.blend = reader.choice("blend", blend_names(), Blend::replace);
-    if (pass.blend != Blend::replace && facts_of(pass.format).is_integer)
+    if (pass.blend != Blend::replace && info_of(pass.format).is_integer)
         reader.problem(*reader.find("blend"), "a target with an integer format can't be blended");
     read_set(reader, pass);
     read_rename(reader, pass);
     pass.accumulate = reader.boolean("accumulate", false);
-    pass.repeat = read_count(reader, "repeat", 1, {1, most_repeats});
+    pass.repeat = read_count(reader, "repeat", 1, {1, max_repeats});
     read_converge(reader, pass);
     pass.frame_modulo = reader.whole("frame_modulo", 0, 0, largest_modulo);
     return pass;
@@ -264,9 +264,9 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
     if (!passes || !reader.expect(*passes, JsonValue::Kind::array))
         return;
     const std::size_t count = passes->children.size();
-    if (count == 0 || count > most_passes)
+    if (count == 0 || count > max_passes)
         return reader.problem(
-            *passes, fmt::format("a look must have 1 to {} passes, got {}", most_passes, count));
+            *passes, fmt::format("a look must have 1 to {} passes, got {}", max_passes, count));
     std::vector<ObjectReader> readers;
     for (const JsonValue& child : passes->children) {
         readers.emplace_back(child, reader.file(), reader.problems());
@@ -280,7 +280,7 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
         read_inputs(readers[i], look, i);
     for (std::size_t i = 0; i < count; ++i) {
         read_onto(readers[i], look, i);
-        readers[i].refuse_unknown();
+        readers[i].report_unknown_keys();
     }
 }
 

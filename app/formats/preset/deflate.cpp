@@ -10,7 +10,7 @@ unsigned char* bytes_of(std::string_view text) {
 }
 }  // namespace
 
-std::string deflated(std::string_view bytes) {
+std::string deflate_bytes(std::string_view bytes) {
     uLongf size = ::compressBound(static_cast<uLong>(bytes.size()));
     std::string stream(size, '\0');
     // compress2 fails only without memory, because the buffer has the bound's size. Then the stream
@@ -22,7 +22,7 @@ std::string deflated(std::string_view bytes) {
     return stream;
 }
 
-std::optional<std::string> inflated(std::string_view stream, std::size_t most_bytes) {
+std::optional<std::string> inflate_bytes(std::string_view stream, std::size_t max_bytes) {
     if (stream.size() > std::numeric_limits<uInt>::max())
         return std::nullopt;
     z_stream inflater = {};
@@ -32,7 +32,7 @@ std::optional<std::string> inflated(std::string_view stream, std::size_t most_by
         return std::nullopt;
     std::string bytes;
     int state = Z_OK;
-    while (state == Z_OK && bytes.size() <= most_bytes) {
+    while (state == Z_OK && bytes.size() <= max_bytes) {
         constexpr std::size_t step = 65536;
         const std::size_t before = bytes.size();
         bytes.resize(before + step);
@@ -42,7 +42,7 @@ std::optional<std::string> inflated(std::string_view stream, std::size_t most_by
         bytes.resize(before + step - inflater.avail_out);
     }
     ::inflateEnd(&inflater);
-    if (state != Z_STREAM_END || bytes.size() > most_bytes)
+    if (state != Z_STREAM_END || bytes.size() > max_bytes)
         return std::nullopt;
     return bytes;
 }

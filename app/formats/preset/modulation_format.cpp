@@ -44,7 +44,7 @@ Modulation read_modulation(const JsonValue& value, ObjectReader& parent) {
         modulation.shape = reader.choice("shape", choices(lfo_shapes()), modulation.shape);
     for (const ModulationFigure& figure : figures_of(modulation.kind))
         read_figure(reader, figure, modulation);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return modulation;
 }
 }  // namespace
@@ -86,7 +86,7 @@ Result<Modulations> fitted_modulations(const Look& look, const Preset& preset,
         if (reason.empty())
             continue;
         if (!lines)
-            lines = lines_below(file, "modulation");
+            lines = member_lines(file, "modulation");
         const auto line = lines->find(preset.modulations.contains(name) ? name : parameter->was);
         problems.push_back({file, line == lines->end() ? 0 : line->second, reason});
     }

@@ -21,16 +21,16 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 constexpr FileFormat preset_file{"afterglow-preset", 1};
-constexpr std::size_t most_values = 65'536;  // four times the parameters of the largest look
+constexpr std::size_t max_values = 65'536;  // four times the parameters of the largest look
 
 Values read_values(ObjectReader& reader) {
     Values values;
     const JsonValue* member = reader.find("values");
     if (!member || !reader.expect(*member, JsonValue::Kind::object))
         return values;
-    if (member->children.size() > most_values) {
+    if (member->children.size() > max_values) {
         reader.problem(*member, fmt::format("the preset has {} values; the limit is {}",
-                                            member->children.size(), most_values));
+                                            member->children.size(), max_values));
         return values;
     }
     for (const JsonValue& child : member->children)
@@ -108,7 +108,7 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
     preset.bypass = read_bypass(reader, preset.look);
     preset.values = read_values(reader);
     preset.modulations = read_modulations(reader);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     if (!problems.empty())
         return fail(std::move(problems));
     return preset;
@@ -162,11 +162,11 @@ std::string preset_to_json(const Preset& preset, const Look* look) {
 Result<void> save_preset(const std::filesystem::path& file, const Preset& preset,
                          const Look* look) {
     std::error_code error;
-    const auto present = std::filesystem::is_regular_file(file, error)
+    const auto current = std::filesystem::is_regular_file(file, error)
                              ? read_text(file)
                              : Result<std::string>(fail(Diagnostics()));
     return write_atomically(
-        file, present ? updated_preset_text(*present, preset, look) : preset_to_json(preset, look));
+        file, current ? updated_preset_text(*current, preset, look) : preset_to_json(preset, look));
 }
 
 bool is_written_alike(const Preset& one, const Preset& other, const Look& look) {
@@ -200,7 +200,7 @@ Result<Values> fitted_values(const Look& look, const Preset& preset,
             continue;
         }
         if (!lines)
-            lines = lines_below(file, "values");
+            lines = member_lines(file, "values");
         const auto line = lines->find(preset.values.contains(name) ? name : parameter->was);
         problems.push_back(
             {file, line == lines->end() ? 0 : line->second, fitted.error().front().message});

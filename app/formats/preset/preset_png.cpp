@@ -30,7 +30,7 @@ std::optional<std::string> international_text(std::string_view data) {
             return std::nullopt;
         data.remove_prefix(zero + 1);
     }
-    return is_compressed ? inflated(data, largest_preset) : std::optional(std::string(data));
+    return is_compressed ? inflate_bytes(data, largest_preset) : std::optional(std::string(data));
 }
 
 std::optional<std::string> text_of(const PngChunk& chunk) {
@@ -39,7 +39,7 @@ std::optional<std::string> text_of(const PngChunk& chunk) {
         return international_text(data);
     if (chunk.type == "tEXt")
         return std::string(data);
-    return data.starts_with('\0') ? inflated(data.substr(1), largest_preset) : std::nullopt;
+    return data.starts_with('\0') ? inflate_bytes(data.substr(1), largest_preset) : std::nullopt;
 }
 }  // namespace
 
@@ -47,8 +47,8 @@ Result<std::string> with_preset(std::string_view png, const Preset& preset, cons
     const auto chunks = parse_png_chunks(png);
     if (!chunks)
         return fail(chunks.error());
-    const std::string data =
-        std::string(keyword).append(compressed_header) + deflated(preset_to_json(preset, look));
+    const std::string data = std::string(keyword).append(compressed_header) +
+                             deflate_bytes(preset_to_json(preset, look));
     std::string bytes(png_signature());
     for (const PngChunk& chunk : *chunks) {
         if (!is_preset(chunk))

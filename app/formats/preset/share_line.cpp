@@ -26,7 +26,7 @@ std::string without_blanks(std::string_view text) {
 
 std::string share_line(const Preset& preset, const Look* look) {
     const std::string json = compact_json_text(preset_json(preset, look));
-    return std::string(scheme).append(version).append(base64url_encode(deflated(json)));
+    return std::string(scheme).append(version).append(base64url_encode(deflate_bytes(json)));
 }
 
 bool is_share_line(std::string_view text) {
@@ -57,7 +57,7 @@ Result<Preset> parse_share_line(std::string_view text) {
     }
     rest.remove_prefix(version.size());
     const auto stream = base64url_decode(rest);
-    const auto json = stream ? inflated(*stream, largest_preset) : std::nullopt;
+    const auto json = stream ? inflate_bytes(*stream, largest_preset) : std::nullopt;
     if (!json)
         return fail({{}, 0, "the shared preset is damaged or incomplete. Copy the whole line."});
     auto preset = parse_preset(*json, {});

@@ -13,8 +13,8 @@
 #include <set>
 
 namespace {
-constexpr std::size_t most_edges = 100000;
-constexpr std::size_t most_obj_problems = 20;
+constexpr std::size_t max_edges = 100000;
+constexpr std::size_t max_obj_problems = 20;
 
 std::vector<std::string_view> words_of(std::string_view line) {
     std::vector<std::string_view> words;
@@ -59,12 +59,12 @@ public:
             joined.append(line);
             read_line(words_of(joined));
             joined.clear();
-            if (m_problems.size() >= most_obj_problems || m_is_too_large)
+            if (m_problems.size() >= max_obj_problems || m_is_too_large)
                 break;
         }
         read_line(words_of(joined));
         if (m_is_too_large)
-            problem(fmt::format("too many edges; the limit is {}", most_edges));
+            problem(fmt::format("too many edges; the limit is {}", max_edges));
         if (m_problems.empty() && m_edges.empty())
             problem_at(0, "the model has no edges to draw; add 'f' or 'l' lines");
         if (!m_problems.empty())
@@ -138,7 +138,7 @@ private:
         if (a == b)
             return;
         m_edges.insert({std::min(a, b), std::max(a, b)});
-        m_is_too_large = m_edges.size() > most_edges;
+        m_is_too_large = m_edges.size() > max_edges;
     }
 
     const std::filesystem::path& m_file;

@@ -37,11 +37,11 @@ void read_items(const JsonValue& items, ObjectReader& reader, BeamScene& scene) 
         scene.items.push_back(read_scene_item(item));
         for (const ScenePath& path : scene.items.back().paths)
             points += path.points.size();
-        if (points > most_scene_points) {
+        if (points > max_scene_points) {
             reader.problem(value,
                            fmt::format("too many points up to this item; the limit is {}. Remove "
                                        "or simplify items.",
-                                       most_scene_points));
+                                       max_scene_points));
             return;
         }
     }
@@ -61,7 +61,7 @@ BeamScene read_scene(ObjectReader& reader) {
     scene.move_current = is_visible ? intensity : 0.0;
     if (const JsonValue* items = reader.require("items"))
         read_items(*items, reader, scene);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return scene;
 }
 }  // namespace
@@ -122,6 +122,6 @@ bool is_svg_file(const std::filesystem::path& file) {
     return ending == ".svg" || ending == ".svgz";
 }
 
-bool is_drawn_file(const std::filesystem::path& file) {
+bool is_drawing_or_scene(const std::filesystem::path& file) {
     return is_svg_file(file) || is_obj_file(file) || to_lower(file.extension().string()) == ".json";
 }

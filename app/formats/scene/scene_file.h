@@ -16,4 +16,4 @@ bool is_scene_file(const std::filesystem::path& file);
 /// Whether a file is a drawing, by its name.
 bool is_svg_file(const std::filesystem::path& file);
 /// Whether a file is a drawing or a scene.
-bool is_drawn_file(const std::filesystem::path& file);
+bool is_drawing_or_scene(const std::filesystem::path& file);

@@ -14,7 +14,7 @@ namespace {
 constexpr double largest_number = 1e6;
 
 std::optional<std::vector<double>> numbers_of(ObjectReader& reader, const JsonValue& value,
-                                              std::size_t fewest, std::size_t most) {
+                                              std::size_t fewest, std::size_t maximum) {
     std::vector<double> numbers;
     bool is_good = value.is(JsonValue::Kind::array);
     if (is_good)
@@ -23,13 +23,13 @@ std::optional<std::vector<double>> numbers_of(ObjectReader& reader, const JsonVa
                       std::abs(child.number) <= largest_number;
             numbers.push_back(child.number);
         }
-    if (is_good && numbers.size() >= fewest && numbers.size() <= most)
+    if (is_good && numbers.size() >= fewest && numbers.size() <= maximum)
         return numbers;
     const char* words = "expected a list of {1} or {2} numbers";  // for a point in a list
     if (!value.key.empty())
-        words = fewest == most ? "'{0}' must be a list of {1} numbers"
-                               : "'{0}' must be a list of {1} or {2} numbers";
-    reader.problem(value, fmt::format(fmt::runtime(words), value.key, fewest, most));
+        words = fewest == maximum ? "'{0}' must be a list of {1} numbers"
+                                  : "'{0}' must be a list of {1} or {2} numbers";
+    reader.problem(value, fmt::format(fmt::runtime(words), value.key, fewest, maximum));
     return std::nullopt;
 }
 
@@ -129,12 +129,12 @@ std::vector<ScenePath> read_dot(ObjectReader&) {
 std::vector<ScenePath> read_text(ObjectReader& reader) {
     reader.require("text");
     std::string text = reader.text("text");
-    constexpr std::size_t most_letters = 16'384;
-    if (text.size() > most_letters) {
+    constexpr std::size_t max_letters = 16'384;
+    if (text.size() > max_letters) {
         reader.problem(
             *reader.find("text"),
             fmt::format("'text' has {} bytes; the limit is {}. Split it into several items.",
-                        text.size(), most_letters));
+                        text.size(), max_letters));
         text.clear();
     }
     const double height = bounded(reader, "height", 0.2, 1e-6, 1000);
@@ -231,6 +231,6 @@ SceneItem read_scene_item(ObjectReader& reader) {
     if (!read)
         return item;
     item.paths = read(reader);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return item;
 }

@@ -7,7 +7,7 @@
 
 namespace {
 constexpr FileFormat remote_file{"afterglow-remote", 1};
-constexpr int most_components = 16;
+constexpr int max_components = 16;
 
 nlohmann::ordered_json json_of(const MidiBinding& binding) {
     return {{"parameter", binding.goal.parameter},
@@ -23,11 +23,11 @@ MidiBinding read_binding(const JsonValue& value, const std::filesystem::path& fi
     MidiBinding binding;
     binding.goal.parameter = reader.text("parameter");
     binding.goal.component =
-        static_cast<std::size_t>(reader.whole("component", 0, 0, most_components - 1));
+        static_cast<std::size_t>(reader.whole("component", 0, 0, max_components - 1));
     binding.channel = reader.whole("channel", 1, 1, 16);
     binding.controller = reader.whole("controller", 0, 0, 127);
     binding.is_fine = reader.boolean("fine", false);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return binding;
 }
 }  // namespace
@@ -41,7 +41,7 @@ std::string remote_settings_to_json(const RemoteSettings& settings) {
                       {"osc", settings.listens_to_osc},
                       {"osc_port", settings.osc_port},
                       {"midi", settings.listens_to_midi},
-                      {"midi_picks_up", settings.picks_up},
+                      {"midi_picks_up", settings.has_soft_takeover},
                       {"midi_bindings", std::move(bindings)}});
 }
 
@@ -57,12 +57,12 @@ Result<RemoteSettings> parse_remote_settings(std::string_view text,
         settings.listens_to_osc = reader.boolean("osc", settings.listens_to_osc);
         settings.osc_port = reader.whole("osc_port", settings.osc_port, 1, 65535);
         settings.listens_to_midi = reader.boolean("midi", settings.listens_to_midi);
-        settings.picks_up = reader.boolean("midi_picks_up", settings.picks_up);
+        settings.has_soft_takeover = reader.boolean("midi_picks_up", settings.has_soft_takeover);
         if (const JsonValue* bindings = reader.find("midi_bindings");
             bindings && reader.expect(*bindings, JsonValue::Kind::array))
             for (const JsonValue& binding : bindings->children)
                 settings.midi.push_back(read_binding(binding, file, problems));
-        reader.refuse_unknown();
+        reader.report_unknown_keys();
     }
     if (!problems.empty())
         return fail(std::move(problems));

@@ -10,7 +10,7 @@
 
 namespace {
 constexpr FileFormat session_file{"afterglow-session", 1};
-constexpr std::size_t most_steps = 200;
+constexpr std::size_t max_steps = 200;
 
 const Choices<Filter> filters{{"nearest", Filter::nearest}, {"linear", Filter::linear}};
 
@@ -19,7 +19,7 @@ nlohmann::ordered_json json_of(const PassOverrides& overrides) {
     for (const auto& [pass, override] : overrides) {
         nlohmann::ordered_json& entry = document[pass] = nlohmann::ordered_json::object();
         if (override.format)
-            entry["format"] = facts_of(*override.format).name;
+            entry["format"] = info_of(*override.format).name;
         if (override.scale)
             entry["scale"] = *override.scale;
         if (override.filter)
@@ -127,22 +127,22 @@ ParameterSetting read_parameter_setting(const JsonValue& value, const std::files
         reader.require("high");
         setting.ends = Limit{reader.number("low", 0.0), reader.number("high", 0.0)};
     }
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return setting;
 }
 
 Comparison read_comparison(const JsonValue& value, const std::filesystem::path& file,
                            Diagnostics& problems) {
-    constexpr double most_stops = 16.0;
+    constexpr double max_stops = 16.0;
     ObjectReader reader(value, file, problems);
     Comparison comparison;
     comparison.mode = reader.choice("mode", modes, comparison.mode);
     comparison.other = reader.choice("with", other_names, comparison.other);
     comparison.other.file = reader.text("file");
     comparison.measure = reader.choice("measure", measures, comparison.measure);
-    comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -most_stops, most_stops);
+    comparison.gain_stops = std::clamp(reader.number("gain", 0.0), -max_stops, max_stops);
     comparison.has_equal_brightness = reader.boolean("equal_brightness", false);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return comparison;
 }
 
@@ -156,7 +156,7 @@ PassOverride read_override(const JsonValue& value, const std::filesystem::path& 
         override.scale = reader.number("scale", 1.0);
     if (reader.find("filter"))
         override.filter = reader.choice("filter", filters, Filter::linear);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     return override;
 }
 
@@ -218,7 +218,7 @@ private:
         if (const JsonValue* window = reader.find("window"))
             for (const JsonValue& number : window->children)
                 session.window[number.key] = number.number;
-        reader.refuse_unknown();
+        reader.report_unknown_keys();
     }
 
     SessionState state(const JsonValue* value) {
@@ -235,7 +235,7 @@ private:
         state.locks.signal = reader.boolean("keeps_signal", false);
         state.locks.source = reader.boolean("keeps_source", false);
         state.chose_content = reader.boolean("chose_content", false);
-        reader.refuse_unknown();
+        reader.report_unknown_keys();
         return state;
     }
 
@@ -256,7 +256,7 @@ private:
                     const Preset stored = preset(*slot);
                     slots[i] = Slot{stored.name, stored.values};
                 }
-            reader.refuse_unknown();
+            reader.report_unknown_keys();
         }
     }
 
@@ -275,8 +275,7 @@ private:
 }  // namespace
 
 std::string session_to_json(const Session& session) {
-    const std::size_t first =
-        session.past.size() > most_steps ? session.past.size() - most_steps : 0;
+    const std::size_t first = session.past.size() > max_steps ? session.past.size() - max_steps : 0;
     nlohmann::ordered_json window = nlohmann::ordered_json::object();
     for (const auto& [name, number] : session.window)
         window[name] = number;

@@ -47,7 +47,7 @@ struct Session {
                                 // pixels"
     LookParameterSettings parameter_settings;  // the user's settings for parameters, by look
     LookSlots slots;
-    PresetStars preset_stars;
+    FavouritePresets preset_stars;
     std::map<std::string, double> window;  // state of the window, by the window's own names
 
     bool operator==(const Session&) const = default;

@@ -35,7 +35,7 @@ Result<SoundSettings> parse_sound_settings(std::string_view text,
         settings.buffer = reader.whole("buffer", settings.buffer, 16, 65536);
         settings.picture_delay_ms = reader.number("picture_delay_ms", 0.0);
         settings.beam_level = reader.number("beam_level", settings.beam_level);
-        reader.refuse_unknown();
+        reader.report_unknown_keys();
     }
     if (!problems.empty())
         return fail(std::move(problems));

@@ -27,7 +27,7 @@ constexpr int shadertoy_channels = 4;
 struct ShadertoyInput {
     int channel = 0;
     ShadertoyKind kind = ShadertoyKind::nothing;
-    int buffer = -1;    // for a buffer: see ShadertoyPass::place; below 0: does not exist
+    int buffer = -1;    // for a buffer: see ShadertoyPass::index; below 0: does not exist
     std::string asset;  // path of the source, as written
     Sampler sampler;
     bool is_flipped = true;  // v = 0 is the bottom row
@@ -45,7 +45,7 @@ struct ShadertoyPass {
     Stage code;        // as written by the author
     std::vector<ShadertoyInput> inputs;
     // If false, unconnected channels read the buffer with their number or a picture.
-    bool is_wired = true;
+    bool has_explicit_inputs = true;
 };
 
 constexpr int shadertoy_cube_index = 4;

@@ -31,7 +31,7 @@ std::string path_of(std::string_view written) {
     constexpr std::string_view scheme = "file://";
     if (written.starts_with(scheme))
         written.remove_prefix(scheme.size());
-    return with_each(std::string(written), "%20", " ");
+    return replace_all(std::string(written), "%20", " ");
 }
 
 class DirectiveReader {
@@ -55,7 +55,7 @@ private:
     std::string translated(std::string_view line) {
         const std::string_view words = trim(line);
         if (words.starts_with(channel_mark)) {
-            m_is_used = m_pass.is_wired = true;
+            m_is_used = m_pass.has_explicit_inputs = true;
             read_channel(words.substr(channel_mark.size()));
             return {};
         }
@@ -153,7 +153,7 @@ private:
                 hints += ' ' + whole.substr(step + 6);
         }
         if (declaration.starts_with("color3")) {
-            declaration = with_each(declaration, "color3", "vec3");
+            declaration = replace_all(declaration, "color3", "vec3");
             hints += hints.empty() ? "  // @color" : " @color";
         }
         return "uniform " + declaration + ";" + hints;

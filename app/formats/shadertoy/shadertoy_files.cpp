@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 using Kind = ShadertoyPass::Kind;
 
-constexpr std::array endings{".glsl", ".frag", ".fsh", ".fs", ".txt"};
+constexpr std::array extensions{".glsl", ".frag", ".fsh", ".fs", ".txt"};
 
 /// The pass that a file's name indicates.
 struct NamedPass {
@@ -51,7 +51,7 @@ std::optional<NamedPass> pass_named(const fs::path& file) {
                                                 {"cubemapa", Kind::cube, shadertoy_cube_index},
                                                 {"image", Kind::image, 0},
                                                 {"sound", Kind::sound, 0}});
-    if (std::ranges::find(endings, to_lower(file.extension().string())) == endings.end())
+    if (std::ranges::find(extensions, to_lower(file.extension().string())) == extensions.end())
         return std::nullopt;
     const std::string plain = plain_name(file);
     for (const Word& word : words)
@@ -141,7 +141,7 @@ private:
         pass.index = named.index;
         pass.name = shadertoy_pass_name(named.kind, named.index);
         pass.code = std::move(*code);
-        pass.is_wired = false;
+        pass.has_explicit_inputs = false;
         const fs::path own = file.lexically_normal();
         read_shadertoy_directives(
             pass, [&](const fs::path& named_file) { return buffer_of(named_file, own, pass); },

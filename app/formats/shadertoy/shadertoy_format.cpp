@@ -28,7 +28,7 @@ Result<Shadertoy> read_shadertoy(const fs::path& file, const IncludeFolders& inc
 }
 
 Result<Look> read_shadertoy_look(const fs::path& file, const IncludeFolders& includes,
-                                 const ReadingHelp& help, LoadedLook& loaded) {
+                                 const LoadOptions& help, LoadedLook& loaded) {
     const auto shadertoy = read_shadertoy(file, includes, loaded);
     if (!shadertoy)
         return fail(shadertoy.error());
@@ -51,7 +51,7 @@ Result<Look> read_shadertoy_look(const fs::path& file, const IncludeFolders& inc
 }  // namespace
 
 bool is_shadertoy_file(const fs::path& file) {
-    constexpr std::size_t most_of_text = std::size_t{4} << 20;
+    constexpr std::size_t max_text = std::size_t{4} << 20;
     const std::string extension = to_lower(file.extension().string());
     std::error_code error;
     if (is_json(file)) {
@@ -64,12 +64,12 @@ bool is_shadertoy_file(const fs::path& file) {
                          extension == ".fs" || extension == ".txt";
     if (!is_text)
         return false;
-    const auto text = read_start(file, most_of_text);
+    const auto text = read_start(file, max_text);
     return text && is_shadertoy_text(*text);
 }
 
 LoadedLook load_shadertoy_look(const fs::path& file, const IncludeFolders& includes,
-                               const ReadingHelp& help) {
+                               const LoadOptions& help) {
     LoadedLook loaded;
     loaded.look = read_shadertoy_look(file, includes, help, loaded);
     return loaded;

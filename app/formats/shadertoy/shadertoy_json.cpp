@@ -14,7 +14,7 @@ namespace {
 using Kind = ShadertoyPass::Kind;
 
 constexpr const char* error_key = "Error";  // of a response without a shader
-constexpr std::size_t most_code_bytes = std::size_t{4} << 20;
+constexpr std::size_t max_code_bytes = std::size_t{4} << 20;
 
 constexpr auto kind_names = std::to_array<std::pair<std::string_view, ShadertoyKind>>(
     {{"buffer", ShadertoyKind::buffer},
@@ -126,22 +126,22 @@ private:
     }
 
     static std::string several_shaders_text(const std::vector<JsonValue>& shaders) {
-        constexpr std::size_t most_names = 20;
+        constexpr std::size_t max_names = 20;
         std::vector<std::string> names;
-        for (std::size_t i = 0; i < shaders.size() && i < most_names; ++i) {
+        for (std::size_t i = 0; i < shaders.size() && i < max_names; ++i) {
             const JsonValue* shader = shader_of(shaders[i]);
             const JsonValue* info = shader ? find_member(*shader, "info") : nullptr;
             const std::string name = info ? text_of(find_member(*info, "name")) : std::string();
             names.push_back(fmt::format("'{}'", name));
         }
-        if (shaders.size() <= most_names)
+        if (shaders.size() <= max_names)
             return fmt::format(
                 "the file contains {} shaders: {}. Save the one that you want in a separate file.",
                 shaders.size(), fmt::join(names, ", "));
         return fmt::format(
             "the file contains {} shaders: {} and {} more. Save the one that you want in a "
             "separate file.",
-            shaders.size(), fmt::join(names, ", "), shaders.size() - most_names);
+            shaders.size(), fmt::join(names, ", "), shaders.size() - max_names);
     }
 
     static const JsonValue* shader_of(const JsonValue& document) {
@@ -210,7 +210,7 @@ private:
                     {m_file, value.line, fmt::format("pass '{}' has no code", pass.name)});
             return;
         }
-        if (code->text.size() > most_code_bytes) {
+        if (code->text.size() > max_code_bytes) {
             add_new(m_errors,
                     {m_file, value.line,
                      fmt::format("pass '{}' is larger than the limit of 4 MiB", pass.name)});

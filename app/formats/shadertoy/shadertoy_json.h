@@ -5,7 +5,7 @@
 #include <filesystem>
 
 /// Whether a JSON text is a Shadertoy shader, without parsing it. Also true for a saved web page,
-/// which parse_toy_json() reports.
+/// which parse_shadertoy_json() reports.
 bool is_shadertoy_json(std::string_view text);
 
 /// Parses either dialect. Response of the site's API: {"Shader": {...}}. Export of the site: bare,

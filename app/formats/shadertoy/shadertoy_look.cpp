@@ -222,7 +222,7 @@ ShadertoyChannel ShadertoyLook::feed(const ShadertoyPass& shadertoy_pass, const 
     ShadertoyChannel fed;
     auto wired = std::ranges::find(shadertoy_pass.inputs, channel, &ShadertoyInput::channel);
     ShadertoyInput guessed;
-    if (wired == shadertoy_pass.inputs.end() && shadertoy_pass.is_wired)
+    if (wired == shadertoy_pass.inputs.end() && shadertoy_pass.has_explicit_inputs)
         return fed;
     if (wired == shadertoy_pass.inputs.end()) {
         const bool is_buffer = find_drawn(channel).has_value();
@@ -240,7 +240,7 @@ ShadertoyChannel ShadertoyLook::feed(const ShadertoyPass& shadertoy_pass, const 
         !words.contains(fmt::format("iCh{}", channel)))
         return fed;
     auto made = input_of(shadertoy_pass, input);
-    fed.is_fed = made.has_value();
+    fed.is_connected = made.has_value();
     if (!made)
         return fed;
     made->uniform = uniform;

@@ -79,7 +79,7 @@ private:
         for (int channel = 0; channel < shadertoy_channels; ++channel) {
             const ShadertoyChannel& fed = channels[static_cast<std::size_t>(channel)];
             const std::string name = fmt::format("iChannel{}", channel);
-            if (fed.is_fed || has(name) || has(fmt::format("iCh{}", channel)))
+            if (fed.is_connected || has(name) || has(fmt::format("iCh{}", channel)))
                 declare(sampler_type(fed.shape), name);
         }
     }
@@ -93,9 +93,9 @@ private:
         for (std::size_t channel = 0; channel < channels.size(); ++channel) {
             const std::string name = fmt::format("afterglow_resolution{}", channel);
             const bool is_volume = channels[channel].shape == PictureShape::volume;
-            if (channels[channel].is_fed && !is_volume)
+            if (channels[channel].is_connected && !is_volume)
                 declare("vec3", name);
-            all.push_back(!channels[channel].is_fed ? "vec3(0.0)"
+            all.push_back(!channels[channel].is_connected ? "vec3(0.0)"
                           : is_volume ? fmt::format("vec3(textureSize(iChannel{}, 0))", channel)
                                       : name);
         }
@@ -121,8 +121,8 @@ private:
     void add_code(const Stage& code) {
         std::string text = modern_glsl(code.text);
         for (int channel = 0; channel < shadertoy_channels; ++channel)
-            text = with_each(text, fmt::format("iCh{}.sampler", channel),
-                             fmt::format("iChannel{}", channel));
+            text = replace_all(text, fmt::format("iCh{}.sampler", channel),
+                               fmt::format("iChannel{}", channel));
         const std::size_t lines = split_lines(text).size();
         if (!text.empty() && !text.ends_with('\n'))
             text += '\n';
@@ -181,7 +181,7 @@ std::vector<BuiltInUniform> shadertoy_built_ins(const std::vector<Input>& inputs
                                     {"iGlobalTime", BuiltIn::time_before},
                                     {"iTimeDelta", BuiltIn::time_delta},
                                     {"iFrameRate", BuiltIn::frame_rate},
-                                    {"iFrame", BuiltIn::frame_before},
+                                    {"iFrame", BuiltIn::frame_index},
                                     {"iMouse", BuiltIn::press},
                                     {"iDate", BuiltIn::date_from_0}};
     for (int channel = 0; channel < shadertoy_channels; ++channel) {

@@ -8,7 +8,7 @@
 /// Properties of a channel in the shader.
 struct ShadertoyChannel {
     PictureShape shape = PictureShape::flat;
-    bool is_fed = false;  // has an input, with a known size
+    bool is_connected = false;  // has an input, with a known size
 };
 using ShadertoyChannels = std::array<ShadertoyChannel, shadertoy_channels>;
 

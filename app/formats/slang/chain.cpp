@@ -1,6 +1,6 @@
 #include "formats/slang/chain.h"
 
-#include "formats/slang/near_file.h"
+#include "formats/slang/similar_file.h"
 #include "formats/slang/slang_text.h"
 #include "formats/slang/wildcards.h"
 
@@ -12,8 +12,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_open_presets = 16;
-constexpr int most_references = 256;
+constexpr std::size_t max_open_presets = 16;
+constexpr int max_references = 256;
 
 class ChainReader {
 public:
@@ -65,7 +65,7 @@ private:
         const auto text = m_files.read(file);
         if (!text) {
             const std::string& reason = text.error().front().message;
-            const std::string hint = near_file(file, at.file);
+            const std::string hint = similar_file(file, at.file);
             if (are_passes_wanted)
                 return refuse(fmt::format("can't read '{}' ({}): {}{}", reference.value,
                                           file.string(), reason, hint));
@@ -85,12 +85,12 @@ private:
             return refuse(
                 fmt::format("circular #reference: {}{}", chain, open->filename().string()));
         }
-        if (m_open.size() >= most_open_presets)
+        if (m_open.size() >= max_open_presets)
             return refuse(fmt::format("references are nested deeper than the limit of {} levels",
-                                      most_open_presets));
-        if (++m_followed > most_references)
-            return refuse(fmt::format("the preset has more references than the limit of {}",
-                                      most_references));
+                                      max_open_presets));
+        if (++m_followed > max_references)
+            return refuse(
+                fmt::format("the preset has more references than the limit of {}", max_references));
         return read(file, are_passes_wanted);
     }
 

@@ -2,8 +2,8 @@
 
 #include "formats/slang/controls.h"
 #include "formats/slang/names.h"
-#include "formats/slang/near_file.h"
 #include "formats/slang/sampling.h"
+#include "formats/slang/similar_file.h"
 #include "glsl/compile/check.h"
 #include "glsl/text/include.h"
 
@@ -71,7 +71,7 @@ void main() { color = texture(image, at); }
 )";
 
 // Named by alias, otherwise by file.
-std::vector<std::string> pass_names_of(const WholeChain& chain,
+std::vector<std::string> pass_names_of(const TranslatedChain& chain,
                                        const std::vector<std::string>& aliases) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < aliases.size(); ++i) {
@@ -85,7 +85,7 @@ std::vector<std::string> pass_names_of(const WholeChain& chain,
     return names;
 }
 
-std::vector<std::string> aliases_of(const WholeChain& chain) {
+std::vector<std::string> aliases_of(const TranslatedChain& chain) {
     std::vector<std::string> aliases;
     for (std::size_t i = 0; i < chain.shaders.size(); ++i)
         aliases.push_back(chain.preset.passes[i].alias.empty() ? chain.shaders[i].alias
@@ -106,24 +106,24 @@ bool is_missing(const SlangTexture& texture) {
 }
 
 Side side_of(const SlangScale& scale) {
-    constexpr double least = 1e-6;  // px or factor; smaller sizes are one texel
+    constexpr double minimum = 1e-6;  // px or factor; smaller sizes are one texel
     switch (scale.by) {
         case SlangScale::By::viewport:
-            return {Side::By::viewport, std::max(scale.factor, least), {}};
+            return {Side::By::viewport, std::max(scale.factor, minimum), {}};
         case SlangScale::By::absolute:
             return {Side::By::pixels, std::max(scale.factor, 1.0), {}};
         case SlangScale::By::original:
-            return {Side::By::source, std::max(scale.factor, least), {}};
+            return {Side::By::source, std::max(scale.factor, minimum), {}};
         case SlangScale::By::source:
             break;
     }
-    return {Side::By::before, std::max(scale.factor, least), {}};
+    return {Side::By::before, std::max(scale.factor, minimum), {}};
 }
 
 /// Converts a chain to a look, one pass at a time.
 class ChainLook {
 public:
-    ChainLook(const WholeChain& chain, const SlangDefaults& defaults, Diagnostics& warnings)
+    ChainLook(const TranslatedChain& chain, const SlangDefaults& defaults, Diagnostics& warnings)
         : m_chain(chain),
           m_aliases(aliases_of(chain)),
           m_names(m_aliases, texture_names_of(chain.preset)),
@@ -150,7 +150,7 @@ private:
     void add_parameters();
     void problem(const Pass& pass, Severity severity, std::string message);
 
-    const WholeChain& m_chain;
+    const TranslatedChain& m_chain;
     std::vector<std::string> m_aliases;
     SlangNames m_names;
     SlangSampling m_sampling;
@@ -277,7 +277,7 @@ void ChainLook::check_image(const Pass& pass, const NamedSampler& sampler, int t
         problem(pass, Severity::warning,
                 fmt::format("pass '{}' reads '{}', but its picture '{}' is missing{}; it is black",
                             pass.name, sampler.name, read.file.string(),
-                            near_file(read.file, read.declared.file)));
+                            similar_file(read.file, read.declared.file)));
 }
 
 void ChainLook::read_samplers(Pass& pass, std::size_t index) {
@@ -310,16 +310,16 @@ bool ChainLook::has_type(const BlockMember& member, const NumberType& type, cons
         return true;
     problem(pass, Severity::error,
             fmt::format("pass '{}' declares '{}' as {}, but it must be {}", pass.name, member.name,
-                        member.type ? with_article(glsl_name(*member.type)) : "an array",
-                        with_article(glsl_name(type))));
+                        member.type ? with_indefinite_article(glsl_name(*member.type)) : "an array",
+                        with_indefinite_article(glsl_name(type))));
     return false;
 }
 
 void ChainLook::tell(Pass& pass, const BlockMember& member, const SlangMember& meant) {
     if (!has_type(member, meant.type, pass))
         return;
-    if (meant.says)
-        pass.built_ins.push_back({member.uniform, *meant.says});
+    if (meant.kind)
+        pass.built_ins.push_back({member.uniform, *meant.kind});
     else if (meant.number != 0.0)
         pass.set[member.uniform] = Value(meant.number);
 }
@@ -419,7 +419,7 @@ Result<Look> ChainLook::make() {
 }
 }  // namespace
 
-Result<Look> look_of_chain(const WholeChain& chain, const SlangDefaults& defaults,
+Result<Look> look_of_chain(const TranslatedChain& chain, const SlangDefaults& defaults,
                            Diagnostics& warnings) {
     return ChainLook(chain, defaults, warnings).make();
 }

@@ -5,7 +5,7 @@
 #include "glsl/compile/translate.h"
 
 /// A chain with its loaded shaders: one shader and one translation per pass.
-struct WholeChain {
+struct TranslatedChain {
     SlangPreset preset;
     std::vector<SlangShader> shaders;
     std::vector<Translation> translations;
@@ -21,5 +21,5 @@ struct SlangDefaults {
 /// picture by an additional pass. A parameter drives its members in all passes. Errors: passes with
 /// the same alias, a pass that reads a later one, unknown formats, members whose type does not
 /// match their name. `warnings` receives unknown names (they read black or 0) and missing pictures.
-Result<Look> look_of_chain(const WholeChain& chain, const SlangDefaults& defaults,
+Result<Look> look_of_chain(const TranslatedChain& chain, const SlangDefaults& defaults,
                            Diagnostics& warnings);

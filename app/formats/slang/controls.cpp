@@ -12,7 +12,7 @@
 #include <set>
 
 namespace {
-constexpr double most_list_items = 12;
+constexpr double max_list_items = 12;
 constexpr double degenerate_range = 0.01;
 constexpr double largest_list_number = 1e6;
 constexpr std::size_t longest_title = 64;
@@ -94,7 +94,7 @@ bool is_off_and_on(const std::vector<Item>& items) {
 bool is_choice(const SlangParameter& parameter, const Parameter& made) {
     const double initial = made.initial.number();
     return parameter.step == 1.0 && is_whole(made.range.low) && is_whole(made.range.high) &&
-           is_whole(initial) && made.range.high - made.range.low < most_list_items;
+           is_whole(initial) && made.range.high - made.range.low < max_list_items;
 }
 
 void name_numbers(const std::vector<Item>& named, Parameter& made) {

@@ -1,6 +1,6 @@
 #include "formats/slang/expand.h"
 
-#include "formats/slang/near_file.h"
+#include "formats/slang/similar_file.h"
 #include "formats/slang/slang_text.h"
 
 #include <fmt/format.h>
@@ -10,10 +10,10 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_open_texts = 64;
-constexpr int most_includes_in_all = 16384;
-constexpr std::size_t most_expanded_bytes = std::size_t{8} << 20;
-constexpr std::size_t most_expansion_errors = 32;
+constexpr std::size_t max_open_texts = 64;
+constexpr int max_includes_in_all = 16384;
+constexpr std::size_t max_expanded_bytes = std::size_t{8} << 20;
+constexpr std::size_t max_expansion_errors = 32;
 constexpr const char* too_large_expanded =
     "the shader with its includes is larger than the limit of 8 MiB";
 
@@ -34,7 +34,7 @@ public:
 private:
     void error(const SlangText& in, int line, std::string message) {
         m_errors.push_back({in.file, line, std::move(message)});
-        m_is_over = m_is_over || m_errors.size() >= most_expansion_errors;
+        m_is_over = m_is_over || m_errors.size() >= max_expansion_errors;
     }
 
     void end_with(const SlangText& in, int line, std::string message) {
@@ -65,7 +65,7 @@ private:
         if (count == 0 || m_is_over)
             return;
         m_bytes += end - begin;
-        if (m_bytes > most_expanded_bytes)
+        if (m_bytes > max_expanded_bytes)
             return end_with(text, line, too_large_expanded);
         m_pieces.push_back(
             {&text, line, count, std::string_view(text.text).substr(begin, end - begin), nullptr});
@@ -78,7 +78,7 @@ private:
         if (directive.kind == Kind::include || directive.kind == Kind::include_optional)
             return include(text, directive);
         m_bytes += directive.end - directive.begin;
-        if (m_bytes > most_expanded_bytes)
+        if (m_bytes > max_expanded_bytes)
             return end_with(text, directive.line, too_large_expanded);
         m_pieces.push_back({&text, directive.line, 1, {}, &directive});
     }
@@ -100,14 +100,14 @@ private:
         }
         if (std::string circle = circle_through(**found); !circle.empty())
             return error(text, directive.line, fmt::format("circular #include: {}", circle));
-        if (m_open.size() >= most_open_texts)
+        if (m_open.size() >= max_open_texts)
             return error(text, directive.line,
                          fmt::format("includes are nested deeper than the limit of {} levels",
-                                     most_open_texts));
-        if (++m_included > most_includes_in_all)
+                                     max_open_texts));
+        if (++m_included > max_includes_in_all)
             return end_with(text, directive.line,
                             fmt::format("the shader has more includes than the limit of {}",
-                                        most_includes_in_all));
+                                        max_includes_in_all));
         add(**found);
     }
 
@@ -119,7 +119,7 @@ private:
         }
         error(text, directive.line,
               fmt::format("can't include '{}' ({}): {}{}", directive.argument, reason.file.string(),
-                          reason.message, near_file(reason.file, text.file)));
+                          reason.message, similar_file(reason.file, text.file)));
     }
 
     // "a.inc -> b.inc -> a.inc", or "".

@@ -8,8 +8,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_text_bytes = std::size_t{4} << 20;
-constexpr std::size_t most_settings_bytes = std::size_t{8} << 20;
+constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
+constexpr std::size_t max_settings_bytes = std::size_t{8} << 20;
 
 // "\r\n", a single "\r" and "\n" are line ends.
 std::string with_newlines(std::string text) {
@@ -55,7 +55,7 @@ Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
     auto text = read_text(file);
     if (!text)
         return fail(text.error());
-    if (text->size() > most_text_bytes)
+    if (text->size() > max_text_bytes)
         return fail({file, 0, "the file is larger than the limit of 4 MiB"});
     auto made = std::make_unique<SlangText>();
     made->file = file;
@@ -70,7 +70,7 @@ Result<const SlangText*> SlangFiles::read_anew(const fs::path& file) {
 
 std::string SlangFiles::count_settings(const SlangText& text) {
     m_settings_bytes += text.text.size();
-    return m_settings_bytes <= most_settings_bytes
+    return m_settings_bytes <= max_settings_bytes
                ? std::string()
                : "the preset with its references and includes is larger than the limit of 8 MiB";
 }

@@ -9,7 +9,7 @@ namespace {
 using Of = SlangPicture::Of;
 
 constexpr NumberType one_float{Scalar::floating, 1, 1};
-constexpr NumberType one_natural{Scalar::natural, 1, 1};
+constexpr NumberType one_natural{Scalar::unsigned_integer, 1, 1};
 constexpr NumberType one_integer{Scalar::integer, 1, 1};
 constexpr NumberType three_floats{Scalar::floating, 3, 1};
 constexpr NumberType four_floats{Scalar::floating, 4, 1};
@@ -20,7 +20,7 @@ constexpr std::array slang_members{
     SlangMember{"MVP", matrix, BuiltIn::quad_to_clip},
     SlangMember{"OutputSize", four_floats, BuiltIn::target_extent},
     SlangMember{"FinalViewportSize", four_floats, BuiltIn::output_extent},
-    SlangMember{"FrameCount", one_natural, BuiltIn::frame_before},
+    SlangMember{"FrameCount", one_natural, BuiltIn::frame_index},
     SlangMember{"FrameTimeDelta", one_natural, BuiltIn::microseconds},
     SlangMember{"OriginalAspect", one_float, BuiltIn::source_aspect},
     SlangMember{"OriginalAspectRotated", one_float, BuiltIn::source_aspect},
@@ -51,7 +51,8 @@ constexpr std::array numbered_names{
     NumberedName{"PassFeedback", Of::feedback}, NumberedName{"User", Of::image}};
 
 std::optional<SlangPicture> find_numbered(std::string_view name, std::string_view behind) {
-    constexpr int most = 128;  // history frames of RetroArch; there are fewer passes and textures
+    constexpr int maximum =
+        128;  // history frames of RetroArch; there are fewer passes and textures
     for (const NumberedName& numbered : numbered_names) {
         const std::string prefix = std::string(numbered.name) + std::string(behind);
         if (!name.starts_with(prefix))
@@ -61,7 +62,7 @@ std::optional<SlangPicture> find_numbered(std::string_view name, std::string_vie
             return c >= '0' && c <= '9';
         });
         const auto number = is_number ? parse_integer(digits) : std::nullopt;
-        if (number && *number <= most)
+        if (number && *number <= maximum)
             return SlangPicture{numbered.of, *number};
     }
     return std::nullopt;

@@ -40,7 +40,7 @@ private:
 struct SlangMember {
     std::string_view name;
     NumberType type;
-    std::optional<BuiltIn> says;  // nullopt: the constant `number`
+    std::optional<BuiltIn> kind;  // nullopt: the constant `number`
     double number = 0.0;
 };
 

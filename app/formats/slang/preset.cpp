@@ -14,8 +14,8 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr int most_slang_passes = 64;
-constexpr std::size_t most_slang_textures = 64;
+constexpr int max_slang_passes = 64;
+constexpr std::size_t max_slang_textures = 64;
 constexpr double largest_count = 1 << 24;
 
 // Keys of the form KEYn for pass n.
@@ -106,10 +106,10 @@ private:
     void read_passes() {
         const SlangSetting& shaders = *m_owner->find("shaders");
         const double count = leading_number(shaders.value).value_or(0.0);
-        if (count < 1.0 || count >= most_slang_passes + 1.0)
+        if (count < 1.0 || count >= max_slang_passes + 1.0)
             return error(shaders,
                          fmt::format("'shaders' must be a number of passes from 1 to {}, got '{}'",
-                                     most_slang_passes, shaders.value));
+                                     max_slang_passes, shaders.value));
         for (int i = 0; i < static_cast<int>(count); ++i)
             read_pass(std::to_string(i), shaders);
     }
@@ -201,9 +201,9 @@ private:
         std::vector<std::string> names = names_in(list);
         std::erase_if(
             names, [&](const std::string& name) { return !m_texture_names.insert(name).second; });
-        if (names.size() > most_slang_textures)
+        if (names.size() > max_slang_textures)
             return error(*list, fmt::format("the preset has {} textures; the limit is {}",
-                                            names.size(), most_slang_textures));
+                                            names.size(), max_slang_textures));
         for (const std::string& name : names) {
             SlangTexture& texture = m_preset.textures.emplace_back();
             texture.name = name;

@@ -11,9 +11,9 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_open_settings = 16;
-constexpr int most_settings_includes = 256;
-constexpr std::size_t most_settings_references = 256;
+constexpr std::size_t max_open_settings = 16;
+constexpr int max_settings_includes = 256;
+constexpr std::size_t max_settings_references = 256;
 constexpr std::string_view blanks = " \t\r\n\f\v";
 
 struct Line {
@@ -109,11 +109,11 @@ private:
     }
 
     void add_reference(std::string_view path, const Location& at) {
-        if (m_read.references.size() < most_settings_references)
+        if (m_read.references.size() < max_settings_references)
             m_read.references.push_back({{}, readable_text(path), at});
         else if (!std::exchange(m_has_too_many_references, true))
             refuse(at, fmt::format("the preset has more references than the limit of {}",
-                                   most_settings_references));
+                                   max_settings_references));
     }
 
     void add_setting(const Line& line, const Location& at) {
@@ -139,12 +139,12 @@ private:
                                    text.error().front().message));
         else if (std::ranges::find(m_open, *text) != m_open.end())
             refuse(at, "circular #include");
-        else if (m_open.size() >= most_open_settings)
+        else if (m_open.size() >= max_open_settings)
             refuse(at, fmt::format("includes are nested deeper than the limit of {} levels",
-                                   most_open_settings));
-        else if (++m_included > most_settings_includes)
+                                   max_open_settings));
+        else if (++m_included > max_settings_includes)
             refuse(at, fmt::format("the preset has more includes than the limit of {}",
-                                   most_settings_includes));
+                                   max_settings_includes));
         else if (std::string fault = m_files.count_settings(**text); !fault.empty())
             refuse(at, std::move(fault));
         else if (m_errors.empty())

@@ -10,7 +10,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_parameters = 16384;
+constexpr std::size_t max_parameters = 16384;
 
 // Shaders declare uniforms of newer hosts only with these definitions.
 constexpr std::array<std::string_view, 4> host_definitions{
@@ -43,11 +43,11 @@ public:
         if (!m_errors.empty())
             return fail(std::move(m_errors));
         m_shader.parameters = unique_slang_parameters(m_declared, m_shader.warnings);
-        if (m_shader.parameters.size() > most_parameters) {
-            const Location& at = m_shader.parameters[most_parameters]->declared;
+        if (m_shader.parameters.size() > max_parameters) {
+            const Location& at = m_shader.parameters[max_parameters]->declared;
             return fail({at.file, at.line,
                          fmt::format("the shader has {} parameters; the limit is {}",
-                                     m_shader.parameters.size(), most_parameters)});
+                                     m_shader.parameters.size(), max_parameters)});
         }
         return std::move(m_shader);
     }

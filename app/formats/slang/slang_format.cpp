@@ -3,7 +3,7 @@
 #include "base/pass_progress.h"
 #include "base/text.h"
 #include "formats/slang/chain_look.h"
-#include "formats/slang/near_file.h"
+#include "formats/slang/similar_file.h"
 #include "glsl/cache/check_cache.h"
 #include "glsl/parameters/constant_parameters.h"
 
@@ -23,7 +23,7 @@ public:
     ChainLoader(SlangFiles& files, CheckCache* cache, ConstantParameters& constants)
         : m_files(files), m_cache(cache), m_constants(constants) {}
 
-    void read(const SlangPass& pass, WholeChain& chain) {
+    void read(const SlangPass& pass, TranslatedChain& chain) {
         auto known = m_known.find(pass.shader);
         if (known == m_known.end())
             known = m_known.emplace(pass.shader, read_anew(pass)).first;
@@ -64,7 +64,7 @@ private:
             return fmt::format("'{}': {}", pass.shader.filename().string(), message);
         return fmt::format("can't read '{}' ({}): {}{}", pass.shader.filename().string(),
                            pass.shader.string(), message,
-                           near_file(pass.shader, pass.declared.file));
+                           similar_file(pass.shader, pass.declared.file));
     }
 
     std::optional<Read> read_anew(const SlangPass& pass) {
@@ -91,9 +91,9 @@ private:
     std::map<fs::path, std::optional<Read>> m_known;
 };
 
-Result<WholeChain> read_chain(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
-                              ConstantParameters& constants, bool& is_parsed) {
-    WholeChain chain;
+Result<TranslatedChain> read_chain(const fs::path& file, SlangFiles& files, const LoadOptions& help,
+                                   ConstantParameters& constants, bool& is_parsed) {
+    TranslatedChain chain;
     if (is_slang_shader(file)) {
         chain.preset = slang_preset_of(file);
     } else {
@@ -131,7 +131,7 @@ Filter other_than(Filter filter) {
 
 // Adds a parameter for a choice that presets leave to the host, bound to all affected passes. Its
 // value changes the look, like a constant in the texts.
-void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
+void add_filter(const TranslatedChain& chain, Filter chosen, Look& look) {
     Diagnostics already_reported;
     const auto other = look_of_chain(chain, {other_than(chosen)}, already_reported);
     if (!other || find_parameter(look, filter_name))
@@ -159,7 +159,7 @@ void add_filter(const WholeChain& chain, Filter chosen, Look& look) {
     look.parameters.push_back(std::move(filter));
 }
 
-Filter chosen_filter(const ReadingHelp& help) {
+Filter chosen_filter(const LoadOptions& help) {
     if (!help.values)
         return Filter::nearest;
     const auto chosen = help.values->find(filter_name);
@@ -167,7 +167,7 @@ Filter chosen_filter(const ReadingHelp& help) {
                                                                          : Filter::nearest;
 }
 
-Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const ReadingHelp& help,
+Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const LoadOptions& help,
                           LoadedLook& loaded) {
     constexpr int frames_of_a_past = 60;
     ConstantParameters constants(help.values, help.cache);
@@ -202,7 +202,7 @@ bool is_slang_file(const fs::path& file) {
     return is_slang_shader(file) || to_lower(file.extension().string()) == ".slangp";
 }
 
-LoadedLook load_slang_look(const fs::path& file, const ReadingHelp& help) {
+LoadedLook load_slang_look(const fs::path& file, const LoadOptions& help) {
     SlangFiles files;
     LoadedLook loaded;
     loaded.look = read_look_of(file, files, help, loaded);

@@ -23,7 +23,7 @@ void name_parts(Stack& stack, const std::vector<Look>& looks) {
 namespace {
 // The values of one part of a stack, under the part's own names.
 Values values_of_part(const Values& values, const Stack& stack, std::size_t part) {
-    const std::string scope = scope_of(stack, part);
+    const std::string scope = name_prefix(stack, part);
     Values own;
     for (const auto& [name, value] : values)
         if (name.starts_with(scope))
@@ -34,7 +34,7 @@ Values values_of_part(const Values& values, const Stack& stack, std::size_t part
 /// Loads the looks of a stack; looks with equal values only once.
 class PartReader {
 public:
-    PartReader(Stack stack, const IncludeFolders& includes, const ReadingHelp& help)
+    PartReader(Stack stack, const IncludeFolders& includes, const LoadOptions& help)
         : m_stack(std::move(stack)), m_includes(includes), m_help(help) {
         for (StackPart& part : m_stack)  // so that values_of_part() finds their values
             if (part.look.empty())
@@ -79,12 +79,12 @@ private:
 
     Stack m_stack;
     const IncludeFolders& m_includes;
-    const ReadingHelp& m_help;
+    const LoadOptions& m_help;
     std::vector<Read> m_read;
 };
 }  // namespace
 
-LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const ReadingHelp& help) {
+LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const LoadOptions& help) {
     LoadedLook whole;
     whole.is_parsed = true;
     PartReader reader(stack, includes, help);
@@ -105,9 +105,9 @@ LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const Reading
     return whole;
 }
 
-LoadedLook load_again(const Look& look, const ReadingHelp& help) {
+LoadedLook load_again(const Look& look, const LoadOptions& help) {
     CheckCache checks(nullptr, look.shader_limits);
-    ReadingHelp all = help;
+    LoadOptions all = help;
     if (!all.cache)
         all.cache = &checks;
     return load_stack(look.stack, look.includes, all);

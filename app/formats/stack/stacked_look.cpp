@@ -48,8 +48,8 @@ Stage conversion_stage(Encoding from, Encoding to) {
 }
 
 Format format_after(const Pass& pass) {
-    const FormatFacts& facts = facts_of(pass.format);
-    const bool is_fine = facts.is_float && facts.bytes / facts.channels >= 4;
+    const FormatInfo& info = info_of(pass.format);
+    const bool is_fine = info.is_float && info.bytes / info.channels >= 4;
     return is_fine ? Format::rgba32f : Format::rgba16f;
 }
 
@@ -128,12 +128,12 @@ private:
     // Each look settles after its source has settled.
     void add_specialization(const Look& look) {
         m_look.settle_frames =
-            std::min(m_look.settle_frames + look.settle_frames - 1, most_settle_frames);
+            std::min(m_look.settle_frames + look.settle_frames - 1, max_settle_frames);
     }
 
     void add_passes(std::size_t part) {
         const Look& look = m_looks[part];
-        const std::string scope = scope_of(m_stack, part);
+        const std::string scope = name_prefix(m_stack, part);
         m_source.clear();
         if (!m_look.passes.empty()) {
             keep_light(m_look.passes.back());
@@ -208,7 +208,7 @@ private:
 
     void add_parameters(std::size_t part, bool is_drawn) {
         const Look& look = m_looks[part];
-        const std::string scope = scope_of(m_stack, part);
+        const std::string scope = name_prefix(m_stack, part);
         for (Parameter parameter : look.parameters) {
             parameter.group = group_of(part, parameter);
             parameter.name = scope + parameter.name;

@@ -132,7 +132,7 @@ std::vector<ScenePath> clipped(const ScenePath& path, const std::vector<const Cl
 }
 
 std::vector<ScenePath> dashed(const ScenePath& path, std::vector<double> lengths, double offset,
-                              std::size_t most) {
+                              std::size_t maximum) {
     double period = 0.0;
     for (const double length : lengths)
         period += length;
@@ -167,7 +167,7 @@ std::vector<ScenePath> dashed(const ScenePath& path, std::vector<double> lengths
                 left = lengths[at];
                 follows = false;
             }
-            if (pieces.size() > most || (step <= 0.0 && left <= 0.0 && period < 1e-9 * whole))
+            if (pieces.size() > maximum || (step <= 0.0 && left <= 0.0 && period < 1e-9 * whole))
                 return {path};
         }
     }

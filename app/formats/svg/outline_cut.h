@@ -18,6 +18,6 @@ std::vector<ScenePath> clipped(const ScenePath& path, const std::vector<const Cl
                                double tolerance, std::size_t& tests);
 
 /// The dashes of a line (SVG 1.1, 11.4): alternating lengths of dashes and gaps, starting at
-/// `offset`. Returns the line itself for invalid lengths or more than `most` dashes.
+/// `offset`. Returns the line itself for invalid lengths or more than `maximum` dashes.
 std::vector<ScenePath> dashed(const ScenePath& path, std::vector<double> lengths, double offset,
-                              std::size_t most);
+                              std::size_t maximum);

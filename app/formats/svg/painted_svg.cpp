@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 namespace {
 // In units of librsvg's page, whose longer side is 32768; Cairo rounds to 1/256.
 constexpr double same_point_distance = 0.25;
-constexpr std::size_t most_clip_tests = 200'000'000;
-constexpr int most_open_groups = 500;
+constexpr std::size_t max_clip_tests = 200'000'000;
+constexpr int max_open_groups = 500;
 
 /// The paint properties in a path's `style`.
 class Paint {
@@ -80,11 +80,11 @@ private:
         int depth = 0;
     };
 
-    // The depth of recursion is limited by most_open_groups.
+    // The depth of recursion is limited by max_open_groups.
     void walk(const pugi::xml_node& parent, const State& state) {
-        if (state.depth > most_open_groups)
+        if (state.depth > max_open_groups)
             m_problem = fmt::format("groups are nested too deeply; the limit is {} levels",
-                                    most_open_groups);
+                                    max_open_groups);
         for (const pugi::xml_node& tag : parent) {
             if (!m_problem.empty())
                 return;
@@ -178,7 +178,7 @@ private:
             for (const ScenePath& path : shape)
                 for (ScenePath& dash :
                      dashed(path, paint.dashes(), paint.number("stroke-dashoffset", 0.0),
-                            most_scene_points))
+                            max_scene_points))
                     dashes.push_back(std::move(dash));
             transform(dashes, state.transform);
             return add(dashes, state);
@@ -205,8 +205,8 @@ private:
                 }
                 m_count += seen.points.size();
                 m_paths.push_back(std::move(seen));
-                if (m_count > most_scene_points) {
-                    m_problem = fmt::format("too many points; the limit is {}", most_scene_points);
+                if (m_count > max_scene_points) {
+                    m_problem = fmt::format("too many points; the limit is {}", max_scene_points);
                     return;
                 }
             }
@@ -221,7 +221,7 @@ private:
     std::vector<ScenePath> m_last;
     std::vector<ScenePath> m_paths;
     std::size_t m_count = 0;
-    std::size_t m_tests = most_clip_tests;
+    std::size_t m_tests = max_clip_tests;
     std::string m_problem;
 };
 

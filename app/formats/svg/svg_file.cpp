@@ -15,7 +15,7 @@
 #include <cmath>
 
 namespace {
-constexpr std::size_t most_svg_bytes = std::size_t{16} << 20;
+constexpr std::size_t max_svg_bytes = std::size_t{16} << 20;
 
 /// A path of an Afterglow drawing.
 struct SvgOutline {
@@ -39,9 +39,9 @@ public:
         document.traverse(*this);
         if (m_problems.empty() && m_found.outlines.empty())
             m_problems.push_back({m_file, 1, "the drawing is empty: no paths, lines or shapes"});
-        if (m_count > most_scene_points)
+        if (m_count > max_scene_points)
             m_problems.push_back(
-                {m_file, 0, fmt::format("too many points; the limit is {}", most_scene_points)});
+                {m_file, 0, fmt::format("too many points; the limit is {}", max_scene_points)});
         if (!m_problems.empty())
             return fail(std::move(m_problems));
         return std::move(m_found);
@@ -61,8 +61,8 @@ private:
     }
 
     void problem(const pugi::xml_node& tag, const std::string& message) {
-        constexpr std::size_t most_problems = 20;
-        if (m_problems.size() < most_problems)
+        constexpr std::size_t max_problems = 20;
+        if (m_problems.size() < max_problems)
             m_problems.push_back({m_file, line_of(tag, m_text), message});
     }
 
@@ -85,8 +85,8 @@ private:
             level.keyframe = m_found.keyframes++;
         else if (!is_seen(tag))
             level.is_hidden = true;
-        if (is_keyframe && m_found.keyframes == most_keyframes + 1)
-            problem(tag, fmt::format("too many keyframes; the limit is {}", most_keyframes));
+        if (is_keyframe && m_found.keyframes == max_keyframes + 1)
+            problem(tag, fmt::format("too many keyframes; the limit is {}", max_keyframes));
     }
 
     void enter(const pugi::xml_node& tag) {
@@ -120,7 +120,7 @@ private:
             point.y = -point.y;
         }
         m_count += outline.path.points.size();
-        if (m_count <= most_scene_points)
+        if (m_count <= max_scene_points)
             m_found.outlines.push_back(std::move(outline));
     }
 
@@ -159,8 +159,8 @@ private:
         const pugi::xml_attribute found = tag.attribute("d");
         if (!found)
             return {};
-        constexpr int steps_a_curve = 16;
-        auto paths = parse_svg_path(found.value(), is_smooth(tag) ? 1 : steps_a_curve);
+        constexpr int steps_per_curve = 16;
+        auto paths = parse_svg_path(found.value(), is_smooth(tag) ? 1 : steps_per_curve);
         if (paths)
             return std::move(*paths);
         problem(tag, paths.error().front().message);
@@ -241,7 +241,7 @@ Result<Drawing> own_drawing(std::string_view text, const std::filesystem::path& 
 }  // namespace
 
 Result<std::vector<ScenePath>> load_svg(const std::filesystem::path& file) {
-    const auto bytes = read_bytes(file, most_svg_bytes);
+    const auto bytes = read_bytes(file, max_svg_bytes);
     if (!bytes)
         return fail(bytes.error());
     return painted_outlines(*bytes, file);
@@ -260,7 +260,7 @@ Result<Drawing> parse_svg_drawing(std::string_view bytes, const std::filesystem:
 }
 
 Result<Drawing> load_svg_drawing(const std::filesystem::path& file) {
-    const auto bytes = read_bytes(file, most_svg_bytes);
+    const auto bytes = read_bytes(file, max_svg_bytes);
     if (!bytes)
         return fail(bytes.error());
     return parse_svg_drawing(*bytes, file);

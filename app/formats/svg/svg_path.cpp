@@ -87,8 +87,8 @@ private:
 
 class PathReader {
 public:
-    PathReader(std::string_view text, int steps_a_curve)
-        : m_reader(text), m_steps_a_curve(steps_a_curve) {}
+    PathReader(std::string_view text, int steps_per_curve)
+        : m_reader(text), m_steps_per_curve(steps_per_curve) {}
 
     Result<std::vector<ScenePath>> read() {
         m_reader.skip_separators();
@@ -198,8 +198,8 @@ private:
 
     void cubic_to(Position a, Position b, Position to) {
         const Position from = m_here;
-        for (int i = 1; i <= m_steps_a_curve; ++i) {
-            const double t = static_cast<double>(i) / m_steps_a_curve;
+        for (int i = 1; i <= m_steps_per_curve; ++i) {
+            const double t = static_cast<double>(i) / m_steps_per_curve;
             const double s = 1.0 - t;
             const double w[4] = {s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t};
             line_to({w[0] * from.x + w[1] * a.x + w[2] * b.x + w[3] * to.x,
@@ -219,7 +219,7 @@ private:
         const Position from = m_here;
         double rx = std::abs(m_numbers[0]);
         double ry = std::abs(m_numbers[1]);
-        if (rx == 0.0 || ry == 0.0 || (from.x == to.x && from.y == to.y) || m_steps_a_curve == 1)
+        if (rx == 0.0 || ry == 0.0 || (from.x == to.x && from.y == to.y) || m_steps_per_curve == 1)
             return line_to(to);
         const double tilt = m_numbers[2] * std::numbers::pi / 180.0;
         const double c = std::cos(tilt);
@@ -253,7 +253,7 @@ private:
     }
 
     NumberReader m_reader;
-    int m_steps_a_curve;
+    int m_steps_per_curve;
     char m_command = '\0';
     double m_numbers[7] = {};
     Position m_start;
@@ -288,6 +288,6 @@ std::string_view whole_svg_pairs(std::string_view text) {
     return text.substr(0, end);
 }
 
-Result<std::vector<ScenePath>> parse_svg_path(std::string_view text, int steps_a_curve) {
-    return PathReader(text, steps_a_curve).read();
+Result<std::vector<ScenePath>> parse_svg_path(std::string_view text, int steps_per_curve) {
+    return PathReader(text, steps_per_curve).read();
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 namespace {
-constexpr std::size_t most_tags = 200000;
+constexpr std::size_t max_tags = 200000;
 
 int line_at(std::size_t offset, std::string_view text) {
     return 1 + static_cast<int>(std::ranges::count(text.substr(0, offset), '\n'));
@@ -15,7 +15,7 @@ int line_at(std::size_t offset, std::string_view text) {
 // the memory of its text, so the limit is checked before parsing.
 std::size_t first_extra_tag(std::string_view text) {
     std::size_t offset = text.find('<');
-    for (std::size_t i = 0; i < most_tags && offset != std::string_view::npos; ++i)
+    for (std::size_t i = 0; i < max_tags && offset != std::string_view::npos; ++i)
         offset = text.find('<', offset + 1);
     return offset;
 }
@@ -24,7 +24,7 @@ std::size_t first_extra_tag(std::string_view text) {
 Result<pugi::xml_document> parse_xml(std::string_view text, const std::filesystem::path& file) {
     if (const std::size_t extra = first_extra_tag(text); extra != std::string_view::npos)
         return fail(
-            {file, line_at(extra, text), fmt::format("too many tags; the limit is {}", most_tags)});
+            {file, line_at(extra, text), fmt::format("too many tags; the limit is {}", max_tags)});
     // Without comments, declarations and CDATA.
     constexpr unsigned parts = pugi::parse_minimal | pugi::parse_escapes;
     pugi::xml_document document;

@@ -39,7 +39,7 @@ bool fits(const NumberType& type, double number) {
             return std::abs(number) <= std::numeric_limits<float>::max();
         case Scalar::integer:
             return number == std::trunc(number) && std::abs(number + 0.5) < 2147483648.0;
-        case Scalar::natural:
+        case Scalar::unsigned_integer:
             return number == std::trunc(number) && number >= 0.0 && number <= 4294967295.0;
         case Scalar::boolean:
             return number == 0.0 || number == 1.0;
@@ -123,7 +123,7 @@ void apply_items(const Site& site) {
     if (site.parameter.type.size() != 1)
         return site.error(fmt::format("@items is only for single values; '{}' is {}",
                                       site.parameter.name,
-                                      with_article(glsl_name(site.parameter.type))));
+                                      with_indefinite_article(glsl_name(site.parameter.type))));
     const std::size_t count = site.hint.words.size();
     if (is_boolean(site.parameter) && count != 2)
         return site.error("@items of a bool takes two labels, for false and true");
@@ -165,10 +165,10 @@ void apply_parts(const Site& site) {
     const NumberType& type = site.parameter.type;
     if (type.columns > 1 || type.rows < 2)
         return site.error(fmt::format("@parts is only for vectors; '{}' is {}", site.parameter.name,
-                                      with_article(glsl_name(type))));
+                                      with_indefinite_article(glsl_name(type))));
     if (site.hint.words.size() != static_cast<std::size_t>(type.rows))
-        return site.error(
-            fmt::format("@parts of {} takes {} labels", with_article(glsl_name(type)), type.rows));
+        return site.error(fmt::format("@parts of {} takes {} labels",
+                                      with_indefinite_article(glsl_name(type)), type.rows));
     site.parameter.parts = site.hint.words;
     site.parameter.control = Control::slider;
 }
@@ -183,8 +183,8 @@ void apply_control(const Site& site, Control control, std::initializer_list<int>
     if (!site.hint.words.empty())
         return site.refuse_arguments();
     if (!is_fit)
-        return site.error(
-            fmt::format(fmt::runtime(refusal), site.parameter.name, with_article(glsl_name(type))));
+        return site.error(fmt::format(fmt::runtime(refusal), site.parameter.name,
+                                      with_indefinite_article(glsl_name(type))));
     site.parameter.control = control;
 }
 

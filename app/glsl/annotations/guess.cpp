@@ -70,10 +70,10 @@ bool has_negative(const Value& value) {
 }
 
 double four_times(double size, Scalar scalar) {
-    const double most = scalar == Scalar::floating  ? std::numeric_limits<float>::max()
-                        : scalar == Scalar::integer ? 2147483647.0
-                                                    : 4294967295.0;
-    return std::min(4.0 * size, most);
+    const double maximum = scalar == Scalar::floating  ? std::numeric_limits<float>::max()
+                           : scalar == Scalar::integer ? 2147483647.0
+                                                       : 4294967295.0;
+    return std::min(4.0 * size, maximum);
 }
 
 Range whole_range(const Words& words, Scalar scalar, const Value& initial) {

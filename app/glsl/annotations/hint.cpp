@@ -152,6 +152,6 @@ void merge_hints(Hints& hints, const Hints& others, const std::string& name, Dia
         else if (!same->has_same_text_as(other))
             errors.push_back({other.at.file, other.at.line,
                               fmt::format("{} of '{}' differs from another declaration{}",
-                                          other.key, name, aside(same->at))});
+                                          other.key, name, location_suffix(same->at))});
     }
 }

@@ -8,7 +8,7 @@
 #include <string_view>
 
 namespace {
-constexpr std::size_t most_programs = 512;
+constexpr std::size_t max_programs = 512;
 
 // One FNV-1 step. Multiplying first avoids that two equal numbers cancel.
 std::size_t mixed(std::size_t digest, std::size_t next) {
@@ -17,8 +17,8 @@ std::size_t mixed(std::size_t digest, std::size_t next) {
 
 // Makes room for one more entry.
 template <class Known>
-void make_room(Known& known) {
-    if (known.size() >= most_programs)
+void evict(Known& known) {
+    if (known.size() >= max_programs)
         known.clear();
 }
 
@@ -58,36 +58,36 @@ CheckCache::StageKey CheckCache::key_of(const Stage& stage) {
 }
 
 template <class Answer, class Kind>
-Answer CheckCache::remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
-                              const Stage& fragment, const Kind& kind) {
+Answer CheckCache::cached(std::map<ProgramKey, Answer>& known, const Stage& vertex,
+                          const Stage& fragment, const Kind& kind) {
     const ProgramKey key{key_of(vertex), key_of(fragment)};
     {
         const std::scoped_lock lock(m_mutex);
         if (const auto found = known.find(key); found != known.end())
             return found->second;
     }
-    const std::string question = fmt::format("{} {}{} {}", kind.name, to_string(m_limits),
-                                             digest_of_stage(vertex), digest_of_stage(fragment));
-    const auto stored = m_store ? m_store->find(question) : std::nullopt;
+    const std::string stored_key = fmt::format("{} {}{} {}", kind.name, to_string(m_limits),
+                                               digest_of_stage(vertex), digest_of_stage(fragment));
+    const auto stored = m_store ? m_store->find(stored_key) : std::nullopt;
     auto unpacked = stored ? kind.unpack(*stored) : std::nullopt;
     Answer answer = unpacked ? Answer(std::move(*unpacked)) : kind.ask(vertex, fragment, m_limits);
     if (!unpacked)
         ++m_compilations;
     if (!unpacked && answer && m_store && m_keeps)
-        m_store->keep(question, packed(*answer));
+        m_store->keep(stored_key, packed(*answer));
     const std::scoped_lock lock(m_mutex);
-    make_room(known);
+    evict(known);
     known.insert_or_assign(key, answer);
     return answer;
 }
 
 Result<Reflection> CheckCache::check(const Stage& vertex, const Stage& fragment) {
-    return remembered(m_known, vertex, fragment,
-                      QuestionKind<Reflection>{"check", check_program, unpacked_reflection});
+    return cached(m_known, vertex, fragment,
+                  QuestionKind<Reflection>{"check", check_program, unpacked_reflection});
 }
 
 Result<Translation> CheckCache::translate(const Stage& vertex, const Stage& fragment) {
-    return remembered(
+    return cached(
         m_translated, vertex, fragment,
         QuestionKind<Translation>{"translate", translate_from_vulkan, unpacked_translation});
 }
@@ -97,7 +97,7 @@ std::shared_ptr<const StageNotes> CheckCache::notes(const Stage& stage) {
     const std::scoped_lock lock(m_mutex);
     if (const auto found = m_notes.find(key); found != m_notes.end())
         return found->second;
-    make_room(m_notes);
+    evict(m_notes);
     return m_notes[key] = std::make_shared<const StageNotes>(find_notes(stage));
 }
 

@@ -16,7 +16,7 @@
 /// texts. A reload therefore processes only changed texts. Thread-safe.
 class CheckCache {
 public:
-    /// Successful results are also stored in `kept`, which may hold results of a previous run.
+    /// Successful results are also stored in `stored`, which may hold results of a previous run.
     /// Null: no store.
     explicit CheckCache(ByteStore* stored = nullptr, const ShaderLimits& limits = {})
         : m_store(stored), m_limits(limits) {}
@@ -40,8 +40,8 @@ private:
 
     static StageKey key_of(const Stage& stage);
     template <class Answer, class Kind>
-    Answer remembered(std::map<ProgramKey, Answer>& known, const Stage& vertex,
-                      const Stage& fragment, const Kind& kind);
+    Answer cached(std::map<ProgramKey, Answer>& known, const Stage& vertex, const Stage& fragment,
+                  const Kind& kind);
 
     ByteStore* m_store;
     ShaderLimits m_limits;

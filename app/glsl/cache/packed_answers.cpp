@@ -6,8 +6,8 @@
 #include <cstdint>
 
 namespace {
-constexpr std::uint64_t most_line = 0x7fffffff;
-constexpr std::uint64_t most_side = 4;  // rows or columns of a matrix
+constexpr std::uint64_t max_line = 0x7fffffff;
+constexpr std::uint64_t max_side = 4;  // rows or columns of a matrix
 
 void add(Packer& packer, const Location& at) {
     packer.add(at.file.string());
@@ -16,7 +16,7 @@ void add(Packer& packer, const Location& at) {
 
 Location read_location(Unpacker& read) {
     std::string file(read.text());
-    return {std::move(file), static_cast<int>(read.number(most_line))};
+    return {std::move(file), static_cast<int>(read.number(max_line))};
 }
 
 void add(Packer& packer, const Diagnostics& diagnostics) {
@@ -53,10 +53,10 @@ void add(Packer& packer, const Stage& stage) {
 
 Stage read_stage(Unpacker& read) {
     Stage stage{std::string(read.text()), std::string(read.text()), {}};
-    const std::uint64_t most_lines = stage.text->size() + 1;
+    const std::uint64_t max_lines = stage.text->size() + 1;
     for (std::size_t left = read.count(); left > 0 && read.is_good(); --left) {
         const Location first = read_location(read);
-        if (const std::uint64_t count = read.number(most_lines); count > 0)
+        if (const std::uint64_t count = read.number(max_lines); count > 0)
             stage.lines.append(first, static_cast<std::size_t>(count));
     }
     return stage;
@@ -69,10 +69,10 @@ void add(Packer& packer, const NumberType& type) {
 }
 
 NumberType read_type(Unpacker& read) {
-    const auto most_scalar = static_cast<std::uint64_t>(Scalar::boolean);
-    const auto scalar = static_cast<Scalar>(read.number(most_scalar));
-    const int rows = static_cast<int>(read.number(most_side));
-    return {scalar, rows, static_cast<int>(read.number(most_side))};
+    const auto max_scalar = static_cast<std::uint64_t>(Scalar::boolean);
+    const auto scalar = static_cast<Scalar>(read.number(max_scalar));
+    const int rows = static_cast<int>(read.number(max_side));
+    return {scalar, rows, static_cast<int>(read.number(max_side))};
 }
 
 template <class T, class Add>

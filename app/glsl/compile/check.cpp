@@ -104,12 +104,12 @@ std::vector<std::string> live_in(Compiled& vertex, Compiled& fragment) {
 
 void check_varying_counts(const StageInterface& declared, const Stage& stage,
                           Diagnostics& problems) {
-    constexpr std::size_t most_varyings = 256;
+    constexpr std::size_t max_varyings = 256;
     const std::size_t count = std::max(declared.inputs.size(), declared.outputs.size());
-    if (count > most_varyings)
+    if (count > max_varyings)
         problems.push_back(
             {stage.file, 0,
-             fmt::format("the shader has {} varyings; the limit is {}", count, most_varyings)});
+             fmt::format("the shader has {} varyings; the limit is {}", count, max_varyings)});
 }
 
 // Checks that must pass before glslang parses a text.
@@ -121,7 +121,7 @@ void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& pro
 }  // namespace
 
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
-    auto fault = find_out_of_bounds(stage.text);
+    auto fault = find_limit_violation(stage.text);
     if (!fault)
         fault = find_large_declaration(stage.text, limits);
     if (!fault)
@@ -139,7 +139,7 @@ void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits
     problems.push_back({at.file, at.line, refusal(*exceeded, limits)});
 }
 
-std::string with_article(const std::string& type_name) {
+std::string with_indefinite_article(const std::string& type_name) {
     const bool is_vowel = type_name.starts_with('i') || type_name.starts_with('a');
     return (is_vowel ? "an " : "a ") + type_name;
 }

@@ -41,7 +41,7 @@ struct Reflection {
 Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
                                  const ShaderLimits& limits = {});
 
-/// Reports a text that would take glslang too much time or memory. See find_out_of_bounds() and
+/// Reports a text that would take glslang too much time or memory. See find_limit_violation() and
 /// find_large_declaration().
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems);
 
@@ -54,7 +54,7 @@ void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits
 void warm_up();
 
 /// A type name with its article: "a vec2", "an ivec2".
-std::string with_article(const std::string& type_name);
+std::string with_indefinite_article(const std::string& type_name);
 
 /// The author's location of a line of a stage.
 Location location_in(const Stage& stage, int line);

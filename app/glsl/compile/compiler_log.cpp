@@ -146,15 +146,15 @@ CompilerMessage located(std::string_view rest) {
 
 // A broken text can cause a message per word. The last message of a kind reports the limit.
 void add_message(std::vector<CompilerMessage>& messages, CompilerMessage message) {
-    constexpr std::ptrdiff_t most = 256;
+    constexpr std::ptrdiff_t maximum = 256;
     const auto count =
         std::ranges::count(messages, message.is_warning, &CompilerMessage::is_warning);
-    if (count == most)
+    if (count == maximum)
         message.text =
             message.is_warning
-                ? fmt::format("more than {0} warnings; only the first {0} are listed", most)
-                : fmt::format("more than {0} errors; only the first {0} are listed", most);
-    if (count <= most)
+                ? fmt::format("more than {0} warnings; only the first {0} are listed", maximum)
+                : fmt::format("more than {0} errors; only the first {0} are listed", maximum);
+    if (count <= maximum)
         messages.push_back(std::move(message));
 }
 

@@ -11,22 +11,23 @@ void merge(Uniform& first, const Uniform& second, Diagnostics& problems) {
     const Location& at = second.declared.front();
     const Location& before = first.declared.front();
     if (first.type_name != second.type_name || first.kind != second.kind)
-        problems.push_back({at.file, at.line,
-                            fmt::format("'{}' is {} here but {} in the vertex shader{}",
-                                        second.name, with_article(second.type_name),
-                                        with_article(first.type_name), aside(before))});
-    else if (first.initial && second.initial && first.initial != second.initial)
         problems.push_back(
             {at.file, at.line,
              fmt::format("'{}' is {} here but {} in the vertex shader{}", second.name,
-                         to_string(*second.initial), to_string(*first.initial), aside(before))});
+                         with_indefinite_article(second.type_name),
+                         with_indefinite_article(first.type_name), location_suffix(before))});
+    else if (first.initial && second.initial && first.initial != second.initial)
+        problems.push_back({at.file, at.line,
+                            fmt::format("'{}' is {} here but {} in the vertex shader{}",
+                                        second.name, to_string(*second.initial),
+                                        to_string(*first.initial), location_suffix(before))});
     first.declared.push_back(at);
     if (!first.initial)
         first.initial = second.initial;
 }
 }  // namespace
 
-std::string aside(const Location& at) {
+std::string location_suffix(const Location& at) {
     return at.file.empty() ? "" : fmt::format(" (at {}:{})", at.file.filename().string(), at.line);
 }
 
@@ -62,7 +63,8 @@ void check_varyings(const StageInterface& vertex, const StageInterface& fragment
                 fmt::format("the vertex shader has no 'out {} {}'", input.type_name, input.name);
         else if (output->type_name != input.type_name)
             message = fmt::format("'{}' is {} here but {} in the vertex shader", input.name,
-                                  with_article(input.type_name), with_article(output->type_name));
+                                  with_indefinite_article(input.type_name),
+                                  with_indefinite_article(output->type_name));
         if (message.empty())
             continue;
         const Location at =

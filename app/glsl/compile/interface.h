@@ -18,4 +18,4 @@ void check_varyings(const StageInterface& vertex, const StageInterface& fragment
 int first_line_of(std::string_view name, std::string_view text);
 
 /// " (at beam.vert:3)", or "" for a location in built-in text.
-std::string aside(const Location& at);
+std::string location_suffix(const Location& at);

@@ -27,7 +27,7 @@ std::optional<NumberType> number_type(const spirv_cross::SPIRType& type) {
             number.scalar = Scalar::integer;
             return number;
         case spirv_cross::SPIRType::UInt:
-            number.scalar = Scalar::natural;
+            number.scalar = Scalar::unsigned_integer;
             return number;
         default:
             return std::nullopt;
@@ -64,10 +64,11 @@ private:
 
 void Translator::check(Diagnostics& problems) const {
     // A refusal has a {} for the stage and one for the unsupported resource.
-    const auto refuse = [&](const auto& resources, std::size_t most, std::string_view refusal) {
-        if (resources.size() > most)
-            problems.push_back({m_author.file, 0,
-                                fmt::format(fmt::runtime(refusal), m_stage, resources[most].name)});
+    const auto refuse = [&](const auto& resources, std::size_t maximum, std::string_view refusal) {
+        if (resources.size() > maximum)
+            problems.push_back(
+                {m_author.file, 0,
+                 fmt::format(fmt::runtime(refusal), m_stage, resources[maximum].name)});
     };
     refuse(m_resources.uniform_buffers, 1, "the {} stage has a second uniform block, '{}'");
     refuse(m_resources.push_constant_buffers, 1,

@@ -21,7 +21,7 @@ std::optional<Scalar> scalar_of(const TType& type) {
         case glslang::EbtInt:
             return Scalar::integer;
         case glslang::EbtUint:
-            return Scalar::natural;
+            return Scalar::unsigned_integer;
         case glslang::EbtBool:
             return Scalar::boolean;
         default:

@@ -1,7 +1,7 @@
 #include "glsl/constants/constants.h"
 
 #include "base/text.h"
-#include "glsl/text/comments_behind.h"
+#include "glsl/text/trailing_comments.h"
 
 #include <fmt/format.h>
 
@@ -64,7 +64,7 @@ std::optional<Literal> literal_of(const Token& token) {
         const bool is_natural = digits.ends_with('u') || digits.ends_with('U');
         if (is_natural)
             digits.remove_suffix(1);
-        literal.type = scalar(is_natural ? Scalar::natural : Scalar::integer);
+        literal.type = scalar(is_natural ? Scalar::unsigned_integer : Scalar::integer);
         number = whole_number(digits);
     }
     if (!number || (literal.type.scalar == Scalar::integer && *number > largest_int))
@@ -95,9 +95,9 @@ struct TypeWord {
     std::string_view word;
     Scalar scalar;
 };
-constexpr std::array type_words{TypeWord{"float", Scalar::floating},
-                                TypeWord{"int", Scalar::integer}, TypeWord{"uint", Scalar::natural},
-                                TypeWord{"bool", Scalar::boolean}};
+constexpr std::array type_words{
+    TypeWord{"float", Scalar::floating}, TypeWord{"int", Scalar::integer},
+    TypeWord{"uint", Scalar::unsigned_integer}, TypeWord{"bool", Scalar::boolean}};
 
 bool is_precision(const Token& token) {
     return token.is("lowp") || token.is("mediump") || token.is("highp");
@@ -243,7 +243,7 @@ private:
     std::vector<Token> m_tokens;
     std::vector<WrittenConstant> m_found;
     std::size_t m_at = 0;
-    CommentsBehind m_comments;
+    TrailingComments m_comments;
     bool m_is_inside = false;       // inside a declaration
     std::vector<Comment> m_inside;  // comments of that declaration
 };
@@ -260,7 +260,7 @@ std::string glsl_number(const NumberType& type, double number) {
     switch (type.scalar) {
         case Scalar::boolean:
             return number != 0.0 ? "true" : "false";
-        case Scalar::natural:
+        case Scalar::unsigned_integer:
             return fmt::format("{}u", static_cast<std::uint32_t>(number));
         case Scalar::integer:
             text = fmt::format("{}", static_cast<std::int64_t>(number));

@@ -11,12 +11,12 @@
 
 namespace {
 // glslang 12 overflows a stack of 8 MiB at about 30000 operators in a row.
-constexpr double most_in_statement = 16'384;
-constexpr double most_in_text = 1'000'000;
-constexpr int most_nested = 256;
-constexpr int most_structs = 1000;
+constexpr double max_in_statement = 16'384;
+constexpr double max_in_text = 1'000'000;
+constexpr int max_nested = 256;
+constexpr int max_structs = 1000;
 
-std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
+std::optional<LimitViolation> find_deep_nesting(std::span<const Token> tokens) {
     int depth = 0;
     for (const Token& token : tokens) {
         if (token.starts_directive)
@@ -25,10 +25,10 @@ std::optional<OutOfBounds> find_deep_nesting(std::span<const Token> tokens) {
             ++depth;
         else if (token.is(")") || token.is("]") || token.is("}"))
             depth = std::max(depth - 1, 0);
-        if (depth > most_nested)
-            return OutOfBounds{
+        if (depth > max_nested)
+            return LimitViolation{
                 token.line,
-                fmt::format("brackets are nested deeper than the limit of {} levels", most_nested)};
+                fmt::format("brackets are nested deeper than the limit of {} levels", max_nested)};
     }
     return std::nullopt;
 }
@@ -94,22 +94,23 @@ class Measure {
 public:
     explicit Measure(const std::vector<Directive>& directives) : m_weights(directives) {}
 
-    std::optional<OutOfBounds> add(std::span<const Token> statement) {
+    std::optional<LimitViolation> add(std::span<const Token> statement) {
         if (statement.empty())
             return std::nullopt;
         const double weight = m_weights.weight_of(statement);
         m_total += weight;
         const int line = statement.front().line;
-        if (weight > most_in_statement &&
-            (!m_weights.are_balanced() || without_lists(statement, m_weights) > most_in_statement))
-            return OutOfBounds{line,
-                               fmt::format("this statement has more tokens than the limit of {}, "
-                                           "counted with macros expanded",
-                                           most_in_statement)};
-        if (m_total > most_in_text)
-            return OutOfBounds{line, fmt::format("the shader has more tokens than the limit of {}, "
-                                                 "counted with macros expanded",
-                                                 most_in_text)};
+        if (weight > max_in_statement &&
+            (!m_weights.are_balanced() || without_lists(statement, m_weights) > max_in_statement))
+            return LimitViolation{
+                line, fmt::format("this statement has more tokens than the limit of {}, "
+                                  "counted with macros expanded",
+                                  max_in_statement)};
+        if (m_total > max_in_text)
+            return LimitViolation{line,
+                                  fmt::format("the shader has more tokens than the limit of {}, "
+                                              "counted with macros expanded",
+                                              max_in_text)};
         return std::nullopt;
     }
 
@@ -119,15 +120,15 @@ private:
 };
 
 // Statements end at ; { } outside round brackets; a macro's argument may contain these.
-std::optional<OutOfBounds> find_long_statement(std::span<const Token> code, Measure& measure) {
+std::optional<LimitViolation> find_long_statement(std::span<const Token> code, Measure& measure) {
     std::size_t begin = 0;
     int depth = 0;
     int structs = 0;
     for (std::size_t i = 0; i < code.size(); ++i) {
-        if (code[i].is("struct") && ++structs > most_structs)
-            return OutOfBounds{
+        if (code[i].is("struct") && ++structs > max_structs)
+            return LimitViolation{
                 code[i].line,
-                fmt::format("the shader has more structs than the limit of {}", most_structs)};
+                fmt::format("the shader has more structs than the limit of {}", max_structs)};
         depth = std::max(depth + (code[i].is("(") ? 1 : code[i].is(")") ? -1 : 0), 0);
         const bool ends = depth == 0 && (code[i].is(";") || code[i].is("{") || code[i].is("}"));
         if (!ends && i + 1 < code.size())
@@ -140,7 +141,7 @@ std::optional<OutOfBounds> find_long_statement(std::span<const Token> code, Meas
 }
 }  // namespace
 
-std::optional<OutOfBounds> find_out_of_bounds(std::string_view text) {
+std::optional<LimitViolation> find_limit_violation(std::string_view text) {
     const Tokens tokens = scan(text);
     std::vector<Token> code;
     std::vector<Token> lines;

@@ -5,7 +5,7 @@
 #include <string_view>
 
 /// Why a shader text is rejected before compilation.
-struct OutOfBounds {
+struct LimitViolation {
     int line = 1;
     std::string message;
 };
@@ -13,4 +13,4 @@ struct OutOfBounds {
 /// Finds code that would exhaust a recursive compiler's stack, memory or time: deeply nested
 /// brackets, endless statements, macros with exponential expansion. Real shaders stay far below the
 /// limits.
-std::optional<OutOfBounds> find_out_of_bounds(std::string_view text);
+std::optional<LimitViolation> find_limit_violation(std::string_view text);

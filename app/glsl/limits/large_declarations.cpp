@@ -23,14 +23,14 @@ public:
     explicit DeclarationReader(std::span<const Token> code) : m_code(code) {}
 
     /// The first struct or switch that exceeds a limit.
-    std::optional<OutOfBounds> read(const ShaderLimits& limits) {
+    std::optional<LimitViolation> read(const ShaderLimits& limits) {
         double cases = 0.0;  // since the last `switch`, nested ones included
         while (m_at < m_code.size()) {
             const Token& token = m_code[m_at++];
             if (token.is("switch"))
                 cases = 0.0;
             if (token.is("case") && ++cases > limits.switch_cases)
-                return OutOfBounds{
+                return LimitViolation{
                     token.line,
                     fmt::format(
                         "this switch has more cases than the limit of {:.0f}. Split it, or raise "
@@ -40,14 +40,14 @@ public:
                 continue;
             const StructSize size = read_struct();
             if (size.members > limits.struct_members)
-                return OutOfBounds{
+                return LimitViolation{
                     token.line,
                     fmt::format(
                         "this struct has {0:.0f} members; the limit is {1:.0f}. Simplify it, "
                         "or raise the limit with --limit struct-members={0:.0f}",
                         size.members, limits.struct_members)};
             if (size.depth > limits.depth)
-                return OutOfBounds{
+                return LimitViolation{
                     token.line,
                     fmt::format(
                         "this struct has {0:.0f} levels of nested structs; the limit is "
@@ -112,7 +112,7 @@ private:
     std::map<std::string, StructSize> m_known;
 };
 
-std::optional<OutOfBounds> find_in(const std::string& text, const ShaderLimits& limits) {
+std::optional<LimitViolation> find_in(const std::string& text, const ShaderLimits& limits) {
     const Tokens tokens = scan(text);
     std::vector<Token> code;
     std::ranges::copy_if(tokens.all, std::back_inserter(code), [](const Token& token) {
@@ -135,8 +135,8 @@ std::string preprocessed(const std::string& text) {
 }
 }  // namespace
 
-std::optional<OutOfBounds> find_large_declaration(const std::string& text,
-                                                  const ShaderLimits& limits) {
+std::optional<LimitViolation> find_large_declaration(const std::string& text,
+                                                     const ShaderLimits& limits) {
     if (text.find("struct") == std::string::npos && text.find("case") == std::string::npos)
         return std::nullopt;
     if (auto found = find_in(text, limits))

@@ -4,8 +4,8 @@
 #include <limits>
 
 namespace {
-constexpr int most_depth = 256;
-constexpr std::size_t most_macro_parameters = 256;
+constexpr int max_depth = 256;
+constexpr std::size_t max_macro_parameters = 256;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 bool is_open(const Token& token) {
@@ -75,7 +75,7 @@ const MacroWeights::Weight& MacroWeights::weight_of_macro(Definitions& definitio
     Weight largest{1.0, {}};
     for (const Macro& macro : definitions.all) {
         const bool is_known =
-            m_depth < most_depth && macro.parameters.size() <= most_macro_parameters;
+            m_depth < max_depth && macro.parameters.size() <= max_macro_parameters;
         Weight weight = is_known ? weigh(macro.body, macro.parameters) : Weight{infinite, {}};
         largest.base = std::max(largest.base, weight.base);
         largest.repeats.resize(std::max(largest.repeats.size(), weight.repeats.size()));

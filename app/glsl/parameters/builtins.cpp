@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-const std::vector<BuiltinUniform>& builtin_uniforms() {
-    static const std::vector<BuiltinUniform> all{
+const std::vector<BuiltInDeclaration>& builtin_uniforms() {
+    static const std::vector<BuiltInDeclaration> all{
         {"u_time", {Scalar::floating, 1, 1}},               // seconds
         {"u_time_delta", {Scalar::floating, 1, 1}},         // seconds
         {"u_frame", {Scalar::integer, 1, 1}},               // from 1
@@ -21,8 +21,8 @@ const std::vector<BuiltinUniform>& builtin_uniforms() {
     return all;
 }
 
-const BuiltinUniform* find_builtin_uniform(std::string_view name) {
+const BuiltInDeclaration* find_builtin_uniform(std::string_view name) {
     const auto& all = builtin_uniforms();
-    const auto found = std::ranges::find(all, name, &BuiltinUniform::name);
+    const auto found = std::ranges::find(all, name, &BuiltInDeclaration::name);
     return found == all.end() ? nullptr : &*found;
 }

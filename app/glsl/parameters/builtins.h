@@ -7,12 +7,12 @@
 #include <vector>
 
 /// A uniform that Afterglow sets; it has no control.
-struct BuiltinUniform {
+struct BuiltInDeclaration {
     std::string_view name;
     NumberType type;
 };
 
-const std::vector<BuiltinUniform>& builtin_uniforms();
+const std::vector<BuiltInDeclaration>& builtin_uniforms();
 
 /// Null when the name is not built in.
-const BuiltinUniform* find_builtin_uniform(std::string_view name);
+const BuiltInDeclaration* find_builtin_uniform(std::string_view name);

@@ -65,7 +65,8 @@ ConstantParameters::Constant* ConstantParameters::note(const WrittenConstant& wr
               fmt::format("'{}' is {} here but {} elsewhere{}; an adjustable constant needs the "
                           "same value everywhere",
                           written.name, glsl_number(written.type, *written.number),
-                          glsl_number(first.type, first.initial.number()), aside(first.declared)));
+                          glsl_number(first.type, first.initial.number()),
+                          location_suffix(first.declared)));
         return nullptr;
     }
     merge_hints(known->hints, hints, written.name, found);
@@ -119,7 +120,7 @@ Diagnostics ConstantParameters::add_to(Look& look) const {
         if (const Parameter* same = find_parameter(look, parameter.name))
             errors.push_back({parameter.declared.file, parameter.declared.line,
                               fmt::format("'{}' is already the name of another parameter{}",
-                                          parameter.name, aside(same->declared))});
+                                          parameter.name, location_suffix(same->declared))});
         look.constants[parameter.name] = constant.value;
         look.parameters.push_back(std::move(parameter));
     }

@@ -30,15 +30,15 @@ void disagree(const Candidate& first, const Uniform& second, std::string_view he
     const Location& at = second.declared.front();
     add_new(errors, {at.file, at.line,
                      fmt::format("'{}' is {} here but {} in another pass{}", first.name, here,
-                                 there, aside(first.uniform.declared.front()))});
+                                 there, location_suffix(first.uniform.declared.front()))});
 }
 
 void merge(Candidate& first, const FreeUniform& second, Diagnostics& errors) {
     const Uniform& uniform = second.uniform;
     first.bindings.push_back(second.binding);
     if (first.uniform.type_name != uniform.type_name)
-        return disagree(first, uniform, with_article(uniform.type_name),
-                        with_article(first.uniform.type_name), errors);
+        return disagree(first, uniform, with_indefinite_article(uniform.type_name),
+                        with_indefinite_article(first.uniform.type_name), errors);
     if (first.uniform.initial && uniform.initial && first.uniform.initial != uniform.initial)
         return disagree(first, uniform, to_string(*uniform.initial),
                         to_string(*first.uniform.initial), errors);
@@ -83,7 +83,7 @@ void check_names(const Look& look, const std::vector<Parameter>& parameters, Dia
         if (const Parameter* same = find_parameter(look, parameter.name); same && same->is_constant)
             add_new(errors, {{parameter.declared.file, parameter.declared.line,
                               fmt::format("'{}' is a uniform here but a constant elsewhere{}",
-                                          parameter.name, aside(same->declared))}});
+                                          parameter.name, location_suffix(same->declared))}});
 }
 
 void check_counts(const Look& look, const std::vector<Parameter>& parameters, Diagnostics& errors) {

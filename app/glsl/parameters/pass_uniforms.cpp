@@ -61,13 +61,13 @@ private:
         if (uniform->kind != Uniform::Kind::number)
             error(m_pass.declared,
                   fmt::format("pass '{}': 'set' can't set '{}', which is {}", m_pass.name, name,
-                              with_article(uniform->type_name)));
+                              with_indefinite_article(uniform->type_name)));
         else if (value.numbers.size() != static_cast<std::size_t>(uniform->type.size()))
             error(m_pass.declared,
                   fmt::format(
                       "pass '{}': wrong number of values for '{}' in 'set'; {} needs {}, got {}",
-                      m_pass.name, name, with_article(uniform->type_name), uniform->type.size(),
-                      value.numbers.size()));
+                      m_pass.name, name, with_indefinite_article(uniform->type_name),
+                      uniform->type.size(), value.numbers.size()));
     }
 
     void check_rename(const std::string& name, const Reflection& reflection) {
@@ -82,7 +82,7 @@ private:
         if (uniform && uniform->kind != Uniform::Kind::sampler)
             error(m_pass.declared,
                   fmt::format("pass '{}': input '{}' must be a sampler, got {}", m_pass.name,
-                              input.uniform, with_article(uniform->type_name)));
+                              input.uniform, with_indefinite_article(uniform->type_name)));
     }
 
     void add(const Uniform& uniform) {
@@ -124,14 +124,15 @@ private:
         m_result.built_in.push_back(uniform.name);
         const bool is_our_look = m_pass.built_ins == own_built_ins();  // other hosts' built-ins
                                                                        // accept any number type
-        const BuiltinUniform* builtin = is_our_look ? find_builtin_uniform(uniform.name) : nullptr;
+        const BuiltInDeclaration* builtin =
+            is_our_look ? find_builtin_uniform(uniform.name) : nullptr;
         const bool is_right =
             !builtin || (uniform.kind == Uniform::Kind::number && uniform.type == builtin->type);
         if (!is_right)
             error(uniform.declared.front(),
                   fmt::format("Afterglow sets '{}', so it must be {}, got {}", uniform.name,
-                              with_article(glsl_name(builtin->type)),
-                              with_article(uniform.type_name)));
+                              with_indefinite_article(glsl_name(builtin->type)),
+                              with_indefinite_article(uniform.type_name)));
     }
 
     void read_hints(CheckCache* cache) {

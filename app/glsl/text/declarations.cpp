@@ -1,6 +1,6 @@
 #include "glsl/text/declarations.h"
 
-#include "glsl/text/comments_behind.h"
+#include "glsl/text/trailing_comments.h"
 
 #include <algorithm>
 
@@ -109,7 +109,7 @@ private:
     bool m_is_initialiser = false;
     bool m_is_struct = false;
     bool m_is_done = false;
-    CommentsBehind m_comments;
+    TrailingComments m_comments;
 };
 }  // namespace
 

@@ -13,12 +13,12 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_nested_includes = 64;
-constexpr int most_files = 4096;
-constexpr std::size_t most_bytes = ShaderFiles::most_bytes;
-constexpr std::size_t most_bytes_read = 4 * most_bytes;  // including files that add no lines
-constexpr std::size_t most_errors = 32;
-constexpr std::size_t most_lines = 200'000;
+constexpr std::size_t max_nested_includes = 64;
+constexpr int max_files = 4096;
+constexpr std::size_t max_bytes = ShaderFiles::max_bytes;
+constexpr std::size_t max_bytes_read = 4 * max_bytes;  // including files that add no lines
+constexpr std::size_t max_errors = 32;
+constexpr std::size_t max_lines = 200'000;
 
 constexpr const char* too_large =
     "the shader with its includes is larger than the limit of 4 MiB or 200,000 lines";
@@ -44,7 +44,7 @@ public:
 private:
     void error(const Location& at, std::string message) {
         m_errors.push_back({at.file, at.line, std::move(message)});
-        m_is_full = m_is_full || m_errors.size() >= most_errors;
+        m_is_full = m_is_full || m_errors.size() >= max_errors;
     }
 
     void remember(const fs::path& file) {
@@ -57,7 +57,7 @@ private:
         if (!text)
             return refuse(file, from, text.error());
         m_bytes_read += text->file_size;
-        if (text->file_size > most_bytes || m_bytes_read > most_bytes_read) {
+        if (text->file_size > max_bytes || m_bytes_read > max_bytes_read) {
             m_is_full = true;
             return error({file, 1}, too_large);
         }
@@ -109,8 +109,7 @@ private:
     void add_line(std::string_view line, const Location& at) {
         if (m_is_full)
             return;
-        if (m_stage.text->size() + line.size() >= most_bytes ||
-            m_stage.lines.size() >= most_lines) {
+        if (m_stage.text->size() + line.size() >= max_bytes || m_stage.lines.size() >= max_lines) {
             m_is_full = true;
             return error(at, too_large);
         }
@@ -149,7 +148,7 @@ private:
     }
 
     std::string why_not_found(const std::string& name, const IncludePaths::Found& found) const {
-        if (found.leads_out)
+        if (found.escapes_root)
             return fmt::format(
                 "'{}' is outside the open folder '{}'. Move the file into it, or add its folder "
                 "with --include FOLDER (in the window: Edit > Includes).",
@@ -171,13 +170,13 @@ private:
             return error(at,
                          fmt::format("circular #include: {}{}", chain, file.filename().string()));
         }
-        if (m_open.size() >= most_nested_includes)
+        if (m_open.size() >= max_nested_includes)
             return error(at, fmt::format("includes are nested deeper than the limit of {} levels",
-                                         most_nested_includes));
-        if (++m_included > most_files) {
+                                         max_nested_includes));
+        if (++m_included > max_files) {
             m_is_full = true;
             return error(
-                at, fmt::format("the shader has more includes than the limit of {}", most_files));
+                at, fmt::format("the shader has more includes than the limit of {}", max_files));
         }
         add_file(file, at);
     }

@@ -67,7 +67,7 @@ IncludePaths::Found IncludePaths::find(std::string_view name, const fs::path& be
         if (std::ranges::find(found.tried, candidate) != found.tried.end())
             continue;
         if (!is_readable(candidate)) {
-            found.leads_out = found.leads_out || folder == beside;
+            found.escapes_root = found.escapes_root || folder == beside;
             continue;
         }
         found.tried.push_back(candidate);
@@ -80,13 +80,13 @@ IncludePaths::Found IncludePaths::find(std::string_view name, const fs::path& be
 }
 
 std::string IncludePaths::nearest_name(const std::vector<fs::path>& tried) {
-    constexpr int most_names = 1000;
+    constexpr int max_names = 1000;
     for (const fs::path& file : tried) {
         const std::string wanted = to_lower(file.filename().string());
         std::error_code error;
         int names = 0;
         for (fs::directory_iterator entry(file.has_parent_path() ? file.parent_path() : ".", error);
-             entry != fs::directory_iterator() && ++names < most_names; entry.increment(error))
+             entry != fs::directory_iterator() && ++names < max_names; entry.increment(error))
             if (to_lower(entry->path().filename().string()) == wanted)
                 return fmt::format(" (did you mean '{}'?)", entry->path().filename().string());
     }

@@ -15,7 +15,7 @@ public:
     struct Found {
         std::optional<std::filesystem::path> file;  // nullopt: no readable file found
         std::vector<std::filesystem::path> tried;   // in order, including the file found
-        bool leads_out = false;                     // the path in the including folder is not
+        bool escapes_root = false;                  // the path in the including folder is not
                                                     // permitted
     };
     /// The first file called `name`, as included by a file in the folder `beside`.

@@ -49,7 +49,7 @@ ShaderText::Include include_of(const Directive& directive) {
 ShaderText text_from(std::string_view bytes) {
     ShaderText found;
     found.file_size = bytes.size();
-    if (bytes.size() > ShaderFiles::most_bytes)
+    if (bytes.size() > ShaderFiles::max_bytes)
         return found;
     const std::string scanned = without_line_directives(with_plain_line_ends(bytes));
     found.text = scanned;
@@ -69,13 +69,13 @@ ShaderText text_from(std::string_view bytes) {
 
 void ShaderFiles::begin_reading() {
     std::erase_if(m_known, [this](const auto& known) { return known.second.asked < m_reading; });
-    m_places.clear();
+    m_canonical_paths.clear();
     ++m_reading;
     for (auto& [file, known] : m_known) {
         if (!known.stamp || known.stamp != stamp_of(file))
             continue;
         known.reading = m_reading;
-        m_places.emplace(file, known.canonical);
+        m_canonical_paths.emplace(file, known.canonical);
     }
 }
 
@@ -90,7 +90,7 @@ std::optional<FileStamp> ShaderFiles::stamp_of(const fs::path& file) const {
 }
 
 const fs::path& ShaderFiles::canonical_path(const fs::path& path) {
-    const auto [known, is_new] = m_places.try_emplace(path.native());
+    const auto [known, is_new] = m_canonical_paths.try_emplace(path.native());
     std::error_code missing;
     if (is_new)
         known->second = fs::canonical(path, missing);

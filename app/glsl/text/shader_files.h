@@ -26,7 +26,7 @@ struct ShaderText {
     std::vector<Include> includes;
     bool is_once = false;
     int unclosed_comment = 0;         // line where an unterminated comment starts; 0: none
-    std::size_t file_size = 0;        // bytes; a file larger than most_bytes has no text
+    std::size_t file_size = 0;        // bytes; a file larger than max_bytes has no text
     std::filesystem::path canonical;  // see canonical_path()
 };
 
@@ -35,7 +35,7 @@ struct ShaderText {
 /// Not thread-safe.
 class ShaderFiles {
 public:
-    static constexpr std::size_t most_bytes = std::size_t{4} << 20;
+    static constexpr std::size_t max_bytes = std::size_t{4} << 20;
 
     /// Reads the stamp of a file; nullopt if it is missing.
     using ReadStamp = std::optional<FileStamp> (*)(const std::filesystem::path& file);
@@ -74,5 +74,6 @@ private:
     std::uint64_t m_reading = 0;
     int m_reads = 0;
     std::unordered_map<Path, Known> m_known;
-    std::unordered_map<Path, std::filesystem::path> m_places;  // in this reading; "": missing
+    std::unordered_map<Path, std::filesystem::path>
+        m_canonical_paths;  // in this reading; "": missing
 };

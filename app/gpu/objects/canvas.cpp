@@ -38,7 +38,7 @@ Result<Canvas> Canvas::make(Extent extent, Format format, bool is_mipmapped) {
             return fail({{},
                          0,
                          fmt::format("the graphics driver can't render to the format {} ({:#x})",
-                                     facts_of(format).name, status)});
+                                     info_of(format).name, status)});
         }
         canvas.clear();
     }
@@ -59,11 +59,11 @@ namespace {
 // The integer part, clamped to the range of the type.
 template <class Whole>
 std::array<Whole, 4> whole_parts(const std::array<float, 4>& rgba) {
-    const auto least = static_cast<double>(std::numeric_limits<Whole>::lowest());
-    const auto most = static_cast<double>(std::numeric_limits<Whole>::max());
+    const auto minimum = static_cast<double>(std::numeric_limits<Whole>::lowest());
+    const auto maximum = static_cast<double>(std::numeric_limits<Whole>::max());
     std::array<Whole, 4> whole{};
-    std::ranges::transform(rgba, whole.begin(), [least, most](float number) {
-        return static_cast<Whole>(std::clamp(static_cast<double>(number), least, most));
+    std::ranges::transform(rgba, whole.begin(), [minimum, maximum](float number) {
+        return static_cast<Whole>(std::clamp(static_cast<double>(number), minimum, maximum));
     });
     return whole;
 }
@@ -75,7 +75,7 @@ void Canvas::clear(std::array<float, 4> rgba) const {
     switch (sample_kind_of(m_texture.format())) {
         case SampleKind::floating:
             return glClearBufferfv(GL_COLOR, 0, rgba.data());
-        case SampleKind::natural:
+        case SampleKind::unsigned_integer:
             return glClearBufferuiv(GL_COLOR, 0, whole_parts<GLuint>(rgba).data());
         case SampleKind::integer:
             return glClearBufferiv(GL_COLOR, 0, whole_parts<GLint>(rgba).data());

@@ -26,7 +26,7 @@ Download::Download(const Canvas& from)
     glFlush();  // otherwise the fence might never be signalled
 }
 
-bool Download::has_come() const {
+bool Download::is_available() const {
     const GLenum state = glClientWaitSync(m_fence.get(), 0, 0);
     return state == GL_ALREADY_SIGNALED || state == GL_CONDITION_SATISFIED;
 }

@@ -20,7 +20,7 @@ public:
     /// The whole canvas, which must not have an integer format.
     explicit Download(const Canvas& from);
 
-    bool has_come() const;
+    bool is_available() const;
     /// RGBA, bottom row first. Waits if the texels are not available yet.
     std::vector<float> take();
 

@@ -24,13 +24,13 @@ void PixelQuery::end() {
     glEndQuery(GL_ANY_SAMPLES_PASSED);
 }
 
-bool PixelQuery::has_come() const {
+bool PixelQuery::is_available() const {
     GLuint is_here = 0;
     glGetQueryObjectuiv(m_name.get(), GL_QUERY_RESULT_AVAILABLE, &is_here);
     return is_here != 0;
 }
 
-bool PixelQuery::is_any() const {
+bool PixelQuery::is_any_passed() const {
     GLuint any = 0;
     glGetQueryObjectuiv(m_name.get(), GL_QUERY_RESULT, &any);
     return any != 0;

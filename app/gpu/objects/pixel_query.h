@@ -16,9 +16,9 @@ public:
     void end();
 
     /// Whether the result is available; never waits.
-    bool has_come() const;
+    bool is_available() const;
     /// Waits for the result.
-    bool is_any() const;
+    bool is_any_passed() const;
 
     /// The GPU discards the draws up to end_condition() if the query found no pixel.
     void begin_condition() const;

@@ -10,8 +10,8 @@
 namespace gpu {
 
 namespace {
-int picture_channels(const FormatFacts& facts) {
-    return facts.channels == 2 ? 3 : facts.channels;
+int picture_channels(const FormatInfo& info) {
+    return info.channels == 2 ? 3 : info.channels;
 }
 
 GLenum layout_of(int channels) {
@@ -38,7 +38,7 @@ void with_numbers_of(Format format, std::span<float> floats,
     switch (sample_kind_of(format)) {
         case SampleKind::floating:
             return read(GL_FLOAT, floats.data());
-        case SampleKind::natural:
+        case SampleKind::unsigned_integer:
             return with_whole_numbers<GLuint>(floats, GL_UNSIGNED_INT, read);
         case SampleKind::integer:
             return with_whole_numbers<GLint>(floats, GL_INT, read);
@@ -55,8 +55,8 @@ void flip_rows(Picture& picture) {
 }  // namespace
 
 Picture read_picture(const Texture& texture) {
-    const FormatFacts& facts = facts_of(texture.format());
-    Picture picture{texture.extent(), picture_channels(facts), Encoding::linear, {}};
+    const FormatInfo& info = info_of(texture.format());
+    Picture picture{texture.extent(), picture_channels(info), Encoding::linear, {}};
     if (texture.format() == Format::srgb8_alpha8)
         picture.encoding = Encoding::display;
     picture.pixels.resize(picture.index(0, picture.extent.height));
@@ -89,7 +89,7 @@ void copy_texels(const Texture& texture, GLenum type, RawPicture& raw) {
 
 void read_raw(const Texture& texture, RawPicture& raw) {
     raw.extent = texture.extent();
-    raw.channels = picture_channels(facts_of(texture.format()));
+    raw.channels = picture_channels(info_of(texture.format()));
     raw.encoding = Encoding::linear;
     if (texture.format() == Format::rgba8)
         return copy_texels<RawPicture::Bytes>(texture, GL_UNSIGNED_BYTE, raw);

@@ -42,7 +42,7 @@ GLuint new_sampler(const Sampler& sampler) {
 }  // namespace
 
 Sampler usable_sampler(const Sampler& wanted, Format format) {
-    return facts_of(format).is_integer ? Sampler{Filter::nearest, wanted.wrap, false} : wanted;
+    return info_of(format).is_integer ? Sampler{Filter::nearest, wanted.wrap, false} : wanted;
 }
 
 GLuint Samplers::object_for(const Sampler& sampler) {

@@ -66,12 +66,12 @@ void upload_picture(Texture& texture, const Picture& picture, Encoding wanted,
     constexpr int texels_at_once = 1 << 20;
     const Extent extent = picture.extent;
     const EncodingCurve* curve = curve_between(picture.encoding, wanted);
-    const int most_rows = std::clamp(texels_at_once / extent.width, 1, extent.height);
+    const int max_rows = std::clamp(texels_at_once / extent.width, 1, extent.height);
     const auto row_length = static_cast<std::size_t>(extent.width) * 4;
-    band.resize(row_length * static_cast<std::size_t>(most_rows));
+    band.resize(row_length * static_cast<std::size_t>(max_rows));
     const bool are_bytes = gl_format(texture.format()).type == GL_UNSIGNED_BYTE;
-    for (int row = 0; row < extent.height; row += most_rows) {
-        const int count = std::min(most_rows, extent.height - row);
+    for (int row = 0; row < extent.height; row += max_rows) {
+        const int count = std::min(max_rows, extent.height - row);
         fill_rows(picture, curve, rows, row, count, band.data());
         glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture.handle()));
         upload_rows(GL_TEXTURE_2D, row, {extent.width, count}, are_bytes,

@@ -44,7 +44,7 @@ tl::unexpected<Diagnostics> no_memory(Extent extent, Format format) {
         {{},
          0,
          fmt::format("the graphics driver can't create a {} x {} px texture in the format {}",
-                     extent.width, extent.height, facts_of(format).name)});
+                     extent.width, extent.height, info_of(format).name)});
 }
 }  // namespace
 
@@ -158,7 +158,7 @@ Result<Texture> Texture::allocated(Texture texture) {
 }
 
 void Texture::upload(std::span<const float> texels) {
-    assert(!facts_of(m_format).is_integer);
+    assert(!info_of(m_format).is_integer);
     const std::size_t layer =
         static_cast<std::size_t>(m_extent.width) * static_cast<std::size_t>(m_extent.height) * 4;
     assert(texels.size() >= layer * layers());

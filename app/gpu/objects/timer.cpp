@@ -31,7 +31,7 @@ void Timer::end() {
     m_is_open = false;
 }
 
-void Timer::tell(double milliseconds, int parts) {
+void Timer::set_elapsed(double milliseconds, int parts) {
     m_read = m_begun;  // pending queries are older
     m_milliseconds = milliseconds;
     m_measured_parts = parts;
@@ -60,7 +60,7 @@ std::optional<double> Timer::milliseconds() {
     return m_milliseconds;
 }
 
-std::optional<double> Timer::milliseconds_a_part() {
+std::optional<double> Timer::milliseconds_per_part() {
     const auto all = milliseconds();
     if (!all)
         return all;

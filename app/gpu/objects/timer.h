@@ -19,10 +19,10 @@ public:
     void begin(int parts = 1);
     void end();
     /// Sets a time measured elsewhere, instead of begin and end, for work in `parts` equal pieces.
-    void tell(double milliseconds, int parts = 1);
+    void set_elapsed(double milliseconds, int parts = 1);
     /// The newest result, of the whole and per part; the first measurement is skipped.
     std::optional<double> milliseconds();
-    std::optional<double> milliseconds_a_part();
+    std::optional<double> milliseconds_per_part();
 
 private:
     static constexpr std::size_t ring = 4;

@@ -16,10 +16,10 @@ std::uint8_t code_of(float number) {
 void upload_rows(GLenum face, int first, Extent extent, bool are_bytes,
                  std::span<const float> texels) {
     constexpr int texels_at_once = 1 << 16;
-    const int most_rows = std::max(1, texels_at_once / extent.width);
+    const int max_rows = std::max(1, texels_at_once / extent.width);
     std::vector<std::uint8_t> codes;
-    for (int row = 0; row < extent.height; row += most_rows) {
-        const int rows = std::min(most_rows, extent.height - row);
+    for (int row = 0; row < extent.height; row += max_rows) {
+        const int rows = std::min(max_rows, extent.height - row);
         const auto width = static_cast<std::size_t>(extent.width) * 4;
         const std::span<const float> band = texels.subspan(width * static_cast<std::size_t>(row),
                                                            width * static_cast<std::size_t>(rows));

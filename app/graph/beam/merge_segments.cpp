@@ -10,11 +10,11 @@ using Axes = std::array<double, 2>;  // x, y; in half screens
 /// The tolerance of the beam's position on each axis: squares around the joints that lie in circles
 /// of 0.01 and 0.05 of the spot.
 struct Freedom {
-    static constexpr double least = 2e-6;
+    static constexpr double minimum = 2e-6;
 
     explicit Freedom(const BeamSpot& spot)
-        : of_long{std::max(0.007 * spot.across, least), std::max(0.007 * spot.up, least)},
-          of_short{std::max(0.035 * spot.across, least), std::max(0.035 * spot.up, least)},
+        : of_long{std::max(0.007 * spot.across, minimum), std::max(0.007 * spot.up, minimum)},
+          of_short{std::max(0.035 * spot.across, minimum), std::max(0.035 * spot.up, minimum)},
           longest_short{0.5 * spot.across, 0.5 * spot.up},
           current(spot.across > 0.0 && spot.up > 0.0 ? 0.005 : 0.0) {}
 

@@ -117,7 +117,7 @@ void Comparer::draw_difference(const Pair& pair, DifferenceMeasure measure, cons
 
 void Comparer::draw_single(const gpu::Texture& from, const gpu::Program& program,
                            const gpu::Canvas& to) {
-    const bool is_lone = facts_of(from.format()).channels == 1;
+    const bool is_lone = info_of(from.format()).channels == 1;
     program.write("lone", std::array{is_lone ? 1.0 : 0.0});
     program.write("decoded", std::array{from.format() == Format::srgb8_alpha8 ? 1.0 : 0.0});
     const gpu::DrawScope scope;

@@ -11,7 +11,7 @@ Result<gpu::Program> build_pair(const std::string& reading, const std::string& b
 }
 
 double is_lone(const gpu::Texture& texture) {
-    return facts_of(texture.format()).channels == 1 ? 1.0 : 0.0;
+    return info_of(texture.format()).channels == 1 ? 1.0 : 0.0;
 }
 
 double is_decoded(const gpu::Texture& texture) {
@@ -43,6 +43,6 @@ void bind_pair(const Pair& pair, const gpu::Program& program, gpu::Samplers& sam
 }
 
 bool are_comparable(const gpu::Texture& ours, const gpu::Texture& other) {
-    return ours.extent() == other.extent() && !facts_of(ours.format()).is_integer &&
-           !facts_of(other.format()).is_integer;
+    return ours.extent() == other.extent() && !info_of(ours.format()).is_integer &&
+           !info_of(other.format()).is_integer;
 }

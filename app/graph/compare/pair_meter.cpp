@@ -163,11 +163,11 @@ void PairMeter::start_change(const Pair& pair, bool as_shown) {
 
 std::optional<PairMeasured> PairMeter::take() {
     std::optional<PairMeasured> measured;
-    if (m_sums_to_come && m_sums_to_come->has_come())
+    if (m_sums_to_come && m_sums_to_come->is_available())
         measured = PairMeasured{.distances = summed_distances(m_sums_to_come->take(), m_measured)};
-    else if (m_light_to_come && m_light_to_come->has_come())
+    else if (m_light_to_come && m_light_to_come->is_available())
         measured = PairMeasured{.luminances = summed_luminances(m_light_to_come->take())};
-    else if (m_change_to_come && m_change_to_come->has_come())
+    else if (m_change_to_come && m_change_to_come->is_available())
         measured = PairMeasured{.change = summed_change(m_change_to_come->take(), m_measured)};
     if (measured)
         stop();

@@ -35,8 +35,8 @@ void SignedDifference::draw(const Pair& pair, double gain, const gpu::Canvas& to
 }
 
 double gain_for(double largest) {
-    constexpr double most_stops = 8.0;
+    constexpr double max_stops = 8.0;
     if (!(largest > 0.0) || !std::isfinite(largest))
         return 1.0;
-    return std::exp2(std::clamp(std::floor(std::log2(0.5 / largest)), 0.0, most_stops));
+    return std::exp2(std::clamp(std::floor(std::log2(0.5 / largest)), 0.0, max_stops));
 }

@@ -7,7 +7,7 @@ void AccumulatedSamples::restart() {
 }
 
 bool AccumulatedSamples::restart(const std::vector<bool>& changed) {
-    const std::vector<bool> reached = reached_from(m_graph.look(), changed);
+    const std::vector<bool> reached = dependents_of(m_graph.look(), changed);
     m_held.resize(reached.size());
     for (std::size_t i = 0; i < reached.size(); ++i)
         if (reached[i])
@@ -34,7 +34,7 @@ bool AccumulatedSamples::has_converged(std::size_t pass) const {
     return enough > 0 && held(pass) >= enough;
 }
 
-int AccumulatedSamples::begin_frame(std::size_t pass, double patience_seconds,
+int AccumulatedSamples::begin_frame(std::size_t pass, double sample_budget_seconds,
                                     double seconds_each) {
     const auto enough = m_graph.samples_to_converge(pass);
     if (enough == 0)
@@ -42,12 +42,12 @@ int AccumulatedSamples::begin_frame(std::size_t pass, double patience_seconds,
     int due = m_graph.repeats_of(pass);
     if (enough.value_or(0) > 0)
         due = std::min(due, std::max(0, *enough - m_held[pass]));
-    if (patience_seconds <= 0.0 || due <= 1)
+    if (sample_budget_seconds <= 0.0 || due <= 1)
         return due;
     if (seconds_each <= 0.0)
         return 1;
-    const double most = due;
-    return static_cast<int>(std::clamp(patience_seconds / seconds_each, 1.0, most));
+    const double maximum = due;
+    return static_cast<int>(std::clamp(sample_budget_seconds / seconds_each, 1.0, maximum));
 }
 
 void AccumulatedSamples::note_frame() {

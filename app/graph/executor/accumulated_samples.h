@@ -35,7 +35,7 @@ public:
     bool has_converged(std::size_t pass) const;
     /// Samples to take in this frame. With a time limit, only those that fit: of `seconds_each`, or
     /// one while that is 0. Restarts if the pass does so with every frame.
-    int begin_frame(std::size_t pass, double patience_seconds, double seconds_each);
+    int begin_frame(std::size_t pass, double sample_budget_seconds, double seconds_each);
 
     /// Remembers the samples of the last whole frame.
     void note_frame();

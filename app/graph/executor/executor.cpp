@@ -24,7 +24,7 @@ bool are_bound_alike(const Look& one, const Look& other) {
 }  // namespace
 
 Executor::Parts::Parts(Look look, Programs linked)
-    : graph(std::move(look), gpu::read_facts().largest_texture),
+    : graph(std::move(look), gpu::read_info().largest_texture),
       programs(graph, shapes, std::move(linked)),
       textures(graph, programs.context()),
       drawer(graph, shapes, programs, textures) {
@@ -225,7 +225,8 @@ void Executor::clear_history(int pass) {
 
 const gpu::Texture& Executor::target(int pass) const {
     const auto index = static_cast<std::size_t>(pass);
-    return m_parts->textures.upright(m_parts->drawer.picture(index), look().passes[index].rows);
+    return m_parts->textures.with_row_order(m_parts->drawer.picture(index),
+                                            look().passes[index].rows);
 }
 
 const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
@@ -235,7 +236,7 @@ const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
                     {{}, choice.from, choice.name, choice.frames_ago, {}, choice.sound});
     if (choice.from != Input::From::pass) {
         const gpu::Texture* stored = textures.stored(choice);
-        return stored ? &textures.upright(*stored, textures.rows_of(read)) : nullptr;
+        return stored ? &textures.with_row_order(*stored, textures.rows_of(read)) : nullptr;
     }
     const auto pass = static_cast<std::size_t>(find_pass(look(), choice.name).value_or(-1));
     if (pass >= textures.targets().size())
@@ -243,12 +244,14 @@ const gpu::Texture* Executor::texture(const TextureChoice& choice) const {
     const Target& target = textures.targets()[pass];
     if (choice.frames_ago >= target.planned().slots - (target.planned().common ? 1 : 0))
         return nullptr;
-    return &textures.upright(choice.frames_ago == 0 ? m_parts->drawer.picture(pass)
-                                                    : target.finished(choice.frames_ago).texture(),
-                             textures.rows_of(read));
+    return &textures.with_row_order(choice.frames_ago == 0
+                                        ? m_parts->drawer.picture(pass)
+                                        : target.finished(choice.frames_ago).texture(),
+                                    textures.rows_of(read));
 }
 
-std::vector<bool> read_for(const Executor& executor, const std::vector<bool>& displayed) {
+std::vector<bool> read_dependencies_of(const Executor& executor,
+                                       const std::vector<bool>& displayed) {
     std::vector<bool> read(executor.programs().size(), false);
     std::vector<std::size_t> open;
     for (std::size_t i = 0; i < std::min(displayed.size(), read.size()); ++i)
@@ -278,7 +281,7 @@ double bytes_per_pixel(const Executor& executor) {
         if (target.onto)
             return 0.0;
         return static_cast<double>(target.extent.width) * target.extent.height *
-               facts_of(target.format).bytes;
+               info_of(target.format).bytes;
     };
     double bytes = 0.0;
     for (std::size_t i = 0; i < planned.size(); ++i) {

@@ -96,8 +96,9 @@ private:
 };
 
 /// Passes that the pictures of `displayed` depend on, over all frames, including these. Unlike
-/// needed_for() it ignores inputs that the programs do not read.
-std::vector<bool> read_for(const Executor& executor, const std::vector<bool>& displayed);
+/// dependencies_of() it ignores inputs that the programs do not read.
+std::vector<bool> read_dependencies_of(const Executor& executor,
+                                       const std::vector<bool>& displayed);
 
 /// Bytes per pixel of the picture that the drawn passes read and write in a frame. An input counts
 /// if its program reads it. Points and segments count their target once, but not if drawn onto

@@ -27,8 +27,8 @@ void FrameDrawer::draw(const Frame& frame, const std::vector<bool>* passes, Slic
         end_slices();
     advance(slices == Slices::double_buffered);
     m_slices = slices;
-    m_is_amid_frame = slices != Slices::none;
-    if (m_is_amid_frame)
+    m_has_unfinished_frame = slices != Slices::none;
+    if (m_has_unfinished_frame)
         return;
     draw_passes();
     m_programs.end_events();
@@ -42,8 +42,8 @@ void FrameDrawer::redraw(const Frame& frame, const std::vector<bool>& passes, Sl
         if (slices == Slices::double_buffered && may_be_unfinished(i))
             m_textures.targets()[i].begin(Target::Unfinished::again);
     m_slices = slices;
-    m_is_amid_frame = slices != Slices::none;
-    if (!m_is_amid_frame)
+    m_has_unfinished_frame = slices != Slices::none;
+    if (!m_has_unfinished_frame)
         draw_passes();
 }
 
@@ -156,7 +156,7 @@ FrameInProgress FrameDrawer::in_progress() const {
 void FrameDrawer::release_after(std::size_t pass) {
     const std::vector<PlannedTarget>& planned = m_graph.plan().targets;
     for (std::size_t i = 0; i < planned.size(); ++i)
-        if (planned[i].common && planned[i].held_until == pass)
+        if (planned[i].common && planned[i].last_reader == pass)
             m_textures.targets()[i].release(m_work.passes[i]);
 }
 
@@ -180,7 +180,7 @@ bool FrameDrawer::begin_pass(std::size_t index) {
     if (m_textures.is_kept(index))
         return false;
     Target& target = m_textures.targets()[index];
-    target.make_room();
+    target.allocate_unfinished();
     target.note_drawn();
     if (m_graph.run_of(index) == PassRun::bypassed) {
         m_costs[index].timer->begin();
@@ -208,8 +208,8 @@ bool FrameDrawer::begin_pass(std::size_t index) {
 
 // The number of samples in this frame. Without any, the picture so far stays.
 void FrameDrawer::count_samples(std::size_t pass) {
-    const double each = m_costs[pass].timer->milliseconds_a_part().value_or(0.0) / 1000.0;
-    m_work.draws = m_samples.begin_frame(pass, m_passes.frame().patience_seconds, each);
+    const double each = m_costs[pass].timer->milliseconds_per_part().value_or(0.0) / 1000.0;
+    m_work.draws = m_samples.begin_frame(pass, m_passes.frame().sample_budget_seconds, each);
     Target& target = m_textures.targets()[pass];
     if (m_work.draws == 0 && target.has_previous())
         target.canvas(1).copy_to(target.canvas());
@@ -260,7 +260,7 @@ bool FrameDrawer::may_be_unfinished(std::size_t pass) const {
 }
 
 bool FrameDrawer::continue_frame(double seconds) {
-    if (!m_is_amid_frame)
+    if (!m_has_unfinished_frame)
         return true;
     const auto begun = std::chrono::steady_clock::now();
     const gpu::ContextScope context(m_programs.context().get());
@@ -299,7 +299,7 @@ void FrameDrawer::continue_pass(double seconds) {
     if (m_work.draw < m_work.draws)
         return draw_band(index, seconds);
     if (m_work.draws > m_work.first_draw)
-        m_costs[index].timer->tell(1000.0 * m_work.pass_seconds, m_work.draws - m_work.first_draw);
+        m_costs[index].timer->set_elapsed(1000.0 * m_work.pass_seconds, m_work.draws - m_work.first_draw);
     end_pass(index);
     next_pass();
 }
@@ -333,7 +333,7 @@ void FrameDrawer::draw_band(std::size_t index, double seconds) {
 }
 
 void FrameDrawer::finish_frame() {
-    m_is_amid_frame = false;
+    m_has_unfinished_frame = false;
     TargetSet& targets = m_textures.targets();
     for (std::size_t i = 0; i < targets.size(); ++i)
         targets[i].finish();
@@ -348,7 +348,7 @@ void FrameDrawer::finish_frame() {
 
 void FrameDrawer::drop_frame() {
     m_work = {.passes = std::move(m_work.passes)};
-    if (!std::exchange(m_is_amid_frame, false))
+    if (!std::exchange(m_has_unfinished_frame, false))
         return;
     m_samples.drop_frame(m_slices != Slices::double_buffered);
     TargetSet& targets = m_textures.targets();
@@ -363,7 +363,7 @@ void FrameDrawer::end_slices() {
     m_textures.clear_copies();  // of freed pictures
     TargetSet& targets = m_textures.targets();
     for (std::size_t i = 0; i < targets.size(); ++i)
-        targets[i].forget_room();
+        targets[i].release_unfinished();
 }
 
 void FrameDrawer::warm_up_pass(const Frame& frame, std::size_t pass) {
@@ -387,13 +387,13 @@ void FrameDrawer::warm_up_pass(const Frame& frame, std::size_t pass) {
 }
 
 void FrameDrawer::restart_samples() {
-    if (m_is_amid_frame && samples())
+    if (m_has_unfinished_frame && samples())
         drop_frame();
     m_samples.restart();
 }
 
 void FrameDrawer::restart_samples(const std::vector<bool>& changed_passes) {
-    const bool takes_samples = m_is_amid_frame && samples();
+    const bool takes_samples = m_has_unfinished_frame && samples();
     if (m_samples.restart(changed_passes) && takes_samples) {
         drop_frame();
         m_samples.restart(changed_passes);

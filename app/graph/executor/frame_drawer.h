@@ -3,7 +3,7 @@
 #include "gpu/objects/timer.h"
 #include "graph/executor/accumulated_samples.h"
 #include "graph/executor/frame_observer.h"
-#include "graph/executor/frame_work.h"
+#include "graph/executor/frame_progress.h"
 #include "graph/executor/pass_drawer.h"
 #include "graph/executor/row_pace.h"
 #include "graph/executor/separate_pictures.h"
@@ -30,7 +30,7 @@ public:
     void draw(const Frame& frame, const std::vector<bool>* passes, Slices slices);
     void redraw(const Frame& frame, const std::vector<bool>& passes, Slices slices);
     /// Whether a frame in slices is unfinished.
-    bool is_amid_frame() const { return m_is_amid_frame; }
+    bool has_unfinished_frame() const { return m_has_unfinished_frame; }
     /// Continues it for about `seconds`; true when it is complete.
     bool continue_frame(double seconds);
     void drop_frame();
@@ -110,8 +110,8 @@ private:
     mutable SeparatePictures m_separate;
     std::shared_ptr<FrameObserver> m_observer;
     std::vector<PassCost> m_costs;  // by pass
-    FrameWork m_work;
-    bool m_is_amid_frame = false;
+    FrameProgress m_work;
+    bool m_has_unfinished_frame = false;
     Slices m_slices = Slices::none;  // of the current or last frame
     int m_draw_calls = 0;
 };

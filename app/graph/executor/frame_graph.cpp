@@ -70,17 +70,17 @@ bool FrameGraph::is_followed_onto(std::size_t pass) const {
 }
 
 int FrameGraph::repeats_of(std::size_t pass) const {
-    constexpr double most = 4096;
+    constexpr double maximum = 4096;
     return static_cast<int>(
-        std::clamp(count_of(m_look.passes[pass].repeat, m_look, m_values), 1.0, most));
+        std::clamp(count_of(m_look.passes[pass].repeat, m_look, m_values), 1.0, maximum));
 }
 
 std::optional<int> FrameGraph::samples_to_converge(std::size_t pass) const {
-    constexpr double most = 1 << 30;
+    constexpr double maximum = 1 << 30;
     const auto& converge = m_look.passes[pass].converge;
     if (!converge)
         return std::nullopt;
-    return static_cast<int>(std::clamp(count_of(*converge, m_look, m_values), 0.0, most));
+    return static_cast<int>(std::clamp(count_of(*converge, m_look, m_values), 0.0, maximum));
 }
 
 const BeamSpot& FrameGraph::spot_of(std::size_t pass) const {
@@ -99,5 +99,5 @@ bool FrameGraph::is_read_later(std::size_t pass) const {
 
 bool FrameGraph::is_overwritten(std::size_t pass) const {
     const PlannedTarget& target = m_plan.targets[pass];
-    return target.common && target.slots == 1 && target.held_until != m_order.back();
+    return target.common && target.slots == 1 && target.last_reader != m_order.back();
 }

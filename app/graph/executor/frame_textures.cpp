@@ -15,8 +15,8 @@ std::optional<SampleKind> kind_read_by(Sampled sampled) {
     switch (sampled) {
         case Sampled::floating:
             return SampleKind::floating;
-        case Sampled::natural:
-            return SampleKind::natural;
+        case Sampled::unsigned_integer:
+            return SampleKind::unsigned_integer;
         case Sampled::integer:
             return SampleKind::integer;
         default:
@@ -40,7 +40,7 @@ bool can_read(Sampled sampled, const gpu::Texture& texture) {
 
 Result<void> FrameTextures::make_empty() {
     for (const auto& [kind, format] : {std::pair{SampleKind::floating, Format::rgba8},
-                                       std::pair{SampleKind::natural, Format::r32ui},
+                                       std::pair{SampleKind::unsigned_integer, Format::r32ui},
                                        std::pair{SampleKind::integer, Format::r32i}}) {
         if (m_empty.contains(kind))
             continue;
@@ -175,7 +175,7 @@ RowOrder FrameTextures::rows_of(const BoundInput& input) const {
     return image == look.images.end() ? RowOrder::bottom_first : image->rows;
 }
 
-const gpu::Texture& FrameTextures::upright(const gpu::Texture& stored, RowOrder rows) const {
+const gpu::Texture& FrameTextures::with_row_order(const gpu::Texture& stored, RowOrder rows) const {
     const bool draws = rows != RowOrder::bottom_first && !m_flipped_rows.holds(stored, m_number);
     const gpu::ContextScope scope(draws ? m_context.get() : nullptr);
     return m_flipped_rows.view(stored, rows, m_number);

@@ -68,7 +68,7 @@ public:
     const gpu::Texture* stored(const TextureChoice& choice) const;
     RowOrder rows_of(const BoundInput& input) const;
     /// The texture with its bottom row first. In any context.
-    const gpu::Texture& upright(const gpu::Texture& stored, RowOrder rows) const;
+    const gpu::Texture& with_row_order(const gpu::Texture& stored, RowOrder rows) const;
 
 private:
     Result<void> make_empty();

@@ -7,7 +7,7 @@
 
 namespace {
 bool holds_floats(const PlannedTarget& target) {
-    return facts_of(target.format).is_float;
+    return info_of(target.format).is_float;
 }
 }  // namespace
 

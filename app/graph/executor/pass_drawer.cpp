@@ -22,7 +22,7 @@ void PassDrawer::set_frame(const Frame& frame) {
     m_frame.sound = nullptr;
 }
 
-PassFacts PassDrawer::facts_of_pass(std::size_t index) const {
+PassInfo PassDrawer::info_of_pass(std::size_t index) const {
     const Look& look = m_graph.look();
     const Plan& plan = m_graph.plan();
     const Pass& pass = look.passes[index];
@@ -52,7 +52,7 @@ PassFacts PassDrawer::facts_of_pass(std::size_t index) const {
 void PassDrawer::use(std::size_t index) const {
     const BoundPass& bound = m_programs[index];
     bound.program->use();
-    bound.built_ins.write(*bound.program, m_frame, facts_of_pass(index));
+    bound.built_ins.write(*bound.program, m_frame, info_of_pass(index));
 }
 
 void PassDrawer::start_target(std::size_t index, bool keeps_picture) {
@@ -75,7 +75,7 @@ void PassDrawer::bind(std::size_t index) {
     if (host != index)
         gpu::set_blend_onto();
     else
-        gpu::set_blend(facts_of(pass.format).is_integer ? Blend::replace : pass.blend);
+        gpu::set_blend(info_of(pass.format).is_integer ? Blend::replace : pass.blend);
     m_textures.bind(m_programs[index].inputs);
 }
 
@@ -147,6 +147,6 @@ PassReport PassDrawer::report(std::size_t index, int samples) const {
         }
         report.samplers.push_back(std::move(sampler));
     }
-    report.built_ins = bound.built_ins.report(m_frame, facts_of_pass(index), samples);
+    report.built_ins = bound.built_ins.report(m_frame, info_of_pass(index), samples);
     return report;
 }

@@ -40,7 +40,7 @@ public:
     PassReport report(std::size_t pass, int samples) const;
 
 private:
-    PassFacts facts_of_pass(std::size_t pass) const;
+    PassInfo info_of_pass(std::size_t pass) const;
     void draw_shape(std::size_t pass) const;
 
     const FrameGraph& m_graph;

@@ -109,27 +109,27 @@ void PassPrograms::write(const std::vector<std::string>& changed) {
     const auto is_constant = [this](const std::string& name) { return !m_moving.contains(name); };
     if (m_specialized && std::ranges::any_of(changed, is_constant))
         return end_specialized();
-    if (claim())
+    if (set_uniform_owner())
         write_all();
     else
         active().uniforms.write(m_graph.look(), m_graph.values(), changed);
 }
 
 void PassPrograms::refresh() {
-    if (claim())
+    if (set_uniform_owner())
         write_all();
 }
 
 void PassPrograms::write_all() {
-    claim();
+    set_uniform_owner();
     active().uniforms.forget_written();
     active().uniforms.write(m_graph.look(), m_graph.values());
 }
 
 // Whether others have written to the programs since the last call.
-bool PassPrograms::claim() const {
+bool PassPrograms::set_uniform_owner() const {
     bool is_new = false;
     for (const BoundPass& pass : active().passes)
-        is_new = pass.program->claim(m_writer) || is_new;
+        is_new = pass.program->set_uniform_owner(m_writer) || is_new;
     return is_new;
 }

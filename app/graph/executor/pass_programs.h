@@ -75,7 +75,7 @@ private:
     Bound& active() { return m_specialized ? *m_specialized : m_generic; }
     const Bound& active() const { return m_specialized ? *m_specialized : m_generic; }
     void write_all();
-    bool claim() const;
+    bool set_uniform_owner() const;
 
     const FrameGraph& m_graph;
     const Shapes& m_shapes;

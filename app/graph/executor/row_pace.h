@@ -12,9 +12,9 @@ public:
     void end_draw();
 
 private:
-    int m_rows = 0;                // of the latest band; 0: no band yet
-    double m_seconds_a_row = 0.0;  // of the latest band
-    int m_drawn_rows = 0;          // of this draw
-    double m_drawn_seconds = 0.0;  // time of these rows
-    double m_usual_seconds = 0.0;  // per row, of the whole previous draw
+    int m_rows = 0;                  // of the latest band; 0: no band yet
+    double m_seconds_per_row = 0.0;  // of the latest band
+    int m_drawn_rows = 0;            // of this draw
+    double m_drawn_seconds = 0.0;    // time of these rows
+    double m_usual_seconds = 0.0;    // per row, of the whole previous draw
 };

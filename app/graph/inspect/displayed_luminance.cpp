@@ -13,11 +13,11 @@ double luminance_of(const SeenColor& light) {
 }
 
 // As chosen() of texel_text.h.
-SeenColor chosen_of(const std::array<float, 4>& rgba, ChannelChoice channels) {
+SeenColor chosen_of(const std::array<float, 4>& rgba, Channels channels) {
     const SeenColor rgb{rgba[0], rgba[1], rgba[2]};
-    if (channels == ChannelChoice::rgb)
+    if (channels == Channels::color)
         return rgb;
-    const double lone = channels == ChannelChoice::luminance
+    const double lone = channels == Channels::luminance
                             ? luminance_of(rgb)
                             : rgba[static_cast<std::size_t>(channels) - 1];
     return {lone, lone, lone};
@@ -64,16 +64,16 @@ SeenColor decoded(const SeenColor& display) {
 
 double displayed_luminance(const std::array<float, 4>& rgba, Format format,
                            const ViewOptions& options) {
-    const bool is_lone = options.channels == ChannelChoice::rgb && facts_of(format).channels == 1;
+    const bool is_lone = options.channels == Channels::color && info_of(format).channels == 1;
     const bool is_encoded = options.encoding == Encoding::display && format != Format::srgb8_alpha8;
-    const SeenColor numbers = chosen_of(rgba, is_lone ? ChannelChoice::red : options.channels);
+    const SeenColor numbers = chosen_of(rgba, is_lone ? Channels::red : options.channels);
     SeenColor light;
     for (std::size_t i = 0; i < light.size(); ++i)
         light[i] = exposed_number(numbers[i], options, is_encoded);
     if (const auto mark = mark_of(numbers, light, options))
         return luminance_of(*mark);
     if (options.is_false_color) {
-        const bool has_colors = options.channels == ChannelChoice::rgb && !is_lone;
+        const bool has_colors = options.channels == Channels::color && !is_lone;
         const double level = has_colors ? luminance_of(light) : light[0];
         return luminance_of(decoded(false_color(std::clamp(level, 0.0, 1.0))));
     }
@@ -83,7 +83,7 @@ double displayed_luminance(const std::array<float, 4>& rgba, Format format,
         display[i] = is_encoded ? visible : srgb_encode(visible);
     }
     constexpr double checker = 0.28;  // mean of the Viewer's two greys
-    if (options.is_over_checker && options.channels == ChannelChoice::rgb && !is_lone) {
+    if (options.is_over_checker && options.channels == Channels::color && !is_lone) {
         const double alpha = std::clamp(static_cast<double>(rgba[3]), 0.0, 1.0);
         for (double& one : display)
             one = checker + (one - checker) * alpha;

@@ -37,7 +37,7 @@ Result<LevelCopy> LevelCopy::make() {
 
 const gpu::Texture* LevelCopy::draw(const gpu::Texture& from, int level) {
     const Format format = from.format() == Format::srgb8_alpha8 ? Format::rgba32f : from.format();
-    const bool is_there = level >= 0 && level < level_count(from) && !facts_of(format).is_integer;
+    const bool is_there = level >= 0 && level < level_count(from) && !info_of(format).is_integer;
     if (!is_there || !fit_canvas(m_canvas, level_extent(from.extent(), level), format))
         return nullptr;
     const gpu::DrawScope scope;

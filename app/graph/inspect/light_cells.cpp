@@ -45,14 +45,14 @@ Result<LightCells> LightCells::make() {
 }
 
 bool LightCells::draw(const gpu::Texture& from, Encoding encoding) {
-    if (from.extent().is_empty() || facts_of(from.format()).is_integer ||
+    if (from.extent().is_empty() || info_of(from.format()).is_integer ||
         !fit_floats(m_cells, flash_cells))
         return false;
     const gpu::DrawScope scope;
     m_program->write("cells", std::array{static_cast<double>(flash_cells.width),
                                          static_cast<double>(flash_cells.height)});
     m_program->write("is_encoded", std::array{holds_light(from, encoding) ? 0.0 : 1.0});
-    m_program->write("is_lone", std::array{facts_of(from.format()).channels == 1 ? 1.0 : 0.0});
+    m_program->write("is_lone", std::array{info_of(from.format()).channels == 1 ? 1.0 : 0.0});
     m_samplers.bind(0, from, {Filter::linear, Wrap::edge, false});
     m_program->use();
     m_vertices.bind();

@@ -11,10 +11,10 @@
 namespace {
 // The counts of a block are packed into one float. They are exact below 2^24, so a block has less
 // than 2^12 texels.
-constexpr int most_block_side = 63;
-constexpr int least_block_side = 8;
-constexpr int most_blocks = 261;  // per side; 16384 / 63
-constexpr int most_samples = 256;
+constexpr int max_block_side = 63;
+constexpr int min_block_side = 8;
+constexpr int max_blocks = 261;  // per side; 16384 / 63
+constexpr int max_samples = 256;
 constexpr double packing = 4096.0;
 
 constexpr const char* meter_start = R"(#version 410 core
@@ -81,7 +81,7 @@ void main() {
 
 int block_side_for(Extent extent) {
     const int longest = std::max(extent.width, extent.height);
-    return std::clamp((longest + most_blocks - 1) / most_blocks, least_block_side, most_block_side);
+    return std::clamp((longest + max_blocks - 1) / max_blocks, min_block_side, max_block_side);
 }
 
 Extent blocks_of(Extent extent, int side) {
@@ -92,8 +92,8 @@ Statistics combined(const std::vector<float>& blocks, Extent extent) {
     const int side = block_side_for(extent);
     const Extent count = blocks_of(extent, side);
     Statistics all;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     double sum = 0.0;
     const float* block = blocks.data();
     for (int y = 0; y < count.height; ++y)
@@ -110,13 +110,13 @@ Statistics combined(const std::vector<float>& blocks, Extent extent) {
             all.finite += finite;
             if (finite == 0)
                 continue;
-            least = std::min(least, static_cast<double>(block[0]));
-            most = std::max(most, static_cast<double>(block[1]));
+            minimum = std::min(minimum, static_cast<double>(block[0]));
+            maximum = std::max(maximum, static_cast<double>(block[1]));
             sum += static_cast<double>(block[2]);
         }
     if (all.finite > 0) {
-        all.minimum = least;
-        all.maximum = most;
+        all.minimum = minimum;
+        all.maximum = maximum;
         all.mean = sum / static_cast<double>(all.finite);
     }
     return all;
@@ -144,13 +144,12 @@ Result<MeterPrograms> MeterPrograms::make() {
     return MeterPrograms{std::move(*programs)};
 }
 
-void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
+void Meter::draw(const gpu::Texture& from, const gpu::Program& program, Channels channels,
                  std::optional<double> ceiling) {
     const Extent samples = m_samples->texture().extent();
     // A single channel is stored in red. The other channels are not part of the target.
-    const bool is_lone = channels == ChannelChoice::rgb && !m_is_color;
-    program.write("channels",
-                  std::array{static_cast<double>(is_lone ? ChannelChoice::red : channels)});
+    const bool is_lone = channels == Channels::color && !m_is_color;
+    program.write("channels", std::array{static_cast<double>(is_lone ? Channels::red : channels)});
     program.write("cell", std::array{static_cast<double>(m_measured.width) / samples.width,
                                      static_cast<double>(m_measured.height) / samples.height});
     program.write("counts_clipped", std::array{ceiling ? 1.0 : 0.0});
@@ -168,13 +167,13 @@ void Meter::draw(const gpu::Texture& from, const gpu::Program& program, ChannelC
     m_samplers.release();
 }
 
-void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optional<double> ceiling) {
+void Meter::start(const gpu::Texture& from, Channels channels, std::optional<double> ceiling) {
     stop();
     m_measured = from.extent();
-    m_is_color = channels == ChannelChoice::rgb && facts_of(from.format()).channels > 1;
+    m_is_color = channels == Channels::color && info_of(from.format()).channels > 1;
     const int side = block_side_for(m_measured);
-    const Extent samples{std::min(m_measured.width, most_samples),
-                         std::min(m_measured.height, most_samples)};
+    const Extent samples{std::min(m_measured.width, max_samples),
+                         std::min(m_measured.height, max_samples)};
     const gpu::Program* program = m_programs->all.find(from.format());
     if (!program || m_measured.is_empty() || !fit_floats(m_blocks, blocks_of(m_measured, side)) ||
         !fit_floats(m_samples, samples))
@@ -185,7 +184,7 @@ void Meter::start(const gpu::Texture& from, ChannelChoice channels, std::optiona
 }
 
 std::optional<Measured> Meter::take() {
-    if (!is_busy() || !m_samples_to_come->has_come())  // requested last
+    if (!is_busy() || !m_samples_to_come->is_available())  // requested last
         return std::nullopt;
     const std::vector<float> samples = m_samples_to_come->take();
     Measured measured{combined(m_blocks_to_come->take(), m_measured),

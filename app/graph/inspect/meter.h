@@ -33,7 +33,7 @@ public:
     /// Whether a request is pending.
     bool is_busy() const { return m_blocks_to_come.has_value(); }
     /// Starts a request and drops a pending one. With a ceiling, texels that reach it are counted.
-    void start(const gpu::Texture& from, ChannelChoice channels,
+    void start(const gpu::Texture& from, Channels channels,
                std::optional<double> ceiling = std::nullopt);
     /// The result, once, when it is available.
     std::optional<Measured> take();
@@ -41,7 +41,7 @@ public:
     void stop();
 
 private:
-    void draw(const gpu::Texture& from, const gpu::Program& program, ChannelChoice channels,
+    void draw(const gpu::Texture& from, const gpu::Program& program, Channels channels,
               std::optional<double> ceiling);
 
     std::shared_ptr<const MeterPrograms> m_programs;  // shared within a context

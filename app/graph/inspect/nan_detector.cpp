@@ -11,7 +11,7 @@
 namespace {
 constexpr int nan_block_side = 16;
 constexpr int block_texels = nan_block_side * nan_block_side;
-constexpr std::int64_t most_frames = 65535;  // codes stay below 2^24, exact in a float
+constexpr std::int64_t max_frames = 65535;  // codes stay below 2^24, exact in a float
 
 // One fragment per block. Earlier frames and texels have a greater code, and GL_MAX keeps the
 // greatest. So later findings do not overwrite the first one.
@@ -75,13 +75,13 @@ Result<std::shared_ptr<const NanDetectorPrograms>> build_nan_detector(
 }
 
 NanDetector::SanitizeMethod NanDetector::best_method() {
-    return gpu::can_read_own_target() ? SanitizeMethod::in_place : SanitizeMethod::there_and_back;
+    return gpu::can_read_own_target() ? SanitizeMethod::in_place : SanitizeMethod::ping_pong;
 }
 
-NanDetector::Look& NanDetector::Looks::open_next() {
-    latest = (latest + 1) % looks.size();
-    looks[latest].is_open = true;
-    return looks[latest];
+NanDetector::PendingQuery& NanDetector::QueryRing::open_next() {
+    latest = (latest + 1) % queries.size();
+    queries[latest].is_open = true;
+    return queries[latest];
 }
 
 bool NanDetector::Sheet::find_room(Extent part, int& left, int& bottom) {
@@ -127,9 +127,9 @@ NanDetector::Watch* NanDetector::watch_for(std::size_t pass, const gpu::Texture&
     return allocate(watch) ? &m_watches.emplace(pass, std::move(watch)).first->second : nullptr;
 }
 
-// Restarts the codes of the blocks, which are limited to `most_frames` frames.
+// Restarts the codes of the blocks, which are limited to `max_frames` frames.
 void NanDetector::begin(std::int64_t frame) {
-    if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > most_frames)) {
+    if (m_first_frame && (frame < *m_first_frame || frame - *m_first_frame > max_frames)) {
         const auto found = take(true);
         clear();
         m_found = found;
@@ -140,7 +140,7 @@ void NanDetector::begin(std::int64_t frame) {
 
 void NanDetector::draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame) {
     m_programs->finder->write(
-        "frames_left", std::array{static_cast<double>(most_frames - (frame - *m_first_frame))});
+        "frames_left", std::array{static_cast<double>(max_frames - (frame - *m_first_frame))});
     m_programs->finder->write("corner", std::array{double(watch.x), double(watch.y)});
     m_samplers.bind(0, target, nan_sampler);
     m_sheets[watch.sheet].blocks.bind_part(watch.x, watch.y, nan_blocks_of(watch.target));
@@ -166,7 +166,7 @@ void NanDetector::check_and_sanitize(const Drawn& drawn, std::int64_t frame) {
     Watch* watch = watch_for(drawn.pass, drawn.target->texture());
     if (!watch)
         return;
-    gpu::PixelQuery& query = watch->looks.open_next().query;
+    gpu::PixelQuery& query = watch->queries.open_next().query;
     query.begin();
     draw_found(*watch, drawn.target->texture(), frame);
     query.end();
@@ -182,8 +182,8 @@ void NanDetector::check_cause(std::size_t cause, std::size_t pass, const gpu::Ca
     const auto known = m_watches.find(cause);
     if (!watch || known == m_watches.end() || !m_first_frame)
         return;
-    const Looks& causes = known->second.looks;
-    causes.looks[causes.latest].query.begin_condition();
+    const QueryRing& causes = known->second.queries;
+    causes.queries[causes.latest].query.begin_condition();
     draw_found(*watch, target.texture(), frame);
     gpu::PixelQuery::end_condition();
     m_samplers.release();
@@ -248,22 +248,22 @@ std::optional<NonFinitePixel> NanDetector::first_in(std::size_t pass, const Watc
     const auto texel = block_texels - 1 - static_cast<int>(code % block_texels);
     return NonFinitePixel{pass, column * nan_block_side + texel % nan_block_side,
                           watch.target.height - 1 - (row * nan_block_side + texel / nan_block_side),
-                          *m_first_frame + most_frames - code / block_texels};
+                          *m_first_frame + max_frames - code / block_texels};
 }
 
 // Whether a check with an available result found something.
 bool NanDetector::take_answers(bool waits) {
     bool is_any = false;
-    const auto take_from = [&](Looks& looks) {
-        for (Look& look : looks.looks)
-            if (look.is_open && (waits || look.query.has_come())) {
-                look.is_open = false;
-                is_any = look.query.is_any() || is_any;
+    const auto take_from = [&](QueryRing& queries) {
+        for (PendingQuery& pending : queries.queries)
+            if (pending.is_open && (waits || pending.query.is_available())) {
+                pending.is_open = false;
+                is_any = pending.query.is_any_passed() || is_any;
             }
     };
     take_from(m_gathered);
     for (auto& [pass, watch] : m_watches)
-        take_from(watch.looks);
+        take_from(watch.queries);
     return is_any;
 }
 
@@ -286,11 +286,11 @@ std::optional<NonFinitePixel> NanDetector::take(bool waits) {
 }
 
 bool NanDetector::is_waiting() const {
-    const auto waits = [](const Looks& looks) {
-        return std::ranges::any_of(looks.looks, &Look::is_open);
+    const auto waits = [](const QueryRing& queries) {
+        return std::ranges::any_of(queries.queries, &PendingQuery::is_open);
     };
     return waits(m_gathered) || std::ranges::any_of(m_watches, [&waits](const auto& watch) {
-               return waits(watch.second.looks);
+               return waits(watch.second.queries);
            });
 }
 

@@ -40,7 +40,7 @@ class NanDetector {
 public:
     /// How numbers are replaced: each texel in place, or through a second picture, which all
     /// drivers support.
-    enum class SanitizeMethod { in_place, there_and_back };
+    enum class SanitizeMethod { in_place, ping_pong };
     static SanitizeMethod best_method();
 
     explicit NanDetector(std::shared_ptr<const NanDetectorPrograms> programs,
@@ -74,16 +74,16 @@ public:
     void clear();
 
 private:
-    struct Look {
+    struct PendingQuery {
         gpu::PixelQuery query;
         bool is_open = false;
     };
     /// The latest checks, whose results may be pending.
-    struct Looks {
-        std::array<Look, 4> looks = {};
+    struct QueryRing {
+        std::array<PendingQuery, 4> queries = {};
         std::size_t latest = 0;
 
-        Look& open_next();
+        PendingQuery& open_next();
     };
     /// Findings of passes, one number per block of texels: see the shader. Each pass has a
     /// rectangle. Rectangles are packed next to each other on shelves.
@@ -100,7 +100,7 @@ private:
         std::size_t sheet = 0;
         int x = 0;  // of its rectangle
         int y = 0;
-        Looks looks = {};
+        QueryRing queries = {};
     };
     void begin(std::int64_t frame);
     void draw_found(const Watch& watch, const gpu::Texture& target, std::int64_t frame);
@@ -120,7 +120,7 @@ private:
     gpu::Samplers m_samplers;
     std::map<std::size_t, Watch> m_watches;
     std::vector<Sheet> m_sheets;
-    Looks m_gathered;                           // checks of several passes at once
+    QueryRing m_gathered;                       // checks of several passes at once
     std::optional<std::int64_t> m_first_frame;  // first frame of the codes
     std::optional<NonFinitePixel> m_found;      // from before the codes restarted
 };

@@ -39,7 +39,7 @@ bool fit_floats(std::optional<gpu::Canvas>& canvas, Extent extent) {
 
 std::optional<std::vector<std::array<float, 4>>> take_texels(
     std::optional<gpu::Download>& to_come) {
-    if (!to_come || !to_come->has_come())
+    if (!to_come || !to_come->is_available())
         return std::nullopt;
     const std::vector<float> numbers = to_come->take();
     to_come.reset();

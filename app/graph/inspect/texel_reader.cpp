@@ -44,12 +44,12 @@ bool TexelReader::draw(const gpu::Texture& from, const TexelRows& rows,
     return true;
 }
 
-void TexelAnswer::ask(TexelReader& reader, const gpu::Texture& from, const TexelRows& rows) {
+void TexelReadback::ask(TexelReader& reader, const gpu::Texture& from, const TexelRows& rows) {
     stop();
     if (reader.draw(from, rows, m_canvas))
         m_to_come.emplace(*m_canvas);
 }
 
-std::optional<std::vector<std::array<float, 4>>> TexelAnswer::take() {
+std::optional<std::vector<std::array<float, 4>>> TexelReadback::take() {
     return take_texels(m_to_come);
 }

@@ -38,7 +38,7 @@ private:
 };
 
 /// An asynchronous readback of texels: the numbers are available in a later frame.
-class TexelAnswer {
+class TexelReadback {
 public:
     bool is_busy() const { return m_to_come.has_value(); }
     /// Starts a request and drops a pending one.

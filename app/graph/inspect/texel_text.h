@@ -6,9 +6,9 @@
 
 #include <string>
 
-// GLSL for stages that read the texels of any target. `shown` is the sampler and `texel_at(place)`
-// returns RGBA. `channels` is a ChannelChoice, and `chosen(rgba)` returns these numbers. A single
-// channel is returned three times.
+// GLSL for stages that read the texels of any target. `shown` is the sampler and
+// `texel_at(position)` returns RGBA. `channels` is a value of Channels, and `chosen(rgba)` returns
+// these numbers. A single channel is returned three times.
 
 inline const std::string choosing_text = R"(
 uniform int channels;

@@ -109,7 +109,7 @@ vec3 mark_at(vec2 texel) {
     return no_mark;
 }
 
-// False_color() of viewer.h.
+// The function false_color() of viewer.h.
 vec3 ramp(float level) {
     float angle = 6.28318530718 * (0.5 / 3.0 - 1.5 * level);
     float amplitude = level * (1.0 - level) / 2.0;
@@ -212,7 +212,7 @@ Result<Viewer> Viewer::make() {
 
 const gpu::Program* Viewer::program_for(Format format, const ViewOptions& options,
                                         bool is_encoded) const {
-    const bool is_plain = !facts_of(format).is_integer && options.levels == Levels{} &&
+    const bool is_plain = !info_of(format).is_integer && options.levels == Levels{} &&
                           options.exposure_stops == 0.0 && !options.marks_flaws &&
                           !options.marks_clipping && !options.is_false_color &&
                           !options.is_over_checker;
@@ -236,8 +236,8 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
 
     // A single channel is stored in red and displayed as grey.
     const bool is_lone =
-        options.channels == ChannelChoice::rgb && facts_of(from.format()).channels == 1;
-    const ChannelChoice channels = is_lone ? ChannelChoice::red : options.channels;
+        options.channels == Channels::color && info_of(from.format()).channels == 1;
+    const Channels channels = is_lone ? Channels::red : options.channels;
 
     const gpu::Program* found = program_for(from.format(), options, is_encoded);
     if (!found)

@@ -5,6 +5,7 @@
 #include "gpu/objects/vertex_array.h"
 #include "graph/programs/sample_programs.h"
 #include "model/look/picture.h"
+#include "model/picture/channels.h"
 #include "model/picture/levels.h"
 
 #include <array>
@@ -12,13 +13,11 @@
 #include <optional>
 #include <utility>
 
-enum class ChannelChoice { rgb, red, green, blue, alpha, luminance };
-
 /// How a target is displayed.
 struct ViewOptions {
     Levels levels = {};         // stored numbers that are displayed as black and white
     double exposure_stops = 0;  // light is multiplied by 2^this, after the levels
-    ChannelChoice channels = ChannelChoice::rgb;
+    Channels channels = Channels::color;
     Encoding encoding =
         Encoding::linear;  // of the texels; linear ones are sRGB-encoded for display
     // Marks replace colours, and the rest is grey. A pixel is marked if any texel under it

@@ -7,14 +7,14 @@
 BuiltInUniforms::BuiltInUniforms(const Look& look, int pass, const gpu::Program& program) {
     for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
         const gpu::Uniform* uniform = program.find_uniform(built_in.name);
-        const bool is_turned = built_in.says == BuiltIn::view || built_in.says == BuiltIn::camera;
+        const bool is_turned = built_in.kind == BuiltIn::view || built_in.kind == BuiltIn::camera;
         if (!uniform || is_turned)  // ParameterUniforms writes the matrices of the orbit
             continue;
-        if (built_in.says == BuiltIn::samples)
+        if (built_in.kind == BuiltIn::samples)
             m_samples = uniform;
         else
             m_uniforms.push_back(
-                {uniform, built_in.says,
+                {uniform, built_in.kind,
                  built_in.of ? bound_input(look, pass, *built_in.of) : BoundInput{}});
     }
 }
@@ -66,8 +66,8 @@ Sixteen quad_to_clip(RowOrder rows) {
 }  // namespace
 
 BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, const Frame& frame,
-                                                     const PassFacts& facts) {
-    switch (bound.says) {
+                                                     const PassInfo& info) {
+    switch (bound.kind) {
         case BuiltIn::time:
             return {{frame.time}, 1};
         case BuiltIn::time_delta:
@@ -75,9 +75,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
         case BuiltIn::frame_rate:
             return {{frame.time_delta > 0.0 ? 1.0 / frame.time_delta : 0.0}, 1};
         case BuiltIn::frame:
-            return {{facts.number}, 1};
-        case BuiltIn::frame_before:
-            return {{facts.number_before}, 1};
+            return {{info.number}, 1};
+        case BuiltIn::frame_index:
+            return {{info.index_of_frame}, 1};
         case BuiltIn::microseconds:
             return {{std::round(frame.time_delta * 1e6)}, 1};
         case BuiltIn::time_before:
@@ -89,37 +89,37 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
         case BuiltIn::date_from_0:
             return {date_numbers(frame.date, 0), 4};
         case BuiltIn::target_size:
-            return {pair(facts.target), 2};
+            return {pair(info.target), 2};
         case BuiltIn::output_size:
-            return {pair(facts.output), 2};
+            return {pair(info.output), 2};
         case BuiltIn::source_size:
-            return {pair(facts.source), 2};
+            return {pair(info.source), 2};
         case BuiltIn::source_aspect:
-            return {{width_of(facts.source) * frame.pixel_aspect /
-                     std::max(height_of(facts.source), 1.0)},
+            return {{width_of(info.source) * frame.pixel_aspect /
+                     std::max(height_of(info.source), 1.0)},
                     1};
         case BuiltIn::source_lines:
-            return {lines(facts.raster.rows), 3};
+            return {lines(info.raster.rows), 3};
         case BuiltIn::source_columns:
-            return {lines(facts.raster.columns), 3};
+            return {lines(info.raster.columns), 3};
         case BuiltIn::mouse:
             return {{frame.mouse[0], frame.mouse[1]}, 2};
         case BuiltIn::quad_to_clip:
-            return {quad_to_clip(facts.rows), 16};
+            return {quad_to_clip(info.rows), 16};
         case BuiltIn::target_extent:
-            return {with_reciprocals(facts.target), 4};
+            return {with_reciprocals(info.target), 4};
         case BuiltIn::output_extent:
-            return {with_reciprocals(facts.output), 4};
+            return {with_reciprocals(info.output), 4};
         case BuiltIn::input_extent:
-            return {with_reciprocals(facts.extent_of(bound.of)), 4};
+            return {with_reciprocals(info.extent_of(bound.of)), 4};
         case BuiltIn::target_resolution:
-            return {resolution(facts.target), 3};
+            return {resolution(info.target), 3};
         case BuiltIn::input_resolution:
-            return {resolution(facts.extent_of(bound.of)), 3};
+            return {resolution(info.extent_of(bound.of)), 3};
         case BuiltIn::press:
             return {widened(frame.press.numbers()), 4};
         case BuiltIn::drawn_onto:
-            return {{facts.is_drawn_onto ? 1.0 : 0.0}, 1};
+            return {{info.is_drawn_onto ? 1.0 : 0.0}, 1};
         default:  // write_samples() writes samples, ParameterUniforms the orbit
             break;
     }
@@ -127,9 +127,9 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
 }
 
 void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,
-                            const PassFacts& facts) const {
+                            const PassInfo& info) const {
     for (const BoundBuiltIn& bound : m_uniforms) {
-        const Numbers value = numbers_of(bound, frame, facts);
+        const Numbers value = numbers_of(bound, frame, info);
         program.write(*bound.uniform, std::span(value.numbers).first(value.count));
     }
 }
@@ -139,11 +139,11 @@ void BuiltInUniforms::write_samples(const gpu::Program& program, int samples) co
         program.write(*m_samples, std::array{static_cast<double>(samples)});
 }
 
-std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassFacts& facts,
+std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const PassInfo& info,
                                                    int samples) const {
     std::vector<BuiltInReport> all;
     for (const BoundBuiltIn& bound : m_uniforms) {
-        const Numbers value = numbers_of(bound, frame, facts);
+        const Numbers value = numbers_of(bound, frame, info);
         const auto end = value.numbers.begin() + static_cast<std::ptrdiff_t>(value.count);
         all.push_back({bound.uniform->name, {value.numbers.begin(), end}});
     }
@@ -153,11 +153,11 @@ std::vector<BuiltInReport> BuiltInUniforms::report(const Frame& frame, const Pas
 }
 
 bool BuiltInUniforms::uses_time() const {
-    return std::ranges::any_of(m_uniforms, tells_time, &BoundBuiltIn::says);
+    return std::ranges::any_of(m_uniforms, tells_time, &BoundBuiltIn::kind);
 }
 
 bool BuiltInUniforms::uses_mouse() const {
     return std::ranges::any_of(m_uniforms, [](const BoundBuiltIn& bound) {
-        return bound.says == BuiltIn::mouse || bound.says == BuiltIn::press;
+        return bound.kind == BuiltIn::mouse || bound.kind == BuiltIn::press;
     });
 }

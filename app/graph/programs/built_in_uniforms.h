@@ -10,9 +10,9 @@
 #include <vector>
 
 /// The values of built-in uniforms that depend on the pass.
-struct PassFacts {
-    double number = 0;         // of the frame, after the pass's modulo, from 1
-    double number_before = 0;  // the same, from 0
+struct PassInfo {
+    double number = 0;          // of the frame, after the pass's modulo, from 1
+    double index_of_frame = 0;  // the same, from 0
     Extent target;
     Extent output;
     Extent source;
@@ -28,11 +28,10 @@ class BuiltInUniforms {
 public:
     BuiltInUniforms(const Look& look, int pass, const gpu::Program& program);
 
-    void write(const gpu::Program& program, const Frame& frame, const PassFacts& facts) const;
+    void write(const gpu::Program& program, const Frame& frame, const PassInfo& info) const;
     void write_samples(const gpu::Program& program, int samples) const;
     /// The built-in uniforms of the pass with the values of write() and write_samples().
-    std::vector<BuiltInReport> report(const Frame& frame, const PassFacts& facts,
-                                      int samples) const;
+    std::vector<BuiltInReport> report(const Frame& frame, const PassInfo& info, int samples) const;
     /// Whether the picture changes if only time advances.
     bool uses_time() const;
     bool uses_mouse() const;
@@ -40,15 +39,14 @@ public:
 private:
     struct BoundBuiltIn {
         const gpu::Uniform* uniform;
-        BuiltIn says;
+        BuiltIn kind;
         BoundInput of;
     };
     struct Numbers {
         std::array<double, 16> numbers;
         std::size_t count;
     };
-    static Numbers numbers_of(const BoundBuiltIn& bound, const Frame& frame,
-                              const PassFacts& facts);
+    static Numbers numbers_of(const BoundBuiltIn& bound, const Frame& frame, const PassInfo& info);
 
     std::vector<BoundBuiltIn> m_uniforms;  // of the uniforms that write() sets
     const gpu::Uniform* m_samples = nullptr;

@@ -27,6 +27,6 @@ struct Frame {
     std::span<const BeamTint> tints;     // one per point; empty: all are white
     const SoundTexels* sound = nullptr;  // null: silence
     Date date;
-    bool is_first = false;        // no history and no previous beam
-    double patience_seconds = 0;  // limit for the samples of an accumulating pass; 0: none
+    bool is_first = false;             // no history and no previous beam
+    double sample_budget_seconds = 0;  // limit for the samples of an accumulating pass; 0: none
 };

@@ -45,13 +45,13 @@ ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs)
 
 void ParameterUniforms::find_orbits(const Look& look, int pass, const gpu::Program& program) {
     for (const BuiltInUniform& built_in : look.passes[static_cast<std::size_t>(pass)].built_ins) {
-        if (built_in.says != BuiltIn::view && built_in.says != BuiltIn::camera)
+        if (built_in.kind != BuiltIn::view && built_in.kind != BuiltIn::camera)
             continue;
         if (const gpu::Uniform* uniform = program.find_uniform(built_in.name))
             m_orbit_uniforms.push_back(
                 {pass,
                  {&program, uniform},
-                 built_in.says == BuiltIn::view ? view_matrix : camera_matrix,
+                 built_in.kind == BuiltIn::view ? view_matrix : camera_matrix,
                  {}});
     }
 }

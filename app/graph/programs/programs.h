@@ -44,7 +44,7 @@ bool serves(const Programs& programs, const Look& look);
 
 /// Compiles and links. May run on a worker thread whose context shares with the drawing context. A
 /// pass reuses a program of `reuse` with equal stages, draw mode and fixed uniforms. Fails with the
-/// driver's errors of all passes, at the author's files and lines. `kept` is as in
+/// driver's errors of all passes, at the author's files and lines. `store` is as in
 /// gpu::Program::build. `progress` may be null; if cancelled there, it fails. New programs are
 /// destroyed in `context`.
 Result<Programs> build_programs(const Look& look, const Programs* reuse = nullptr,

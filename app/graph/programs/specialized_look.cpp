@@ -50,7 +50,7 @@ Look specialized_look(Look look, const Values& values, const Plan& plan,
     }
     for (std::size_t i = 0; i < uniforms.size(); ++i) {
         for (const BuiltInUniform& built_in : look.passes[i].built_ins)
-            if (built_in.says == BuiltIn::drawn_onto)
+            if (built_in.kind == BuiltIn::drawn_onto)
                 uniforms[i][built_in.name] = {{Scalar::boolean, 1, 1},
                                               is_drawn_onto(look, plan, i) ? 1.0 : 0.0};
         Pass& pass = look.passes[i];

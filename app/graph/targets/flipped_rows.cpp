@@ -3,7 +3,7 @@
 #include "gpu/objects/draw.h"
 
 namespace {
-constexpr std::uint64_t most_pictures_unseen = 120;
+constexpr std::uint64_t max_pictures_unseen = 120;
 }  // namespace
 
 bool FlippedRows::holds(const gpu::Texture& stored, std::uint64_t number) const {
@@ -17,8 +17,7 @@ FlippedRows::Copy* FlippedRows::copy_for(const gpu::Texture& stored, std::uint64
         found->second.canvas.texture().format() == stored.format())
         return &found->second;
     std::erase_if(m_copies, [&](const auto& entry) {
-        return entry.first == stored.handle() ||
-               entry.second.number + most_pictures_unseen < number;
+        return entry.first == stored.handle() || entry.second.number + max_pictures_unseen < number;
     });
     auto canvas = gpu::Canvas::make(stored.extent(), stored.format(), stored.is_mipmapped());
     if (!canvas)

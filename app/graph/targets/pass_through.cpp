@@ -21,9 +21,9 @@ void main() {
 // Clamps to the range of the written kind: no negative naturals, no integers above 0x7fffffff.
 std::string held_text(SampleKind read, SampleKind written) {
     std::string numbers = "texture(image, uv)";
-    if (written == SampleKind::natural && read != SampleKind::natural)
+    if (written == SampleKind::unsigned_integer && read != SampleKind::unsigned_integer)
         return fmt::format("max({}, {}vec4(0))", numbers, glsl_prefix(read));
-    if (written == SampleKind::integer && read == SampleKind::natural)
+    if (written == SampleKind::integer && read == SampleKind::unsigned_integer)
         return fmt::format("min({}, 0x7fffffffu)", numbers);
     return numbers;
 }
@@ -44,7 +44,7 @@ void main() {{ color = {1}vec4({2}); }}
 Result<PassThroughPrograms> build_pass_through() {
     PassThroughPrograms programs;
     for (const SampleKind written :
-         {SampleKind::floating, SampleKind::natural, SampleKind::integer}) {
+         {SampleKind::floating, SampleKind::unsigned_integer, SampleKind::integer}) {
         auto into = SamplePrograms::make(
             [written](SampleKind read) { return build_through(read, written); });
         if (!into)

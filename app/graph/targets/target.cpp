@@ -24,9 +24,9 @@ std::size_t Target::slot_of(int frames_ago) const {
 }
 
 const gpu::Canvas& Target::canvas(int frames_ago) const {
-    if (m_slots.empty() || (m_is_newest_lent && frames_ago <= 0))
+    if (m_slots.empty() || (m_is_newest_shared && frames_ago <= 0))
         return *m_shared;
-    if (m_is_newest_lent)
+    if (m_is_newest_shared)
         return m_slots[slot_of(frames_ago - 1)];
     if (m_unfinished == Unfinished::no)
         return m_slots[slot_of(frames_ago)];
@@ -41,7 +41,7 @@ gpu::Canvas& Target::canvas(int frames_ago) {
 
 void Target::advance() {
     if (m_shared)
-        m_is_newest_lent = true;
+        m_is_newest_shared = true;
     else if (m_unfinished == Unfinished::next)
         take_spare();
     else
@@ -55,13 +55,13 @@ void Target::take_spare() {
 }
 
 void Target::release(bool is_drawn) {
-    if (!std::exchange(m_is_newest_lent, false) || m_slots.empty() || !is_drawn)
+    if (!std::exchange(m_is_newest_shared, false) || m_slots.empty() || !is_drawn)
         return;
     m_current = (m_current + 1) % m_slots.size();
     std::swap(*m_shared, m_slots[m_current]);
 }
 
-void Target::make_room() {
+void Target::allocate_unfinished() {
     if (m_unfinished == Unfinished::no || m_spare)
         return;
     const gpu::Texture& texture = m_slots.front().texture();
@@ -82,7 +82,7 @@ void Target::finish() {
         std::swap(*m_spare, m_slots[m_current]);
 }
 
-void Target::forget_room() {
+void Target::release_unfinished() {
     drop();
     m_spare.reset();
 }

@@ -56,17 +56,17 @@ public:
     void begin(Unfinished unfinished) { m_unfinished = unfinished; }
     /// Allocates the unfinished picture. If memory is exhausted, it is drawn in place and visible
     /// meanwhile.
-    void make_room();
+    void allocate_unfinished();
     /// Completes the unfinished picture.
     void finish();
     /// Drops the unfinished picture: the state is as before begin(), except for pictures drawn in
     /// place.
     void drop() {
         m_unfinished = Unfinished::no;
-        m_is_newest_lent = false;
+        m_is_newest_shared = false;
     }
     /// Drops the unfinished picture and frees its memory.
-    void forget_room();
+    void release_unfinished();
 
 private:
     std::size_t slot_of(int frames_ago) const;
@@ -75,7 +75,7 @@ private:
     PlannedTarget m_planned;
     std::vector<gpu::Canvas> m_slots;  // own pictures
     gpu::Canvas* m_shared = nullptr;
-    bool m_is_newest_lent = false;
+    bool m_is_newest_shared = false;
     std::size_t m_current = 0;
     std::optional<gpu::Canvas> m_spare;  // the unfinished picture
     Unfinished m_unfinished = Unfinished::no;

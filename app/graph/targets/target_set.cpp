@@ -7,7 +7,7 @@
 
 namespace {
 // A look that needs more would exhaust the machine before the driver refuses it.
-constexpr std::size_t most_bytes = std::size_t{8} << 30;
+constexpr std::size_t max_bytes = std::size_t{8} << 30;
 
 Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
     for (Diagnostic& problem : problems) {
@@ -21,7 +21,7 @@ Diagnostics at_pass(Diagnostics problems, const Pass& pass) {
 // Only the size has changed. Integer formats cannot be filtered.
 bool is_stretched(const Pass& pass, const PlannedTarget& old, const PlannedTarget& now) {
     return pass.keeps_when_resized && old.format == now.format && now.slots > 1 &&
-           !facts_of(now.format).is_integer;
+           !info_of(now.format).is_integer;
 }
 // nullopt: the previous pictures are kept.
 Result<std::optional<std::vector<gpu::Canvas>>> make_common(
@@ -47,11 +47,11 @@ Target* TargetSet::find(const std::string& pass) {
 }
 
 Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet& old) {
-    if (memory_of(plan) > most_bytes)
+    if (memory_of(plan) > max_bytes)
         return fail(
             {look.manifest, 0,
              fmt::format("the targets need {:.1f} GiB; the limit is {} GiB",
-                         static_cast<double>(memory_of(plan)) / (1 << 30), most_bytes >> 30)});
+                         static_cast<double>(memory_of(plan)) / (1 << 30), max_bytes >> 30)});
     // New targets first, as creating them may fail. Existing ones are moved last.
     std::vector<std::optional<Target>> made(plan.targets.size());
     for (std::size_t i = 0; i < made.size(); ++i) {
@@ -78,11 +78,11 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
             made[i]->adopt_stretched(*had);
         set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
     }
-    set.lend_common();
+    set.bind_shared();
     return set;
 }
 
-void TargetSet::lend_common() {
+void TargetSet::bind_shared() {
     for (Named& named : m_targets) {
         const std::optional<std::size_t> common = named.target.planned().common;
         named.target.set_shared(common ? &m_common[*common] : nullptr);

@@ -25,7 +25,7 @@ private:
     };
 
     Target* find(const std::string& pass);
-    void lend_common();
+    void bind_shared();
 
     std::vector<Named> m_targets;
     std::vector<gpu::Canvas> m_common;  // one per m_planned_common

@@ -18,14 +18,14 @@ bool is_known(const PassProgram& program, const Programs* known) {
 // Allocating large targets takes longer than drawing a band of them. Code that Mesa's llvmpipe
 // (22.3) compiled for a few pixels was not always reused for more pixels. Code for a quarter of the
 // size was.
-PictureSizes sizes_for(const FirstDrawsOf& of) {
+PictureSizes sizes_for(const FirstDrawsInput& of) {
     const bool reads_source = of.look.driven_by == Driver::picture;
-    if (of.size == FirstDrawsOf::Size::own)
+    if (of.size == FirstDrawsInput::Size::own)
         return {of.viewport, reads_source ? expected_source : of.viewport};
     const PictureSizes whole{of.viewport, expected_source};
-    if (const auto quarter = quarter_like(of.look, whole))
+    if (const auto quarter = quarter_equivalent(of.look, whole))
         return *quarter;
-    return of.size == FirstDrawsOf::Size::small ? small_like(of.look, whole) : whole;
+    return of.size == FirstDrawsInput::Size::small ? small_equivalent(of.look, whole) : whole;
 }
 
 Picture black(Extent extent) {
@@ -56,13 +56,13 @@ Result<PassProgram> idle_program() {
                        std::make_shared<const gpu::Program>(std::move(*program))};
 }
 
-std::vector<PassProgram> new_of(const Programs& programs, const Programs* known) {
+std::vector<PassProgram> new_programs(const Programs& programs, const Programs* known) {
     std::vector<PassProgram> found = programs.passes;
     std::erase_if(found, [known](const PassProgram& program) { return is_known(program, known); });
     return found;
 }
 
-FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
+FirstDraws::FirstDraws(const FirstDrawsInput& of, const PassProgram& idle) {
     Look stand_in = of.look;
     Programs drawn = of.programs;
     for (std::size_t i = 0; i < drawn.passes.size(); ++i) {
@@ -84,14 +84,14 @@ FirstDraws::FirstDraws(const FirstDrawsOf& of, const PassProgram& idle) {
     m_new.clear();  // loading the look reports the error
 }
 
-bool FirstDraws::make_ready(const FirstDrawsOf& of) {
+bool FirstDraws::make_ready(const FirstDrawsInput& of) {
     const PictureSizes sizes = sizes_for(of);
     const auto policy = of.programs.nan_detector ? NanPolicy::search : NanPolicy::off;
     m_executor->set_values(of.values);
     for (const auto& [name, texture] : of.images)
         m_executor->set_image(name, texture);
     const bool has_source =
-        of.size != FirstDrawsOf::Size::own || of.look.driven_by == Driver::picture;
+        of.size != FirstDrawsInput::Size::own || of.look.driven_by == Driver::picture;
     return m_executor->set_displayed(of.seen).has_value() &&
            m_executor->resize(sizes.viewport, sizes.source).has_value() &&
            (!has_source || m_executor->set_source(black(sizes.source)).has_value()) &&

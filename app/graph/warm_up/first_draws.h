@@ -15,7 +15,7 @@ using ImageTextures = std::map<std::string, std::shared_ptr<const gpu::Texture>>
 inline constexpr Extent expected_source{320, 240};
 
 /// The input of FirstDraws.
-struct FirstDrawsOf {
+struct FirstDrawsInput {
     const Look& look;
     const Programs& programs;
     const Programs* known = nullptr;  // may be in use and are not changed; null: none
@@ -31,9 +31,9 @@ struct FirstDrawsOf {
 };
 
 /// The programs that are not in `known`; null: all.
-std::vector<PassProgram> new_of(const Programs& programs, const Programs* known);
+std::vector<PassProgram> new_programs(const Programs& programs, const Programs* known);
 inline bool has_new(const Programs& programs, const Programs* known) {
-    return !new_of(programs, known).empty();
+    return !new_programs(programs, known).empty();
 }
 
 /// Draws once with each new program, one at a time, into targets of the look's formats. Drivers
@@ -44,7 +44,7 @@ class FirstDraws {
 public:
     /// `idle` replaces the known programs. It draws nothing, and may be empty if none are known.
     /// Without memory nothing is drawn.
-    FirstDraws(const FirstDrawsOf& of, const PassProgram& idle);
+    FirstDraws(const FirstDrawsInput& of, const PassProgram& idle);
 
     std::size_t total() const { return m_new.size(); }
     std::size_t done() const { return m_done; }
@@ -59,7 +59,7 @@ public:
     std::unique_ptr<Executor> take_executor();
 
 private:
-    bool make_ready(const FirstDrawsOf& of);
+    bool make_ready(const FirstDrawsInput& of);
 
     std::unique_ptr<Executor> m_executor;
     std::vector<std::size_t> m_new;  // passes

@@ -69,7 +69,7 @@ void FirstViews::draw_views_of(const gpu::Texture& texture, const PendingDraw& p
     if (pending.way == Way::flashes) {
         m_cells.draw(texture, pending.kind.encoding);
     } else if (pending.way == Way::numbers) {
-        m_meter.start(texture, ChannelChoice::rgb);
+        m_meter.start(texture, Channels::color);
         m_meter.stop();
     } else {
         view(texture, pending);

@@ -12,7 +12,7 @@ LookContext::~LookContext() {
     m_programs = {};
 }
 
-void LookContext::have_programs() {
+void LookContext::build_view_programs() {
     if (std::exchange(m_has_programs, true))
         return;
     auto made = ViewPrograms::make();
@@ -49,7 +49,7 @@ std::shared_ptr<LookContext> LookContexts::acquire() {
     return made ? m_all.emplace_back(std::make_shared<LookContext>(std::move(*made))) : nullptr;
 }
 
-void LookContexts::have_spare() {
+void LookContexts::prepare_spare() {
     if (const auto context = acquire())
-        context->have_programs();
+        context->build_view_programs();
 }

@@ -19,7 +19,7 @@ public:
     gpu::Context& context() const { return *m_context; }
     /// Builds the programs that views() waits for, once. Runs in a context that shares with this
     /// one, because the worker thread uses this one to read a look meanwhile.
-    void have_programs();
+    void build_view_programs();
     /// Call while its context is current.
     Result<FirstViews*> views();
 
@@ -45,10 +45,10 @@ public:
     LookContexts& operator=(const LookContexts&) = delete;
 
     /// An unused context, which its last owner releases on any thread. Null if the driver cannot
-    /// create one. Call on the thread of `screen`, then call have_programs() there.
+    /// create one. Call on the thread of `screen`, then call build_view_programs() there.
     std::shared_ptr<LookContext> acquire();
     /// Prepares a context with programs for the next acquire(), as creating it can take a while.
-    void have_spare();
+    void prepare_spare();
 
 private:
     const gpu::Context& m_screen;

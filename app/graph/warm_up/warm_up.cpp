@@ -7,7 +7,7 @@ WarmUp::~WarmUp() {
     m_draws.clear();
 }
 
-void WarmUp::add_draws(const FirstDrawsOf& of) {
+void WarmUp::add_draws(const FirstDrawsInput& of) {
     if (!has_new(of.programs, of.known))
         return;
     const gpu::ContextScope scope(m_context.get());

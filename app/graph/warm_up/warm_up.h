@@ -21,7 +21,7 @@ public:
 
     /// Adds the new programs of a look. Without memory they are left out, and the first frame is
     /// slower.
-    void add_draws(const FirstDrawsOf& of);
+    void add_draws(const FirstDrawsInput& of);
     /// Adds the kinds of pictures of a look that were not displayed yet in this context. `viewport`
     /// is the size of the picture, px; `values` are those that sizes depend on.
     void add_views(const Look& look, const Programs& programs, Extent viewport,

@@ -13,7 +13,7 @@ struct PictureSizes {
 
 /// Small sizes for which drivers see the same kinds of targets as for `whole`: the same sides of
 /// the same passes are powers of two. If none are near, this holds only for the viewport.
-PictureSizes small_like(const Look& look, const PictureSizes& whole);
+PictureSizes small_equivalent(const Look& look, const PictureSizes& whole);
 /// The same for about a quarter of the size; nullopt: none is near, or a side would be below 128
 /// px.
-std::optional<PictureSizes> quarter_like(const Look& look, const PictureSizes& whole);
+std::optional<PictureSizes> quarter_equivalent(const Look& look, const PictureSizes& whole);

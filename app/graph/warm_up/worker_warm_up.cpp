@@ -25,7 +25,7 @@ void WorkerWarmUp::draw_with(const PassProgram& program) const {
     gpu::draw_triangle();
 }
 
-void WorkerWarmUp::draw(const FirstDrawsOf& of, PassProgress& progress) const {
+void WorkerWarmUp::draw(const FirstDrawsInput& of, PassProgress& progress) const {
     FirstDraws draws(of, m_first);
     if (draws.is_done())
         return;

@@ -17,7 +17,7 @@ public:
     static Result<WorkerWarmUp> make();
 
     /// Draws all first draws unless cancelled.
-    void draw(const FirstDrawsOf& of, PassProgress& progress) const;
+    void draw(const FirstDrawsInput& of, PassProgress& progress) const;
 
 private:
     WorkerWarmUp(PassProgram first, PassProgram last, gpu::Canvas canvas);

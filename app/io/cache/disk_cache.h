@@ -11,22 +11,22 @@
 class DiskCache : public ByteStore {
 public:
     /// `origin` is part of each key: entries of other origins are not found. Keeps about
-    /// `most_bytes` at most; the least recently used entries are removed first.
+    /// `max_bytes` at most; the least recently used entries are removed first.
     DiskCache(std::filesystem::path folder, std::string origin,
-              std::uintmax_t most_bytes = std::uintmax_t{128} << 20);
+              std::uintmax_t max_bytes = std::uintmax_t{128} << 20);
 
-    std::optional<std::string> find(std::string_view question) override;
-    void keep(std::string_view question, std::string_view answer) override;
+    std::optional<std::string> find(std::string_view key) override;
+    void keep(std::string_view key, std::string_view value) override;
 
 private:
-    std::string whole(std::string_view question) const;
+    std::string whole(std::string_view key) const;
     std::filesystem::path file_of(std::string_view whole) const;
     bool write(const std::filesystem::path& file, std::string_view bytes) const;
-    void make_room();
+    void evict();
 
     std::filesystem::path m_folder;
     std::string m_origin;
-    std::uintmax_t m_most_bytes;
+    std::uintmax_t m_max_bytes;
     std::mutex m_mutex;
     std::uintmax_t m_unlooked_bytes;  // written since the folder was last scanned
 };

@@ -22,10 +22,10 @@ public:
     MidiQueue() : m_bell(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}
 
     void put(const std::vector<unsigned char>& message) {
-        constexpr std::size_t most = 4096;  // drops messages that are not read
+        constexpr std::size_t maximum = 4096;  // drops messages that are not read
         {
             const std::lock_guard lock(m_mutex);
-            if (m_messages.size() >= most)
+            if (m_messages.size() >= maximum)
                 return;
             m_messages.emplace_back(message.begin(), message.end());
         }

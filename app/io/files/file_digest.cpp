@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-Result<std::string> file_digest(const std::filesystem::path& file, Work* work) {
+Result<std::string> file_digest(const std::filesystem::path& file, JobProgress* work) {
     // Also checks that it is a regular file; opening a pipe would block forever.
     if (const auto start = read_start(file, 1); !start)
         return fail(start.error());

@@ -20,7 +20,7 @@ constexpr std::uint32_t folder_gone = IN_IGNORED | IN_DELETE_SELF | IN_MOVE_SELF
 constexpr std::uint32_t watched_events =
     IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | gone | IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
 // Editors that save by rename leave the name missing for some milliseconds at most.
-constexpr std::chrono::milliseconds patience{200};
+constexpr std::chrono::milliseconds timeout{200};
 
 bool add_to_poll(int poll, int descriptor) {
     epoll_event event = {};
@@ -85,7 +85,7 @@ std::vector<fs::path> FileWatcher::take_changed() {
         add_watches();
         note_differences();
     }
-    specialize_missing();
+    resolve_missing();
     std::vector<fs::path> changed;
     for (const fs::path& file : m_changed) {
         const auto watched = m_files.find(file);
@@ -196,9 +196,9 @@ void FileWatcher::handle_file_event(const fs::path& file, std::uint32_t mask) {
 
 void FileWatcher::expect_back(const fs::path& file) {
     m_missing.insert(file);
-    m_missing_until = Clock::now() + patience;
+    m_missing_until = Clock::now() + timeout;
     itimerspec once = {};
-    once.it_value.tv_nsec = std::chrono::nanoseconds(patience).count();
+    once.it_value.tv_nsec = std::chrono::nanoseconds(timeout).count();
     ::timerfd_settime(m_timer.get(), 0, &once, nullptr);
 }
 
@@ -212,7 +212,7 @@ void FileWatcher::note_differences() {
     }
 }
 
-void FileWatcher::specialize_missing() {
+void FileWatcher::resolve_missing() {
     std::uint64_t expirations = 0;
     const bool is_over = ::read(m_timer.get(), &expirations, sizeof expirations) > 0 ||
                          Clock::now() >= m_missing_until;

@@ -57,7 +57,7 @@ private:
     void handle_file_event(const std::filesystem::path& file, std::uint32_t mask);
     void expect_back(const std::filesystem::path& file);
     void note_differences();
-    void specialize_missing();
+    void resolve_missing();
 
     Descriptor m_events;  // inotify
     Descriptor m_timer;   // ends the wait for a missing file

@@ -9,14 +9,14 @@
 
 namespace {
 // Static data only: a signal handler can access nothing else.
-constexpr std::size_t most_kept = 16;
+constexpr std::size_t max_kept = 16;
 constexpr std::size_t longest_name = 4096;
 struct PassingName {
     std::atomic<bool> is_set = false;
     std::array<char, longest_name> text{};  // a copy: the owner's text may be destroyed while the
                                             // handler runs
 };
-std::array<PassingName, most_kept> passing_names{};
+std::array<PassingName, max_kept> passing_names{};
 
 // Locked to add or remove a file, on any thread; the handler never locks it.
 std::mutex& passing_mutex() {
@@ -36,11 +36,11 @@ void remove_and_end(int number) {
 // the mutex locked.
 std::size_t take_slot(const std::string& name) {
     if (name.size() >= longest_name)
-        return most_kept;
+        return max_kept;
     std::size_t slot = 0;
-    while (slot < most_kept && passing_names[slot].is_set)
+    while (slot < max_kept && passing_names[slot].is_set)
         ++slot;
-    if (slot < most_kept) {
+    if (slot < max_kept) {
         *std::copy(name.begin(), name.end(), passing_names[slot].text.begin()) = '\0';
         passing_names[slot].is_set = true;
     }
@@ -57,9 +57,9 @@ void replace_handlers(void (*from)(int), void (*to)(int)) {
     struct sigaction action = {};
     action.sa_handler = to;
     for (const int ending : {SIGINT, SIGTERM, SIGHUP}) {
-        struct sigaction present = {};
-        ::sigaction(ending, nullptr, &present);
-        if (present.sa_handler == from)
+        struct sigaction current = {};
+        ::sigaction(ending, nullptr, &current);
+        if (current.sa_handler == from)
             ::sigaction(ending, &action, nullptr);
     }
 }
@@ -74,7 +74,7 @@ ScopedFile::ScopedFile(const std::filesystem::path& file) : m_name(file.string()
 ScopedFile::~ScopedFile() {
     ::unlink(m_name.c_str());
     const std::lock_guard lock(passing_mutex());
-    if (m_slot < most_kept)
+    if (m_slot < max_kept)
         passing_names[m_slot].is_set = false;
     if (!is_any_left())  // the next file installs the handlers again
         replace_handlers(remove_and_end, SIG_DFL);

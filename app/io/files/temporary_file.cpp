@@ -63,7 +63,7 @@ TemporaryFile::TemporaryFile(const fs::path& folder) {
             Descriptor(::open(m_path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     } while (m_descriptor.is_open() ? is_taken_away() : errno == EEXIST);
     if (is_open())
-        m_passing.emplace(m_path);
+        m_scoped_file.emplace(m_path);
 }
 
 bool TemporaryFile::set_mode(mode_t mode) {

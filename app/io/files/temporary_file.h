@@ -27,7 +27,7 @@ private:
 
     std::filesystem::path m_path;
     Descriptor m_descriptor;
-    std::optional<ScopedFile> m_passing;  // the name is never reused
+    std::optional<ScopedFile> m_scoped_file;  // the name is never reused
 };
 
 /// Removes the temporary files in a folder whose programs were killed while saving. A living

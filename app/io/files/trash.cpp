@@ -55,8 +55,8 @@ std::string info_text(const fs::path& path) {
 // Creating the info file reserves the name in both folders.
 Result<fs::path> reserve_name(const fs::path& trash, const fs::path& file,
                               const std::string& text) {
-    constexpr int most_tries = 10000;
-    for (int i = 1; i < most_tries; ++i) {
+    constexpr int max_tries = 10000;
+    for (int i = 1; i < max_tries; ++i) {
         const std::string number = i == 1 ? "" : fmt::format(" {}", i);
         const fs::path info =
             trash / "info" /

@@ -11,7 +11,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_digits = 9;
+constexpr std::size_t max_digits = 9;
 
 // "frame_%04d.png": the text before and after the number, and the minimum number of digits.
 struct Name {
@@ -28,7 +28,7 @@ std::optional<Name> parse_name(const std::string& text) {
         return std::nullopt;
     const std::string width = text.substr(percent + 1, end - percent - 1);
     const auto digits = width.empty() ? std::optional<int>(1) : parse_integer(width);
-    if (!digits || *digits < 1 || *digits > static_cast<int>(most_digits))
+    if (!digits || *digits < 1 || *digits > static_cast<int>(max_digits))
         return std::nullopt;
     return Name{text.substr(0, percent), text.substr(end + 1), static_cast<std::size_t>(*digits)};
 }
@@ -46,7 +46,7 @@ std::optional<int> number_of(const std::string& file, const Name& name) {
         file.substr(name.before.size(), file.size() - name.before.size() - name.after.size());
     const bool has_width =
         number.size() == name.digits || (number.size() > name.digits && number.front() != '0');
-    if (!has_width || number.size() > most_digits || !std::ranges::all_of(number, is_digit))
+    if (!has_width || number.size() > max_digits || !std::ranges::all_of(number, is_digit))
         return std::nullopt;
     return parse_integer(number);
 }

@@ -74,8 +74,8 @@ std::string fault_of_png(const std::vector<PngChunk>& chunks) {
         return "the PNG is damaged: it has no header";
     const std::uint32_t width = number_at(header, 0);
     const std::uint32_t height = number_at(header, 4);
-    constexpr std::uint32_t most = 0x7fffffff;
-    if (width < 1 || height < 1 || width > most || height > most)
+    constexpr std::uint32_t maximum = 0x7fffffff;
+    if (width < 1 || height < 1 || width > maximum || height > maximum)
         return fmt::format("the PNG is damaged: its size is {} x {} px", width, height);
     // The valid bit depths of each colour type.
     const std::map<int, std::string_view> depths{{0, "\x01\x02\x04\x08\x10"},

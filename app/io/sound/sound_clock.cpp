@@ -21,7 +21,7 @@ SoundClock::Snapshot SoundClock::latest() const {
     }
 }
 
-void SoundClock::jumped(std::uint64_t jump, double seconds) {
+void SoundClock::seek_started(std::uint64_t jump, double seconds) {
     m_jump_asked = jump;
     m_heard = seconds;
     m_asked = {};

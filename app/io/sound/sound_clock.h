@@ -15,7 +15,7 @@ public:
     void buffer_filled(const SoundPlayer::Mixed& buffer, Time now) noexcept;
 
     /// Holds the position of a seek until a buffer follows it.
-    void jumped(std::uint64_t jump, double seconds);
+    void seek_started(std::uint64_t jump, double seconds);
     /// Seconds of the sound; never decreases except by a jump. `latency_seconds` is the time
     /// between filling a buffer and hearing it.
     double heard_seconds(Time now, double latency_seconds);

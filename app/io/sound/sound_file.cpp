@@ -17,8 +17,8 @@
 #include <new>
 
 namespace {
-constexpr int most_channels = 32;
-constexpr int most_rate = 768000;
+constexpr int max_channels = 32;
+constexpr int max_rate = 768000;
 
 struct CloseFile {
     void operator()(SNDFILE* file) const { sf_close(file); }
@@ -26,34 +26,34 @@ struct CloseFile {
 using SoundFile = std::unique_ptr<SNDFILE, CloseFile>;
 
 Result<void> check(const std::filesystem::path& file, const SF_INFO& info) {
-    if (info.samplerate <= 0 || info.samplerate > most_rate)
+    if (info.samplerate <= 0 || info.samplerate > max_rate)
         return fail({file, 0,
-                     fmt::format("the sample rate must be between 1 and {} Hz, got {} Hz",
-                                 most_rate, info.samplerate)});
-    if (info.channels <= 0 || info.channels > most_channels)
+                     fmt::format("the sample rate must be between 1 and {} Hz, got {} Hz", max_rate,
+                                 info.samplerate)});
+    if (info.channels <= 0 || info.channels > max_channels)
         return fail({file, 0,
                      fmt::format("the number of channels must be between 1 and {}, got {}",
-                                 most_channels, info.channels)});
+                                 max_channels, info.channels)});
     return {};
 }
 
 // A float file may contain any value. Values far beyond full scale can't be heard or seen.
 float sane(float sample) {
-    constexpr float most = 1000.0f;
+    constexpr float maximum = 1000.0f;
     if (std::isnan(sample))
         return 0.0f;
-    return std::min(std::max(sample, -most), most);
+    return std::min(std::max(sample, -maximum), maximum);
 }
 
 // Reads block by block to the end, because the length in a header is not reliable. `claimed` is
 // only used for progress.
 Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, double claimed,
-                          Sound& sound, Work* work) {
+                          Sound& sound, JobProgress* work) {
     std::array<float, 8192> block;
     const auto channels = static_cast<std::size_t>(sound.channels);
     const auto frames = static_cast<sf_count_t>(block.size() / channels);
     const std::size_t longest =
-        std::size_t{most_sound_seconds} * static_cast<std::size_t>(sound.rate) * channels;
+        std::size_t{max_sound_seconds} * static_cast<std::size_t>(sound.rate) * channels;
     for (;;) {
         const sf_count_t got = sf_readf_float(source, block.data(), frames);
         if (got <= 0)
@@ -61,7 +61,7 @@ Result<void> read_samples(const std::filesystem::path& file, SNDFILE* source, do
         const auto count = static_cast<std::size_t>(got) * channels;
         if (sound.samples.size() + count > longest)
             return fail({file, 0, "the sound is too long; the limit is 1 hour"});
-        if (sound.samples.size() + count > most_sound_samples)
+        if (sound.samples.size() + count > max_sound_samples)
             return fail({file, 0, "the sound needs too much memory; the limit is 2 GiB"});
         for (std::size_t i = 0; i < count; ++i)
             sound.samples.push_back(sane(block[i]));
@@ -149,7 +149,7 @@ std::string with_length(std::string wav, std::size_t data) {
 }
 
 // The sound of such a WAV; nullopt for other files or on an error.
-std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work* work) {
+std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, JobProgress* work) {
     const auto bytes = read_bytes(file);
     const auto data = bytes ? unfinished_data(*bytes) : std::nullopt;
     if (!data)
@@ -168,7 +168,7 @@ std::optional<Sound> load_unfinished_wav(const std::filesystem::path& file, Work
 }
 }  // namespace
 
-Result<Sound> load_sound(const std::filesystem::path& file, Work* work, Diagnostics* notes) {
+Result<Sound> load_sound(const std::filesystem::path& file, JobProgress* work, Diagnostics* notes) {
     // Also checks that it is a regular file; opening a pipe would block forever.
     const auto start = read_start(file, 1);
     if (!start)

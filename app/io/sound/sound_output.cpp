@@ -35,13 +35,13 @@ public:
 
     void play(std::shared_ptr<const Sound> sound, double start_seconds) override {
         m_player->play(std::move(sound), start_seconds);
-        m_clock.jumped(m_player->jump(), 0.0);
+        m_clock.seek_started(m_player->jump(), 0.0);
     }
     void play() override { m_player->set_paused(false); }
     void pause() override { m_player->set_paused(true); }
     void seek(double seconds) override {
         m_player->seek(seconds);
-        m_clock.jumped(m_player->jump(), std::max(seconds, 0.0));
+        m_clock.seek_started(m_player->jump(), std::max(seconds, 0.0));
     }
     void set_loop(bool loops) override { m_player->set_loop(loops); }
     void set_level(double level) override { m_player->set_level(level); }

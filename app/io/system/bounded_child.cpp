@@ -28,8 +28,8 @@ std::size_t data_bytes() {
     return pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
 }
 
-void limit(int resource, std::size_t most) {
-    const rlimit bound{most, most};
+void limit(int resource, std::size_t maximum) {
+    const rlimit bound{maximum, maximum};
     ::setrlimit(static_cast<__rlimit_resource>(resource), &bound);
 }
 

@@ -150,13 +150,13 @@ std::size_t ChildProcess::read(char* bytes, std::size_t size) {
     return done;
 }
 
-std::string ChildProcess::read_all(std::size_t most) {
-    std::string text(most, '\0');
-    text.resize(read(text.data(), most));
+std::string ChildProcess::read_all(std::size_t maximum) {
+    std::string text(maximum, '\0');
+    text.resize(read(text.data(), maximum));
     return text;
 }
 
-std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t most) {
+std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t maximum) {
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     std::string text;
@@ -171,7 +171,7 @@ std::optional<std::string> ChildProcess::read_all_within(double seconds, std::si
         if (ready <= 0)
             return std::nullopt;
         const ssize_t got =
-            ::read(m_output.get(), piece.data(), std::min(piece.size(), most - text.size()));
+            ::read(m_output.get(), piece.data(), std::min(piece.size(), maximum - text.size()));
         if (got < 0 && errno == EINTR)
             continue;
         if (got <= 0)

@@ -34,10 +34,10 @@ public:
 
     /// Reads the next bytes of its output, up to `size`; fewer only at the end of the output.
     std::size_t read(char* bytes, std::size_t size);
-    /// Reads the remaining output, at most `most` bytes.
-    std::string read_all(std::size_t most);
+    /// Reads the remaining output, at most `maximum` bytes.
+    std::string read_all(std::size_t maximum);
     /// As read_all; nullopt if the output has not ended within `seconds`.
-    std::optional<std::string> read_all_within(double seconds, std::size_t most);
+    std::optional<std::string> read_all_within(double seconds, std::size_t maximum);
     /// Writes to one of its inputs, from 0, and blocks while its buffer is full. False if the child
     /// no longer reads it. Each input may be fed from its own thread.
     bool feed(int input, std::string_view bytes) const;

@@ -13,17 +13,17 @@ namespace fs = std::filesystem;
 namespace {
 using Arguments = std::vector<std::string>;
 
-constexpr double most_gif_rate = 50.0;  // browsers treat a higher rate as an error
+constexpr double max_gif_rate = 50.0;  // browsers treat a higher rate as an error
 
 std::string ending_of(const fs::path& file) {
     return to_lower(file.extension().string());
 }
 
 // The step between the pictures that are kept.
-int step_of(const fs::path& file, const FilmRate& rate) {
+int step_of(const fs::path& file, const FrameRateFraction& rate) {
     if (ending_of(file) != ".gif")
         return 1;
-    return std::max(1, static_cast<int>(std::ceil(rate.number() / most_gif_rate - 1e-9)));
+    return std::max(1, static_cast<int>(std::ceil(rate.number() / max_gif_rate - 1e-9)));
 }
 
 void add_arguments(Arguments& arguments, const Arguments& more) {
@@ -76,7 +76,7 @@ Arguments sound_arguments(const std::string& ending) {
 }
 
 Arguments command_of(const std::string& ending, const FilmFormat& format, int step) {
-    const FilmRate rate = film_rate_of(format.rate.number() / step);
+    const FrameRateFraction rate = frame_rate_fraction(format.rate.number() / step);
     Arguments arguments{"ffmpeg",
                         "-v",
                         "error",
@@ -109,8 +109,8 @@ Arguments command_of(const std::string& ending, const FilmFormat& format, int st
 }  // namespace
 
 bool is_film_name(const fs::path& file) {
-    constexpr std::array<std::string_view, 3> endings{".mp4", ".webm", ".gif"};
-    return std::ranges::find(endings, ending_of(file)) != endings.end();
+    constexpr std::array<std::string_view, 3> extensions{".mp4", ".webm", ".gif"};
+    return std::ranges::find(extensions, ending_of(file)) != extensions.end();
 }
 
 Result<std::unique_ptr<FilmFile>> FilmFile::create(const fs::path& file, FilmFormat format) {

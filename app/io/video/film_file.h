@@ -4,7 +4,7 @@
 #include "io/files/atomic_file.h"
 #include "io/system/child_process.h"
 #include "model/look/extent.h"
-#include "model/picture/film_rate.h"
+#include "model/picture/frame_rate_fraction.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -25,7 +25,7 @@ struct FilmSound {
 
 struct FilmFormat {
     Extent extent;
-    FilmRate rate;
+    FrameRateFraction rate;
     FilmSound sound = {};
 };
 

@@ -8,8 +8,8 @@
 namespace {
 // More would only wait: drawing uses all cores, and libraries have their own threads.
 unsigned encoder_count() {
-    constexpr unsigned most = FramePipeline::most_frames - 2;  // one is drawn, one is next
-    return std::clamp(std::thread::hardware_concurrency(), 1u, most);
+    constexpr unsigned maximum = FramePipeline::max_frames - 2;  // one is drawn, one is next
+    return std::clamp(std::thread::hardware_concurrency(), 1u, maximum);
 }
 
 // Gives drawing priority: it has single-threaded stretches, which encoding then fills.

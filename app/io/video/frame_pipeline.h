@@ -13,11 +13,11 @@
 #include <thread>
 #include <vector>
 
-/// Encodes pictures on several threads while one thread draws. At most most_frames are in memory;
+/// Encodes pictures on several threads while one thread draws. At most max_frames are in memory;
 /// the drawing thread waits for a free one.
 class FramePipeline {
 public:
-    static constexpr int most_frames = 6;
+    static constexpr int max_frames = 6;
 
     struct Frame {
         std::int64_t number = 0;

@@ -78,27 +78,27 @@ tl::unexpected<Diagnostics> not_installed(const fs::path& file, const Diagnostic
                              reasons.front().message)});
 }
 
-Result<Facts> facts_in(const std::string& text, const fs::path& file) {
+Result<Facts> info_in(const std::string& text, const fs::path& file) {
     const auto pairs = pairs_in(text);
     const auto said = [&](const char* key) {
         const auto found = pairs.find(key);
         return found == pairs.end() ? std::string() : found->second;
     };
-    Facts facts;
-    facts.extent = {parse_integer(said("width")).value_or(0),
-                    parse_integer(said("height")).value_or(0)};
-    facts.rate = rate_of(said("r_frame_rate"), said("avg_frame_rate"));
-    facts.rate_number = ratio(facts.rate);
-    facts.is_deep = has_deep_channels(said("pix_fmt"));
+    Facts info;
+    info.extent = {parse_integer(said("width")).value_or(0),
+                   parse_integer(said("height")).value_or(0)};
+    info.rate = rate_of(said("r_frame_rate"), said("avg_frame_rate"));
+    info.rate_number = ratio(info.rate);
+    info.is_deep = has_deep_channels(said("pix_fmt"));
     if (parse_integer(said("rotation")).value_or(0) % 180 != 0)
-        std::swap(facts.extent.width, facts.extent.height);
-    if (facts.extent.is_empty() || facts.rate_number <= 0.0)
+        std::swap(info.extent.width, info.extent.height);
+    if (info.extent.is_empty() || info.rate_number <= 0.0)
         return fail({file, 0, "the file contains no readable video"});
-    if (facts.extent.width > largest_frame_side || facts.extent.height > largest_frame_side)
+    if (info.extent.width > largest_frame_side || info.extent.height > largest_frame_side)
         return fail({file, 0,
                      fmt::format("the video is too large: {} x {} px; the limit is {} px per side",
-                                 facts.extent.width, facts.extent.height, largest_frame_side)});
-    return facts;
+                                 info.extent.width, info.extent.height, largest_frame_side)});
+    return info;
 }
 
 Result<Facts> probe(const fs::path& file) {
@@ -109,20 +109,20 @@ Result<Facts> probe(const fs::path& file) {
          "default=noprint_wrappers=1", as_input(file)});
     if (!process)
         return not_installed(file, process.error());
-    constexpr std::size_t most = std::size_t{64} * 1024;
-    const std::string text = process->read_all(most);
+    constexpr std::size_t maximum = std::size_t{64} * 1024;
+    const std::string text = process->read_all(maximum);
     if (!process->finish()) {
         const std::string reason = without_name(process->complaint(), file);
         return fail({file, 0,
                      reason.empty() ? "can't read the video"
                                     : fmt::format("can't read the video: {}", reason)});
     }
-    return facts_in(text, file);
+    return info_in(text, file);
 }
 
 class Video : public PictureReader {
 public:
-    Video(fs::path file, Facts facts) : m_file(std::move(file)), m_facts(std::move(facts)) {}
+    Video(fs::path file, Facts info) : m_file(std::move(file)), m_info(std::move(info)) {}
 
     Result<std::optional<Picture>> read(std::int64_t number) override {
         if (m_count && number >= *m_count)
@@ -139,10 +139,10 @@ public:
     }
 
     std::optional<std::int64_t> count() const override { return m_count; }
-    double rate() const override { return m_facts.rate_number; }
+    double rate() const override { return m_info.rate_number; }
 
 private:
-    std::size_t channel_bytes() const { return m_facts.is_deep ? 2 : 1; }
+    std::size_t channel_bytes() const { return m_info.is_deep ? 2 : 1; }
 
     Result<void> begin() {
         m_process.reset();
@@ -159,7 +159,7 @@ private:
                                             "-map",
                                             "0:v:0",
                                             "-r",
-                                            m_facts.rate,
+                                            m_info.rate,
                                             "-vsync",
                                             "cfr",
                                             "-sws_flags",
@@ -167,14 +167,14 @@ private:
                                             "-f",
                                             "rawvideo",
                                             "-pix_fmt",
-                                            m_facts.is_deep ? "rgb48le" : "rgb24",
+                                            m_info.is_deep ? "rgb48le" : "rgb24",
                                             "pipe:1"});
         if (!process)
             return not_installed(m_file, process.error());
         m_process.emplace(std::move(*process));
         m_next = 0;
-        m_bytes.resize(static_cast<std::size_t>(m_facts.extent.width) *
-                       static_cast<std::size_t>(m_facts.extent.height) * 3 * channel_bytes());
+        m_bytes.resize(static_cast<std::size_t>(m_info.extent.width) *
+                       static_cast<std::size_t>(m_info.extent.height) * 3 * channel_bytes());
         return {};
     }
 
@@ -196,11 +196,11 @@ private:
     }
 
     Picture decoded() const {
-        Picture picture{m_facts.extent, 3, Encoding::display, {}};
+        Picture picture{m_info.extent, 3, Encoding::display, {}};
         const std::size_t count = m_bytes.size() / channel_bytes();
         picture.pixels.resize(count);
         for (std::size_t i = 0; i < count; ++i) {
-            if (!m_facts.is_deep) {
+            if (!m_info.is_deep) {
                 picture.pixels[i] = static_cast<float>(byte(i)) / 255.0f;
                 continue;
             }
@@ -213,7 +213,7 @@ private:
     unsigned byte(std::size_t offset) const { return static_cast<unsigned char>(m_bytes[offset]); }
 
     fs::path m_file;
-    Facts m_facts;
+    Facts m_info;
     std::optional<ChildProcess> m_process;
     std::int64_t m_next = 0;  // number of the next picture from the process
     std::string m_bytes;      // of the latest picture
@@ -222,9 +222,9 @@ private:
 }  // namespace
 
 bool is_video_file(const fs::path& file) {
-    constexpr std::array<std::string_view, 11> endings{
+    constexpr std::array<std::string_view, 11> extensions{
         ".mp4", ".m4v", ".mkv", ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif", ".y4m"};
-    return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end();
+    return std::ranges::find(extensions, to_lower(file.extension().string())) != extensions.end();
 }
 
 Result<std::unique_ptr<PictureReader>> open_video(const fs::path& file) {
@@ -233,8 +233,8 @@ Result<std::unique_ptr<PictureReader>> open_video(const fs::path& file) {
         return fail(start.error());
     if (start->empty())
         return fail({file, 0, "the file is empty"});
-    auto facts = probe(file);
-    if (!facts)
-        return fail(facts.error());
-    return std::make_unique<Video>(file, std::move(*facts));
+    auto info = probe(file);
+    if (!info)
+        return fail(info.error());
+    return std::make_unique<Video>(file, std::move(*info));
 }

@@ -27,7 +27,7 @@ std::uint8_t rounded(int numerator) {
 }
 }  // namespace
 
-std::string y4m_header(Extent extent, const FilmRate& rate) {
+std::string y4m_header(Extent extent, const FrameRateFraction& rate) {
     return fmt::format("YUV4MPEG2 W{} H{} F{} Ip A1:1 C444 XCOLORRANGE=LIMITED\n", extent.width,
                        extent.height, rate.text(':'));
 }

@@ -14,10 +14,10 @@ namespace fs = std::filesystem;
 
 namespace {
 // The current signal with another file. A signal of another kind is replaced.
-Spec playing(const fs::path& file, const Spec& present) {
+Spec playing(const fs::path& file, const Spec& current) {
     const Spec fresh =
         is_scene_file(file) ? Spec{"scene", {}} : Spec{"audio", {{"mode", std::string("xy")}}};
-    Spec spec = present.kind == fresh.kind ? present : fresh;
+    Spec spec = current.kind == fresh.kind ? current : fresh;
     spec.settings.erase("");
     spec.settings["file"] = fs::absolute(file).string();
     return with_round_circles(std::move(spec));
@@ -78,7 +78,7 @@ void ContentCommands::cancel_loading() {
 
 void ContentCommands::update() {
     take_pictures();
-    if (!m_work.document->is_restacking())
+    if (!m_work.document->has_pending_stack())
         take_content();
 }
 
@@ -149,11 +149,11 @@ void ContentCommands::offer_own(const Preset& preset) {
     if (!is_content_locked(*m_work.document) || !names_content)
         return;
     const Content own{preset.signal.value_or(Spec{}), preset.source, {}};
-    const Content present = content_of(*m_work.document);
-    if (is_signal ? is_same_content(own.signal, present.signal)
-                  : is_same_content(own.source, present.source))
+    const Content current = content_of(*m_work.document);
+    if (is_signal ? is_same_content(own.signal, current.signal)
+                  : is_same_content(own.source, current.source))
         return;
-    const std::string text = fmt::format("Kept {}", content_name(present, look));
+    const std::string text = fmt::format("Kept {}", content_name(current, look));
     m_work.messages.append(
         text, {.name = use_content_label(look),
                .commands = {[own](Document& document) { use_content(document, own); }}});

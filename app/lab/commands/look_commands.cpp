@@ -44,7 +44,7 @@ void LookCommands::open_file(const fs::path& file) {
 }
 
 void LookCommands::cancel_opening() {
-    if (!m_work.document || !m_work.document->is_restacking())
+    if (!m_work.document || !m_work.document->has_pending_stack())
         m_loader.cancel();
 }
 
@@ -71,9 +71,9 @@ void LookCommands::duplicate(const std::string& id) {
         m_work.library.duplicate_look(m_work.document->look().manifest.parent_path(), id);
     if (!m_work.messages.succeeded(folder))
         return;
-    Preset present = preset_of(*m_work.document);
-    present.look = id;
-    m_loader.open(OpenRequest{*folder, present, {}});
+    Preset current = preset_of(*m_work.document);
+    current.look = id;
+    m_loader.open(OpenRequest{*folder, current, {}});
 }
 
 void LookCommands::write_overrides() {
@@ -86,7 +86,7 @@ void LookCommands::write_overrides() {
                 fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
     for (std::size_t i = 0; i < stack.size(); ++i) {
         PassOverrides own;
-        const std::string scope = scope_of(stack, i);
+        const std::string scope = name_prefix(stack, i);
         for (const auto& [pass, override] : m_work.document->state().overrides)
             if (pass.starts_with(scope))
                 own.emplace(pass.substr(scope.size()), override);

@@ -117,8 +117,8 @@ std::string PresetCommands::star_name(const fs::path& file) const {
     const std::string look = m_work.document ? m_work.document->look().id : std::string();
     for (const PresetEntry& preset : m_work.library.presets(look))
         if (preset.file == file)
-            return star_of(look, preset.id);
-    return star_of(look, file.stem().string());
+            return favourite_key(look, preset.id);
+    return favourite_key(look, file.stem().string());
 }
 
 void PresetCommands::rename(const fs::path& before, const std::string& name) {

@@ -28,7 +28,7 @@ std::vector<PresetEntry> in_listed_order(std::vector<PresetEntry> presets) {
 void PresetNavigation::star(const std::string& preset, bool has_star) {
     if (!m_work.document)
         return;
-    const std::string star = star_of(m_work.document->look().id, preset);
+    const std::string star = favourite_key(m_work.document->look().id, preset);
     if (has_star)
         m_stars.insert(star);
     else
@@ -39,7 +39,7 @@ std::optional<PresetIndex> PresetNavigation::target(int by, bool only_starred) {
     const std::vector<PresetEntry> presets =
         in_listed_order(m_work.library.presets(m_work.document->look().id));
     const bool is_stepping = m_step && m_loader.is_opening_preset(m_step->file);
-    const fs::path present = is_stepping  ? m_step->file
+    const fs::path current = is_stepping  ? m_step->file
                              : m_morphing ? m_morphing->file()
                                           : preset_file(*m_work.document);
     if (presets.empty()) {
@@ -47,8 +47,8 @@ std::optional<PresetIndex> PresetNavigation::target(int by, bool only_starred) {
         return std::nullopt;
     }
     if (!only_starred)
-        return preset_after(presets, present, by);
-    auto starred = starred_after(presets, m_stars, present, by);
+        return preset_after(presets, current, by);
+    auto starred = favourite_after(presets, m_stars, current, by);
     if (!starred)
         m_work.messages.say("This look has no favourite presets");
     return starred;
@@ -122,7 +122,7 @@ void PresetNavigation::end_morph() {
 void PresetNavigation::update(double wall_seconds) {
     if (!m_morphing || m_morphing->update(*m_work.document, wall_seconds))
         return;
-    if (m_morphing->has_arrived()) {
+    if (m_morphing->is_finished()) {
         m_work.messages.say(fmt::format("Morphed to \"{}\"", m_morphing->name()));
         const fs::path& file = m_morphing->file();
         if (const auto preset = load_preset(file))

@@ -16,8 +16,8 @@ public:
     PresetNavigation(Workspace& work, LookLoader& loader, ContentCommands& content)
         : m_work(work), m_loader(loader), m_content(content) {}
 
-    const PresetStars& stars() const { return m_stars; }
-    PresetStars& stars() { return m_stars; }
+    const FavouritePresets& stars() const { return m_stars; }
+    FavouritePresets& stars() { return m_stars; }
     /// `preset` is the id of a preset of the open look.
     void star(const std::string& preset, bool has_star);
 
@@ -44,7 +44,7 @@ private:
     Workspace& m_work;
     LookLoader& m_loader;
     ContentCommands& m_content;
-    PresetStars m_stars;
+    FavouritePresets m_stars;
     std::unique_ptr<Morphing> m_morphing;
     std::optional<PresetIndex> m_step;  // the preset that is being opened
 };

@@ -75,8 +75,8 @@ void PresetSharing::file_changed(const fs::path& file) {
     if (!m_work.messages.succeeded(preset))
         return;
     m_work.messages.withdraw(file.string());
-    const Preset present = portable_preset_of(*m_work.document, file, m_work.media.recent());
-    if (is_written_alike(*preset, present, m_work.document->look()))
+    const Preset current = portable_preset_of(*m_work.document, file, m_work.media.recent());
+    if (is_written_alike(*preset, current, m_work.document->look()))
         return;
     if (is_modified(*m_work.document)) {
         m_work.messages.say(fmt::format("\"{}\" changed on disk. Your changes are kept.",

@@ -77,7 +77,7 @@ const gpu::Texture* ComparedPictures::reference(const Subject& subject) {
 const gpu::Texture* ComparedPictures::sized_other(const Subject& subject) {
     if (!subject.other)
         return reference(subject);
-    const bool is_integer = facts_of(subject.other->format()).is_integer;
+    const bool is_integer = info_of(subject.other->format()).is_integer;
     if (is_integer || subject.other->extent() == subject.ours.extent())
         return subject.other;
     if (!fit_floats(m_fitted, subject.ours.extent()))

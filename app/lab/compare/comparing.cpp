@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <utility>
 
-void Comparing::flash(bool is_flashing) {
+void Comparing::show_reference(bool is_reference_shown) {
     constexpr double seconds_after = 5.0;
-    if (std::exchange(m_is_flashing, is_flashing) && !is_flashing)
+    if (std::exchange(m_is_reference_shown, is_reference_shown) && !is_reference_shown)
         m_seconds_at_hand = seconds_after;
 }
 
-void Comparing::pass_time(double seconds) {
+void Comparing::update(double seconds) {
     m_seconds_at_hand = std::max(m_seconds_at_hand - seconds, 0.0);
 }
 
 void Comparing::end() {
     m_chosen.mode = CompareMode::off;
-    m_is_flashing = false;
+    m_is_reference_shown = false;
     m_seconds_at_hand = 0.0;
 }
 
@@ -56,7 +56,7 @@ std::optional<Other> Comparing::nearest_other(const Look& look, const Values& va
     return found == others.end() ? std::nullopt : std::optional(*found);
 }
 
-Extent room_of_one(Extent view, CompareMode mode) {
+Extent size_of_one(Extent view, CompareMode mode) {
     constexpr int line = 2;  // px
     if (mode != CompareMode::side_by_side)
         return view;

@@ -15,14 +15,14 @@ public:
     void choose(Comparison comparison) { m_chosen = std::move(comparison); }
 
     /// Shows the reference instead of the picture while this is on.
-    void flash(bool is_flashing);
-    bool is_flashing() const { return m_is_flashing; }
+    void show_reference(bool is_reference_shown);
+    bool is_reference_shown() const { return m_is_reference_shown; }
     /// Whether the reference must be ready: also for a while after a flash, so that the next one is
     /// shown immediately.
     bool is_wanted() const {
-        return m_chosen.mode != CompareMode::off || m_is_flashing || m_seconds_at_hand > 0.0;
+        return m_chosen.mode != CompareMode::off || m_is_reference_shown || m_seconds_at_hand > 0.0;
     }
-    void pass_time(double seconds);
+    void update(double seconds);
     /// Ends the comparison.
     void end();
 
@@ -46,11 +46,11 @@ private:
     bool is_there(const Other& other, const Look& look, const Values& values) const;
 
     Comparison m_chosen;
-    bool m_is_flashing = false;
+    bool m_is_reference_shown = false;
     double m_seconds_at_hand = 0.0;
     LookSlots m_slots;
     ReferencePicture m_reference;
 };
 
 /// The size of each picture in a view of this size: the whole view, or a half next to a line.
-Extent room_of_one(Extent view, CompareMode mode);
+Extent size_of_one(Extent view, CompareMode mode);

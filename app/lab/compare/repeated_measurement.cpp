@@ -15,7 +15,7 @@ Result<RepeatedMeasurement> RepeatedMeasurement::make() {
 
 void RepeatedMeasurement::update(double seconds, const std::function<void(PairMeter&)>& start) {
     constexpr double pause_seconds = 0.2;
-    constexpr double most_share = 0.1;  // of the time
+    constexpr double max_share = 0.1;  // of the time
     const auto measured = m_meter.take();
     if (measured && (measured->distances || measured->luminances))
         m_latest = *measured;
@@ -23,7 +23,7 @@ void RepeatedMeasurement::update(double seconds, const std::function<void(PairMe
         return;
     const auto begun = std::chrono::steady_clock::now();
     start(m_meter);
-    m_due = seconds + std::max(pause_seconds, seconds_since(begun) / most_share);
+    m_due = seconds + std::max(pause_seconds, seconds_since(begun) / max_share);
 }
 
 void RepeatedMeasurement::stop() {

@@ -24,7 +24,7 @@ std::optional<Variant> article_variant(const Look& look, const Values& values) {
     });
     Variant variant{values, {"Original article", "Corrected", !is_article}};
     if (is_article)
-        std::swap(variant.sides.other, variant.sides.present);
+        std::swap(variant.sides.other, variant.sides.current);
     for (const Parameter* parameter : switches)
         variant.values[parameter->name] = Value(is_article ? 0.0 : 1.0);
     return variant;

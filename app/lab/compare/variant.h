@@ -9,12 +9,12 @@
 /// The names of the two pictures of a comparison, and which one is on the left.
 struct Sides {
     std::string other;
-    std::string present;
+    std::string current;
     bool is_other_left = true;
 
     bool operator==(const Sides&) const = default;
-    const std::string& left_name() const { return is_other_left ? other : present; }
-    const std::string& right_name() const { return is_other_left ? present : other; }
+    const std::string& left_name() const { return is_other_left ? other : current; }
+    const std::string& right_name() const { return is_other_left ? current : other; }
 };
 
 /// Other values for the open look, for comparison with the current ones.

@@ -26,7 +26,7 @@ void Automation::save(const fs::path& given) {
 }
 
 void Automation::update(double seconds) {
-    if (!m_document || !m_recorder.is_running() || m_document->is_restacking())
+    if (!m_document || !m_recorder.is_running() || m_document->has_pending_stack())
         return;
     if (m_document->look().id == m_recorder.look().id)
         return m_recorder.note(m_document->values(), seconds);

@@ -20,7 +20,7 @@ std::string_view take_word(std::string_view& line) {
 }
 
 Result<const Parameter*> recorded_parameter(std::string_view name, const Look& look) {
-    auto parameter = meant_parameter(std::string(name), look);
+    auto parameter = resolve_parameter(std::string(name), look);
     if (parameter && !is_recorded(**parameter))
         return fail({{}, 0, fmt::format("'{}' is a file and can't be automated", name)});
     return parameter;

@@ -13,9 +13,9 @@
 namespace {
 // Values with the same short text get as many digits as necessary to distinguish them.
 Change change_of(const Parameter& parameter, const Value& before, const Value& after) {
-    constexpr int most_digits = 17;
+    constexpr int max_digits = 17;
     Change change{parameter.name, parameter.label, {}, {}, unit_text(parameter)};
-    for (int digits = 4; digits <= most_digits && change.before == change.after; ++digits) {
+    for (int digits = 4; digits <= max_digits && change.before == change.after; ++digits) {
         change.before = value_text(parameter, before, digits);
         change.after = value_text(parameter, after, digits);
     }
@@ -74,13 +74,13 @@ void add_modulations(const Look& look, const Modulations& before, const Modulati
 std::string setting_text(const Spec::Setting& setting) {
     if (const auto* number = std::get_if<double>(&setting))
         return format_number(*number);
-    constexpr std::size_t most = 24;
+    constexpr std::size_t maximum = 24;
     std::string text = std::get<std::string>(setting);
     if (text.find('/') != std::string::npos && text.find('\n') == std::string::npos)
         text = std::filesystem::path(text).filename().string();
-    if (text.size() <= most)
+    if (text.size() <= maximum)
         return text;
-    std::size_t end = most;
+    std::size_t end = maximum;
     while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80)
         --end;  // not within a UTF-8 character
     return text.substr(0, end) + "…";
@@ -113,12 +113,12 @@ void add_signal(const Spec& before, const Spec& after, std::vector<Change>& chan
         if (old_setting != old_spec.settings.end() && new_setting != new_spec.settings.end() &&
             old_setting->second == new_setting->second)
             continue;
-        const SettingFacts* facts = kind ? find_setting(*kind, key) : nullptr;
+        const SettingInfo* info = kind ? find_setting(*kind, key) : nullptr;
         Change change{{},
-                      fmt::format("Signal: {}", facts ? facts->label : key),
+                      fmt::format("Signal: {}", info ? info->label : key),
                       text_of(old_spec, key),
                       text_of(new_spec, key),
-                      facts ? facts->unit : ""};
+                      info ? info->unit : ""};
         if (change.before == change.after)
             change.after = "another value";  // long texts with the same beginning
         changes.push_back(std::move(change));
@@ -138,7 +138,7 @@ std::string override_text(const PassOverrides& overrides, const std::string& pas
         return "default";
     std::vector<std::string> parts;
     if (found->second.format)
-        parts.emplace_back(facts_of(*found->second.format).name);
+        parts.emplace_back(info_of(*found->second.format).name);
     if (found->second.scale)
         parts.push_back(format_number(*found->second.scale) + "×");
     if (found->second.filter)

@@ -3,8 +3,10 @@
 #include "lab/document/users_content.h"
 
 namespace {
-void change_content(Document& document, DocumentState next, std::string step_name, bool goes_on) {
-    document.change(std::move(next), std::move(step_name), goes_on, Document::StepKind::content);
+void change_content(Document& document, DocumentState next, std::string step_name,
+                    bool continues_step) {
+    document.change(std::move(next), std::move(step_name), continues_step,
+                    Document::StepKind::content);
 }
 }  // namespace
 
@@ -17,20 +19,20 @@ bool is_content_locked(const Document& document) {
     return is_locked_in(document.look(), document.state().locks);
 }
 
-void set_signal(Document& document, Spec signal, bool goes_on, std::string step_name) {
+void set_signal(Document& document, Spec signal, bool continues_step, std::string step_name) {
     DocumentState next = document.state();
     if (is_users_content(signal) && !is_same_content(signal, next.signal))
         next.locks.signal = true;
     next.signal = std::move(signal);
-    change_content(document, std::move(next), std::move(step_name), goes_on);
+    change_content(document, std::move(next), std::move(step_name), continues_step);
 }
 
-void set_source(Document& document, std::string source, bool goes_on) {
+void set_source(Document& document, std::string source, bool continues_step) {
     DocumentState next = document.state();
     if (is_users_content(source) && !is_same_content(source, next.source))
         next.locks.source = true;
     next.source = std::move(source);
-    change_content(document, std::move(next), "Source", goes_on);
+    change_content(document, std::move(next), "Source", continues_step);
 }
 
 void use_content(Document& document, const Content& content) {

@@ -12,10 +12,10 @@ bool is_content_locked(const Document& document);
 
 /// Locks the signal if the user chose a file, device, drawing or text. Undoing this step restores
 /// signal and lock.
-void set_signal(Document& document, Spec signal, bool goes_on = false,
+void set_signal(Document& document, Spec signal, bool continues_step = false,
                 std::string step_name = "Signal");
 /// As set_signal(), for the source of looks that process a picture.
-void set_source(Document& document, std::string source, bool goes_on = false);
+void set_source(Document& document, std::string source, bool continues_step = false);
 /// Replaces locked content by that of a preset, as one undo step, and unlocks it.
 void use_content(Document& document, const Content& content);
 /// Keeps locked content and the locks when another look is opened, without an undo step.

@@ -12,10 +12,11 @@ Document::Document(Look look)
       m_undo(initial_state(m_look)),
       m_opened_presets{{.saved = m_undo.current()}} {}
 
-void Document::change(DocumentState next, std::string step_name, bool goes_on, StepKind kind) {
+void Document::change(DocumentState next, std::string step_name, bool continues_step,
+                      StepKind kind) {
     if (stack_id(next.stack) == stack_id(m_look.stack))
         next.values = changed_values(m_look, next.values);
-    m_undo.change(std::move(next), std::move(step_name), goes_on, kind == StepKind::content);
+    m_undo.change(std::move(next), std::move(step_name), continues_step, kind == StepKind::content);
     update_drawn_values();
 }
 
@@ -27,27 +28,27 @@ void Document::open(DocumentState next, OpenedPreset preset, std::string step_na
 
 // While another stack is being read, the state already uses its names.
 std::optional<std::string> name_in_state(const Document& document, const std::string& name) {
-    return document.is_restacking()
+    return document.has_pending_stack()
                ? moved_name(name, document.look().stack, document.state().stack)
                : name;
 }
 
 void Document::update_drawn_values() {
-    if (is_restacking())
+    if (has_pending_stack())
         m_drawn_values = moved(state().values, state().stack, m_look.stack);
 }
 
-void Document::set_value(const std::string& name, Value value, bool goes_on) {
+void Document::set_value(const std::string& name, Value value, bool continues_step) {
     const Parameter* parameter = find_parameter(m_look, name);
-    const auto present = name_in_state(*this, name);
-    if (!parameter || !present)
+    const auto current = name_in_state(*this, name);
+    if (!parameter || !current)
         return;
     DocumentState next = state();
-    Value& held = next.values[*present];
+    Value& held = next.values[*current];
     held = clamped(*parameter, std::move(value));
-    if (!is_restacking() && held == parameter->initial)
-        next.values.erase(*present);  // while restacking, the state also keeps defaults
-    m_undo.change(std::move(next), parameter->label, goes_on);
+    if (!has_pending_stack() && held == parameter->initial)
+        next.values.erase(*current);  // while restacking, the state also keeps defaults
+    m_undo.change(std::move(next), parameter->label, continues_step);
     update_drawn_values();
 }
 

@@ -46,23 +46,23 @@ public:
     Look drawn_look() const { return with_overrides(m_look, state().overrides); }
     const DocumentState& state() const { return m_undo.current(); }
     /// The values of look(). While another stack is being read they differ from the state's.
-    const Values& values() const { return is_restacking() ? m_drawn_values : state().values; }
+    const Values& values() const { return has_pending_stack() ? m_drawn_values : state().values; }
     const Value& value(const Parameter& parameter) const { return value_of(parameter, values()); }
     /// Whether the state has another stack than look(). It must then be read and given to
     /// replace_look().
-    bool is_restacking() const { return state().stack != m_look.stack; }
+    bool has_pending_stack() const { return state().stack != m_look.stack; }
 
     /// Only undoing or redoing a content step changes the signal, the source and their locks.
     enum class StepKind { plain, content };
-    /// Makes `next` the current state. With `goes_on` the changes with this name up to finish() are
-    /// one undo step.
-    void change(DocumentState next, std::string step_name, bool goes_on = false,
+    /// Makes `next` the current state. With `continues_step` the changes with this name up to
+    /// finish() are one undo step.
+    void change(DocumentState next, std::string step_name, bool continues_step = false,
                 StepKind kind = StepKind::plain);
     /// As change(), to a state that is based on another preset.
     void open(DocumentState next, OpenedPreset preset, std::string step_name, StepKind kind);
-    /// Sets a parameter within its hard limit. With `goes_on` the changes up to finish() are one
-    /// undo step.
-    void set_value(const std::string& name, Value value, bool goes_on = false);
+    /// Sets a parameter within its hard limit. With `continues_step` the changes up to finish() are
+    /// one undo step.
+    void set_value(const std::string& name, Value value, bool continues_step = false);
     void finish() { m_undo.finish(); }
     /// Changes the current state without an undo step.
     void amend(const std::function<void(DocumentState&)>& change) { m_undo.amend(change); }

@@ -33,12 +33,12 @@ Morphing::Morphing(const Document& document, Preset to, std::filesystem::path fi
 
 // Signal, source and modulations cannot be interpolated; they change at the end.
 bool Morphing::update(Document& document, double seconds) {
-    const bool is_ours = document.look().id == m_look && !document.is_restacking();
+    const bool is_ours = document.look().id == m_look && !document.has_pending_stack();
     if (!is_ours || document.values() != m_last)
         return false;
     m_elapsed = std::min(m_elapsed + seconds, m_seconds);
-    if (has_arrived()) {
-        arrive_at(document, m_to, m_file, step_name());
+    if (is_finished()) {
+        finish_morph(document, m_to, m_file, step_name());
         return false;
     }
     set_values(document, morphed(document.look(), m_from, m_goal, share()), step_name(), true);

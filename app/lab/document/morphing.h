@@ -22,7 +22,7 @@ public:
     const std::filesystem::path& file() const { return m_file; }
     /// The name of its undo step.
     std::string step_name() const { return fmt::format("Morph to {}", name()); }
-    bool has_arrived() const { return m_elapsed >= m_seconds; }
+    bool is_finished() const { return m_elapsed >= m_seconds; }
 
 private:
     std::string m_look;

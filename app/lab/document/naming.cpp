@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-Result<const Parameter*> meant_parameter(const std::string& name, const Look& look) {
+Result<const Parameter*> resolve_parameter(const std::string& name, const Look& look) {
     std::vector<std::string> candidates;
     const std::vector<std::string> names = parameter_names(look);
-    if (const auto meant = meant_name(names, name, candidates))
+    if (const auto meant = resolve_name(names, name, candidates))
         return find_parameter(look, *meant);
     if (!candidates.empty())
         return fail({{},

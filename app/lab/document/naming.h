@@ -7,4 +7,4 @@
 
 /// The parameter with this name; in a stack also by the last part of its name, if unique. Fails
 /// with suggestions. The pointer is into the look.
-Result<const Parameter*> meant_parameter(const std::string& name, const Look& look);
+Result<const Parameter*> resolve_parameter(const std::string& name, const Look& look);

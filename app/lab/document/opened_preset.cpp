@@ -79,10 +79,10 @@ Preset complete_preset_of(const Document& document) {
 namespace {
 DocumentState state_of(const Preset& preset, const Document& document) {
     const Look& look = document.look();
-    const DocumentState& present = document.state();
+    const DocumentState& current = document.state();
     DocumentState state = initial_state(look);
-    const bool is_present = stack_id(present.stack) == stack_id(look.stack);
-    state.stack = with_bypass(is_present ? present.stack : look.stack, preset.bypass);
+    const bool is_present = stack_id(current.stack) == stack_id(look.stack);
+    state.stack = with_bypass(is_present ? current.stack : look.stack, preset.bypass);
     state.values = renamed_values(look, preset.values);
     for (auto& [name, value] : state.values)
         if (const Parameter* parameter = find_parameter(look, name))
@@ -97,16 +97,16 @@ DocumentState state_of(const Preset& preset, const Document& document) {
 }
 
 // `state` with the current pass overrides, which no preset has, and based on the same preset.
-DocumentState with_present_overrides(DocumentState state, const Document& document) {
-    const DocumentState& present = document.state();
-    state.overrides = moved(present.overrides, present.stack, state.stack);
-    state.origin = present.origin;
+DocumentState with_current_overrides(DocumentState state, const Document& document) {
+    const DocumentState& current = document.state();
+    state.overrides = moved(current.overrides, current.stack, state.stack);
+    state.origin = current.origin;
     return state;
 }
 
 void open_state(Document& document, OpenedPreset preset, std::string step_name,
                 OpenedContent content = OpenedContent::locked) {
-    preset.saved = with_present_overrides(std::move(preset.saved), document);
+    preset.saved = with_current_overrides(std::move(preset.saved), document);
     const bool keeps_content = content == OpenedContent::locked;
     DocumentState next =
         keeps_content ? with_locked_content(preset.saved, content_of(document)) : preset.saved;
@@ -120,7 +120,7 @@ void open_state(Document& document, OpenedPreset preset, std::string step_name,
 }  // namespace
 
 void apply_preset(Document& document, const Preset& preset, const std::string& step_name) {
-    DocumentState next = with_present_overrides(state_of(preset, document), document);
+    DocumentState next = with_current_overrides(state_of(preset, document), document);
     next = with_locked_parameters(std::move(next), document);
     document.change(with_locked_content(std::move(next), content_of(document)), step_name);
 }
@@ -137,8 +137,8 @@ void open_defaults(Document& document, OpenedContent content) {
                content);
 }
 
-void arrive_at(Document& document, const Preset& preset, std::filesystem::path file,
-               const std::string& gesture) {
+void finish_morph(Document& document, const Preset& preset, std::filesystem::path file,
+                  const std::string& gesture) {
     if (file.empty())
         open_state(document, {.saved = initial_state(document.look())}, gesture);
     else

@@ -30,5 +30,5 @@ void open_preset(Document& document, const Preset& preset, std::filesystem::path
 void open_defaults(Document& document, OpenedContent content = OpenedContent::locked);
 /// The same as the end of the gesture with this name, within its undo step. `file` "": the
 /// defaults.
-void arrive_at(Document& document, const Preset& preset, std::filesystem::path file,
-               const std::string& gesture);
+void finish_morph(Document& document, const Preset& preset, std::filesystem::path file,
+                  const std::string& gesture);

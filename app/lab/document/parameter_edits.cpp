@@ -9,34 +9,35 @@ bool is_changed(const Document& document, const Parameter& parameter) {
 }
 
 const Modulation* modulation_of(const Document& document, const Parameter& parameter) {
-    const auto present = name_in_state(document, parameter.name);
+    const auto current = name_in_state(document, parameter.name);
     const Modulations& all = document.state().modulations;
-    const auto found = present ? all.find(*present) : all.end();
+    const auto found = current ? all.find(*current) : all.end();
     return found == all.end() ? nullptr : &found->second;
 }
 
 void set_values(Document& document, const Values& values, const std::string& step_name,
-                bool goes_on) {
+                bool continues_step) {
     DocumentState next = document.state();
     for (const auto& [name, value] : values)
         if (const Parameter* parameter = find_parameter(document.look(), name))
-            if (const auto present = name_in_state(document, name))
-                next.values[*present] = clamped(*parameter, value);
-    document.change(std::move(next), step_name, goes_on);
+            if (const auto current = name_in_state(document, name))
+                next.values[*current] = clamped(*parameter, value);
+    document.change(std::move(next), step_name, continues_step);
 }
 
 void set_modulation(Document& document, const std::string& name,
-                    const std::optional<Modulation>& modulation, bool goes_on) {
+                    const std::optional<Modulation>& modulation, bool continues_step) {
     const Parameter* parameter = find_parameter(document.look(), name);
-    const auto present = name_in_state(document, name);
-    if (!parameter || !present)
+    const auto current = name_in_state(document, name);
+    if (!parameter || !current)
         return;
     DocumentState next = document.state();
     if (modulation && why_unmodulated(document.look(), *parameter).empty())
-        next.modulations[*present] = tidied(*modulation);
+        next.modulations[*current] = normalised(*modulation);
     else
-        next.modulations.erase(*present);
-    document.change(std::move(next), fmt::format("Modulation of {}", parameter->label), goes_on);
+        next.modulations.erase(*current);
+    document.change(std::move(next), fmt::format("Modulation of {}", parameter->label),
+                    continues_step);
 }
 
 void set_orbit(Document& document, const std::function<Orbit(const Orbit&)>& change) {
@@ -49,8 +50,8 @@ namespace {
 DocumentState without_values(const Document& document, const std::vector<std::string>& names) {
     DocumentState next = document.state();
     for (const std::string& name : names)
-        if (const auto present = name_in_state(document, name))
-            next.values.erase(*present);
+        if (const auto current = name_in_state(document, name))
+            next.values.erase(*current);
     return next;
 }
 }  // namespace
@@ -75,7 +76,7 @@ void reset_all_parameters(Document& document) {
 }
 
 void randomise_parameters(Document& document, std::uint64_t seed) {
-    if (document.is_restacking())
+    if (document.has_pending_stack())
         return;  // the names are about to change
     DocumentState next = document.state();
     next.values =
@@ -96,9 +97,9 @@ void set_parameter_setting(Document& document, const std::string& name,
 namespace {
 // Copies the entry, or removes it if it is missing.
 template <class T>
-void keep(const std::map<std::string, T>& present, const std::string& here,
+void keep(const std::map<std::string, T>& current, const std::string& here,
           std::map<std::string, T>& next, const std::string& there) {
-    if (const auto found_entry = present.find(here); found_entry != present.end())
+    if (const auto found_entry = current.find(here); found_entry != current.end())
         next[there] = found_entry->second;
     else
         next.erase(there);

@@ -18,11 +18,11 @@ const Modulation* modulation_of(const Document& document, const Parameter& param
 
 /// Sets several parameters as one undo step.
 void set_values(Document& document, const Values& values, const std::string& step_name,
-                bool goes_on = false);
+                bool continues_step = false);
 /// Sets or removes the modulation of a parameter; its value is unchanged. A parameter that cannot
 /// be modulated gets no modulation.
 void set_modulation(Document& document, const std::string& name,
-                    const std::optional<Modulation>& modulation, bool goes_on = false);
+                    const std::optional<Modulation>& modulation, bool continues_step = false);
 /// Changes the orbit parameters; all calls up to finish() are one undo step.
 void set_orbit(Document& document, const std::function<Orbit(const Orbit&)>& change);
 void reset_parameters(Document& document, const std::vector<std::string>& names);

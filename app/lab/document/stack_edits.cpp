@@ -12,14 +12,14 @@ void set_stack(Document& document, Stack stack, const std::string& step_name) {
 }
 
 void set_override(Document& document, const std::string& pass, PassOverride override) {
-    const auto present = name_in_state(document, pass);
-    if (!present)
+    const auto current = name_in_state(document, pass);
+    if (!current)
         return;
     DocumentState next = document.state();
     if (override.is_empty())
-        next.overrides.erase(*present);
+        next.overrides.erase(*current);
     else
-        next.overrides[*present] = override;
+        next.overrides[*current] = override;
     document.change(std::move(next), fmt::format("Pass {}", pass));
 }
 

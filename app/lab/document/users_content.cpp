@@ -9,7 +9,7 @@
 #include <filesystem>
 
 namespace {
-bool is_text(const SettingFacts& setting) {
+bool is_text(const SettingInfo& setting) {
     return setting.type == SettingType::text;
 }
 
@@ -17,7 +17,7 @@ bool is_text(const SettingFacts& setting) {
 std::vector<std::string> texts_of(const Spec& complete) {
     std::vector<std::string> texts;
     if (const SignalKind* kind = find_kind(complete.kind))
-        for (const SettingFacts& setting : kind->settings)
+        for (const SettingInfo& setting : kind->settings)
             if (is_text(setting))
                 texts.push_back(std::get<std::string>(complete.settings.at(setting.key)));
     return texts;
@@ -45,7 +45,7 @@ std::string source_name(const std::string& text) {
         return file_name(source->picture);
     const std::string name = name_of_pattern(*source);
     const auto& patterns = all_patterns();
-    const auto found = std::ranges::find(patterns, name, &PatternFacts::name);
+    const auto found = std::ranges::find(patterns, name, &PatternInfo::name);
     return found == patterns.end() ? name : found->label;
 }
 }  // namespace
@@ -80,7 +80,7 @@ constexpr const char* fit_key = "fit";
 
 Spec with_round_circles(Spec signal) {
     const SignalKind* kind = find_kind(signal.kind);
-    const SettingFacts* fit = kind ? find_setting(*kind, fit_key) : nullptr;
+    const SettingInfo* fit = kind ? find_setting(*kind, fit_key) : nullptr;
     const auto complete = completed(signal);
     if (fit && complete && is_users_content(signal) && is_used(*fit, *complete) &&
         !signal.settings.contains(fit_key))
@@ -100,7 +100,7 @@ std::string with_users_defaults(const std::string& source, const Look& look) {
 
 std::optional<Fit> beam_fit_of(const Spec& signal) {
     const SignalKind* kind = find_kind(signal.kind);
-    const SettingFacts* fit = kind ? find_setting(*kind, fit_key) : nullptr;
+    const SettingInfo* fit = kind ? find_setting(*kind, fit_key) : nullptr;
     const auto complete = completed(signal);
     if (!fit || !complete || !is_used(*fit, *complete))
         return std::nullopt;

@@ -68,8 +68,8 @@ void DrawingBoard::edit_keyframes(const KeyframeChange& change, Document& docume
 }
 
 void DrawingBoard::set_strokes(Keyframe strokes, const std::string& step, Document& document,
-                               bool goes_on) {
-    m_drawing.set_strokes(std::move(strokes), step, document, goes_on);
+                               bool continues_step) {
+    m_drawing.set_strokes(std::move(strokes), step, document, continues_step);
     follow(document);
 }
 
@@ -175,7 +175,7 @@ void DrawingBoard::erase(const BeamPosition& position, double pixel, Document& d
 
 // Ignores points beyond the limit of a drawing.
 void DrawingBoard::add_point(const BeamPosition& position, Document& document) {
-    if (point_count(*m_drawing.get()) + 2 > most_drawing_points)
+    if (point_count(*m_drawing.get()) + 2 > max_drawing_points)
         return;
     m_line->points.push_back(position);
     show_line(document);

@@ -60,7 +60,7 @@ public:
 
 private:
     void set_strokes(Keyframe strokes, const std::string& step, Document& document,
-                     bool goes_on = false);
+                     bool continues_step = false);
     void click(const BeamPosition& position, double pixel, Document& document);
     void erase(const BeamPosition& position, double pixel, Document& document);
     void add_point(const BeamPosition& position, Document& document);

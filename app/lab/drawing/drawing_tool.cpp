@@ -31,7 +31,7 @@ double size_in(const Spec& signal) {
 }
 }  // namespace
 
-BeamPlacing DrawingTool::placing() const {
+BeamMapping DrawingTool::placing() const {
     return {m_document->look(), m_document->values(), m_size.extent(),
             beam_fit_of(m_document->state().signal)};
 }
@@ -68,17 +68,17 @@ void DrawingTool::take_pen(bool is_active) {
 void DrawingTool::pen_down(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing pixels = placing();
+    const BeamMapping pixels = placing();
     m_board.press(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
-    if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > most_drawing_points)
+    if (m_board.drawing() && point_count(*m_board.drawing()) + 2 > max_drawing_points)
         m_messages.say(
-            fmt::format("The drawing is full. The limit is {} points.", most_drawing_points), true);
+            fmt::format("The drawing is full. The limit is {} points.", max_drawing_points), true);
 }
 
 void DrawingTool::pen_move(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing pixels = placing();
+    const BeamMapping pixels = placing();
     m_board.move(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
 }
 
@@ -87,10 +87,10 @@ void DrawingTool::pen_up() {
         m_board.release(placing().pixel_size(), *m_document);
 }
 
-void DrawingTool::other_button(const PicturePixel& pixel) {
+void DrawingTool::right_click(const PicturePixel& pixel) {
     if (!m_document)
         return;
-    const BeamPlacing pixels = placing();
+    const BeamMapping pixels = placing();
     m_board.press_other(pixels.position_of(pixel), pixels.pixel_size(), *m_document);
 }
 
@@ -103,11 +103,11 @@ void DrawingTool::load(const fs::path& file) {
     if (!m_messages.succeeded(loaded))
         return;
     m_opened.add(file);
-    const Spec present = m_document->state().signal;
-    const Drawing drawing = lightened(to_scale(*loaded, size_in(present)));
-    if (point_count(drawing) <= most_drawing_points)
+    const Spec current = m_document->state().signal;
+    const Drawing drawing = lightened(to_scale(*loaded, size_in(current)));
+    if (point_count(drawing) <= max_drawing_points)
         return m_board.replace(drawing, "Load drawing", *m_document);
-    Spec played = present.kind == "drawing" ? present : Spec{"drawing", {}};
+    Spec played = current.kind == "drawing" ? current : Spec{"drawing", {}};
     played.settings.erase("");
     played.settings.erase("strokes");
     played.settings["file"] = fs::absolute(file).string();

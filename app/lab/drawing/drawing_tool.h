@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/drawing/beam_position.h"
+#include "lab/drawing/beam_mapping.h"
 #include "lab/drawing/drawing_board.h"
 #include "lab/library/opened_files.h"
 #include "lab/media/render_size.h"
@@ -18,7 +18,7 @@ public:
     /// Pen, keyframe and open line.
     const DrawingBoard& board() const { return m_board; }
     /// Converts between pixels of the picture and positions of the signal. A look must be open.
-    BeamPlacing placing() const;
+    BeamMapping placing() const;
 
     /// Activates or deactivates the pen. A signal other than a hand drawing is replaced by the
     /// drawing in its file, otherwise by an empty drawing.
@@ -27,7 +27,7 @@ public:
     void pen_move(const PicturePixel& pixel);
     void pen_up();
     /// The right button ends a line or deletes a point.
-    void other_button(const PicturePixel& pixel);
+    void right_click(const PicturePixel& pixel);
     void edit(const std::function<void(DrawingBoard&, Document&)>& change);
     void edit_keyframes(const KeyframeChange& change);
 

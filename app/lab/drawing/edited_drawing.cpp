@@ -34,10 +34,10 @@ bool EditedDrawing::update(const Document& document) {
 }
 
 void EditedDrawing::set(const Drawing& drawing, const std::string& step, Document& document,
-                        bool goes_on) {
+                        bool continues_step) {
     Spec signal = document.state().signal;
     signal.settings["strokes"] = to_text(drawing);
-    set_signal(document, std::move(signal), goes_on, step);
+    set_signal(document, std::move(signal), continues_step, step);
     update(document);
 }
 
@@ -57,20 +57,20 @@ void EditedDrawing::replace(const Drawing& drawing, const std::string& step, Doc
 }
 
 void EditedDrawing::set_strokes(Keyframe strokes, const std::string& step, Document& document,
-                                bool goes_on) {
+                                bool continues_step) {
     Drawing drawing = *m_drawing;
     drawing.keyframes[keyframe()] = std::move(strokes);
-    set(drawing, step, document, goes_on);
+    set(drawing, step, document, continues_step);
 }
 
 void EditedDrawing::insert_keyframe(Keyframe strokes, const std::string& step, Document& document) {
-    if (!m_drawing || m_drawing->keyframes.size() >= most_keyframes)
+    if (!m_drawing || m_drawing->keyframes.size() >= max_keyframes)
         return;
     Drawing drawing = *m_drawing;
     const std::size_t index = keyframe() + 1;
     drawing.keyframes.insert(drawing.keyframes.begin() + static_cast<std::ptrdiff_t>(index),
                              std::move(strokes));
-    if (point_count(drawing) > most_drawing_points)
+    if (point_count(drawing) > max_drawing_points)
         return;
     set(drawing, step, document);
     m_keyframe = index;

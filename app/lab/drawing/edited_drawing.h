@@ -20,9 +20,9 @@ public:
     bool update(const Document& document);
     /// Replaces the document's signal by this drawing.
     void replace(const Drawing& drawing, const std::string& step, Document& document);
-    /// Replaces the strokes of the current keyframe; `goes_on` continues the undo step.
+    /// Replaces the strokes of the current keyframe; `continues_step` continues the undo step.
     void set_strokes(Keyframe strokes, const std::string& step, Document& document,
-                     bool goes_on = false);
+                     bool continues_step = false);
 
     void choose_keyframe(std::size_t keyframe) { m_keyframe = keyframe; }
     void add_keyframe(Document& document);  // empty, after the current one; becomes current
@@ -33,7 +33,7 @@ public:
 
 private:
     void set(const Drawing& drawing, const std::string& step, Document& document,
-             bool goes_on = false);
+             bool continues_step = false);
     void insert_keyframe(Keyframe strokes, const std::string& step, Document& document);
 
     std::string m_text;  // source text of m_drawing

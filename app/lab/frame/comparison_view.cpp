@@ -22,7 +22,7 @@ bool ComparisonView::is_in_slot(std::size_t number) const {
 }
 
 void ComparisonView::store(std::size_t number) {
-    if (!m_work.document || m_work.document->is_restacking())
+    if (!m_work.document || m_work.document->has_pending_stack())
         return;  // names are about to change
     const Look& look = m_work.document->look();
     m_selection.set_slot(
@@ -32,7 +32,7 @@ void ComparisonView::store(std::size_t number) {
 }
 
 void ComparisonView::recall(std::size_t number) {
-    if (!m_work.document || m_work.document->is_restacking())
+    if (!m_work.document || m_work.document->has_pending_stack())
         return;
     const std::optional<Slot>& slot = slots().at(number);
     if (!slot)
@@ -142,14 +142,14 @@ bool ComparisonView::is_file_wanted() const {
     return is_compared || m_work.document->look().driven_by != Driver::picture;
 }
 
-void ComparisonView::flash(bool is_flashing) {
-    if (!m_work.document || is_flashing == m_selection.is_flashing())
+void ComparisonView::show_reference(bool is_reference_shown) {
+    if (!m_work.document || is_reference_shown == m_selection.is_reference_shown())
         return;
     Comparison comparison = m_selection.chosen();
-    if (is_flashing && !find_other(comparison))
+    if (is_reference_shown && !find_other(comparison))
         return m_selection.choose(comparison);
     m_selection.choose(comparison);
-    m_selection.flash(is_flashing);
+    m_selection.show_reference(is_reference_shown);
 }
 
 bool ComparisonView::file_changed(const fs::path& file) {
@@ -167,8 +167,8 @@ void ComparisonView::open(bool is_same) {
 }
 
 bool ComparisonView::update(double wall_seconds) {
-    m_selection.pass_time(wall_seconds);
-    if (m_work.document->is_restacking())
+    m_selection.update(wall_seconds);
+    if (m_work.document->has_pending_stack())
         return false;
     const Look& look = m_work.document->look();
     const Other& other = m_selection.chosen().other;
@@ -223,11 +223,11 @@ void ComparisonView::start_variant() {
         m_work.pictures.show_new_variant(look, m_variant->values, m_work.renderer->executors()));
     m_work.messages.succeeded(m_work.media.source().show_again(m_work.player.transport().time(),
                                                                m_work.renderer->executors()));
-    constexpr double patience_seconds = 1.0;
+    constexpr double sample_budget_seconds = 1.0;
     constexpr double fewest = 4;
     const double all = std::max(look.settle_frames, 1);
     const double bearable =
-        std::max(patience_seconds / m_work.renderer->times().frame_seconds(), fewest);
+        std::max(sample_budget_seconds / m_work.renderer->times().frame_seconds(), fewest);
     const double frames = m_work.player.transport().is_playing() ? std::min(all, bearable) : all;
     m_work.renderer->replay().start_variant(m_work.player, static_cast<std::size_t>(frames));
 }

@@ -27,7 +27,7 @@ public:
     void compare_with(const Other& other);
     void compare_with_file(const std::filesystem::path& file);
     /// Shows the reference instead of the picture while this is on.
-    void flash(bool is_flashing);
+    void show_reference(bool is_reference_shown);
     /// Whether an opened picture file becomes the reference instead of the source.
     bool is_file_wanted() const;
     /// Reads the reference file again; false if it is another file.

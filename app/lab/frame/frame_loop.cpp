@@ -86,8 +86,8 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
         m_work.renderer = std::make_unique<Renderer>(std::move(*built.executor));
     else
         m_work.renderer = std::make_unique<Renderer>(Executor(look, m_loader.programs().generic()));
-    constexpr double patience_seconds = 0.05;
-    m_work.renderer->executors().inputs().patience_seconds = patience_seconds;
+    constexpr double sample_budget_seconds = 0.05;
+    m_work.renderer->executors().inputs().sample_budget_seconds = sample_budget_seconds;
     m_comparison.open(is_same);
     if (!is_same)
         m_passes.reset();
@@ -116,7 +116,7 @@ void FrameLoop::replace(BuiltLook& built) {
 }
 
 void FrameLoop::replace_constants(BuiltLook built) {
-    if (!m_work.document || !m_work.renderer || m_work.document->is_restacking())
+    if (!m_work.document || !m_work.renderer || m_work.document->has_pending_stack())
         return;
     if (built.kind == JobKind::variant_constants)
         return m_constants.set_variant({std::move(*built.look), std::move(*built.programs)});
@@ -160,8 +160,8 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
     m_slices.update_begun = std::chrono::steady_clock::now() -
                             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                                 std::chrono::duration<double>(loading_seconds));
-    if (m_work.document->is_restacking())  // the picture continues meanwhile
-        m_loader.restack(m_work.document->state().stack, m_work.document->state().values);
+    if (m_work.document->has_pending_stack())  // the picture continues meanwhile
+        m_loader.reload_stack(m_work.document->state().stack, m_work.document->state().values);
     m_constants.update(*m_work.document);
     update_displayed();
     // The worker thread needs the processor and the driver, too.
@@ -171,7 +171,7 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
                            m_work.player.transport().is_playing();
     if (m_slices.was_loading)
         m_slices.unfinished_seconds += wall_seconds;  // the next update draws
-    else if (is_amid_frame())
+    else if (has_unfinished_frame())
         continue_frame(wall_seconds);
     else
         begin_frame(wall_seconds);
@@ -182,7 +182,7 @@ void FrameLoop::update(double wall_seconds, double loading_seconds) {
 // NaN detection and a variant need the own picture of each pass. A change of the plan drops the
 // frame that is being drawn, with its light. Therefore the change waits until that frame is drawn.
 void FrameLoop::update_displayed() {
-    if (is_amid_frame())
+    if (has_unfinished_frame())
         return;
     const Executor& executor = m_work.renderer->executor();
     const std::vector<bool> displayed = m_guard.found() || m_work.renderer->executors().variant()
@@ -201,8 +201,8 @@ void FrameLoop::update_displayed() {
     m_work.redraw.add({std::vector<bool>(executor.look().passes.size(), true), false});
 }
 
-bool FrameLoop::is_amid_frame() const {
-    return m_work.renderer && m_work.renderer->is_amid_frame() &&
+bool FrameLoop::has_unfinished_frame() const {
+    return m_work.renderer && m_work.renderer->has_unfinished_frame() &&
            !m_work.renderer->replay().is_running();
 }
 
@@ -216,7 +216,7 @@ void FrameLoop::continue_frame(double wall_seconds) {
             value_of(parameter, m_applied->values).number() == 0.0)
             m_slices.missed_events[parameter.name] = Value(1.0);
     m_work.renderer->continue_frame();
-    if (!is_amid_frame())
+    if (!has_unfinished_frame())
         update_previews();
 }
 
@@ -233,7 +233,7 @@ void FrameLoop::apply_missed_events() {
 
 void FrameLoop::begin_frame(double wall_seconds) {
     wall_seconds += std::exchange(m_slices.unfinished_seconds, 0.0);
-    if (!m_work.document->is_restacking())
+    if (!m_work.document->has_pending_stack())
         apply_document();
     apply_missed_events();
     if (m_work.renderer->take_dropped_frame() && !m_work.player.transport().is_playing())
@@ -243,7 +243,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
     update_source();
     draw_picture(wall_seconds);
     m_guard.update();
-    if (!is_amid_frame())
+    if (!has_unfinished_frame())
         update_previews();
 }
 
@@ -260,8 +260,8 @@ bool FrameLoop::is_moving() const {
            !m_work.redraw.is_empty() || m_previews.is_busy() ||
            m_work.pictures.chosen().is_reading() || !m_work.media.loading().empty() ||
            m_work.media.source().is_late() ||
-           (renderer &&
-            (renderer->is_amid_frame() || renderer->replay().is_running() || m_guard.is_waiting()));
+           (renderer && (renderer->has_unfinished_frame() || renderer->replay().is_running() ||
+                         m_guard.is_waiting()));
 }
 
 void FrameLoop::apply_document() {
@@ -371,7 +371,7 @@ void FrameLoop::limit_frame(double wall_seconds) {
     const double span = m_work.player.transport().past().back().span.seconds();
     m_work.player.set_longest_frame(
         longest_frame({.wall_seconds = wall_seconds,
-                       .beam_seconds = m_work.renderer->times().beam_seconds_a_second() * span,
+                       .beam_seconds = m_work.renderer->times().beam_seconds_per_second() * span,
                        .span_seconds = span}));
 }
 
@@ -458,14 +458,14 @@ void FrameLoop::restart_samples() {
 
 // During a drag only as many frames are replayed as take 0.2 s.
 void FrameLoop::start_replay() {
-    constexpr double patience_seconds = 0.2;
+    constexpr double sample_budget_seconds = 0.2;
     constexpr std::size_t fewest = 4;
     const auto all = static_cast<std::size_t>(std::max(m_work.document->look().settle_frames, 1));
     std::size_t frames = all;
     if (m_work.document->history().is_in_gesture())
-        frames = std::clamp(
-            static_cast<std::size_t>(patience_seconds / m_work.renderer->times().frame_seconds()),
-            std::min(fewest, all), all);
+        frames = std::clamp(static_cast<std::size_t>(sample_budget_seconds /
+                                                     m_work.renderer->times().frame_seconds()),
+                            std::min(fewest, all), all);
     m_work.renderer->replay().start(m_work.player, frames);
     if (frames == all || m_work.renderer->replay().total() < frames)
         m_work.redraw.clear();  // otherwise the rest is replayed when the drag ends
@@ -491,7 +491,7 @@ void FrameLoop::cancel_replay() {
 
 // Called after the picture is drawn.
 void FrameLoop::update_previews() {
-    if (m_work.document->is_restacking() || TextConstants::are_pending(*m_work.document) ||
+    if (m_work.document->has_pending_stack() || TextConstants::are_pending(*m_work.document) ||
         m_work.renderer->executor().plan().targets.empty() ||
         m_work.renderer->replay().is_running())
         return;

@@ -49,7 +49,7 @@ public:
     void set_displayed(PassSelection passes) { m_displayed = std::move(passes); }
     const PassSelection& displayed() const { return m_displayed; }
     /// Whether a frame is unfinished.
-    bool is_amid_frame() const;
+    bool has_unfinished_frame() const;
     /// Whether the picture has all samples, and nothing moves.
     bool has_converged() const;
     /// The accumulated samples; nullopt: the look does not accumulate.

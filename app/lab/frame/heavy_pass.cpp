@@ -8,7 +8,7 @@
 
 std::optional<std::size_t> heavy_pass(const PassTimes& times) {
     constexpr std::size_t enough_frames = 4;
-    constexpr double most_milliseconds = 100000.0;  // times above are not plausible
+    constexpr double max_milliseconds = 100000.0;  // times above are not plausible
     const std::size_t frames = times.frames();
     if (frames < enough_frames)
         return std::nullopt;
@@ -16,7 +16,7 @@ std::optional<std::size_t> heavy_pass(const PassTimes& times) {
         std::size_t heavy = 0;
         for (std::size_t frame = frames - enough_frames; frame < frames; ++frame) {
             const double time = times.milliseconds(pass, frame);
-            heavy += time > heavy_pass_milliseconds && time < most_milliseconds ? 1U : 0U;
+            heavy += time > heavy_pass_milliseconds && time < max_milliseconds ? 1U : 0U;
         }
         if (heavy == enough_frames)
             return pass;

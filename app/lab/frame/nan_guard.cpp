@@ -9,14 +9,14 @@ void NanGuard::prepare() {
     if (m_work.player.transport().is_playing()) {
         m_plays_after = false;
         if (m_found)
-            answer(NonFiniteAction::ignore);
+            set_action(NonFiniteAction::ignore);
     }
-    const bool clamps = m_is_unattended || m_answer == NonFiniteAction::clamp;
+    const bool clamps = m_is_unattended || m_action == NonFiniteAction::clamp;
     const bool is_first =
         !m_work.renderer->has_drawn();  // its history is checked with the next frame
     NanPolicy policy =
         m_work.player.transport().is_playing() ? NanPolicy::watch : NanPolicy::search;
-    if (m_answer == NonFiniteAction::ignore || (is_first && policy == NanPolicy::watch))
+    if (m_action == NonFiniteAction::ignore || (is_first && policy == NanPolicy::watch))
         policy = NanPolicy::off;
     else if (clamps)
         policy = NanPolicy::clamp;
@@ -50,7 +50,7 @@ void NanGuard::update() {
 // shows the pixel.
 void NanGuard::stop_at(const NonFinitePixel& found) {
     if (m_watch->policy() == NanPolicy::clamp) {
-        if (!m_was_reported && m_answer != NonFiniteAction::clamp) {
+        if (!m_was_reported && m_action != NonFiniteAction::clamp) {
             Diagnostic problem = diagnostic_of(found, m_work.renderer->executor().look());
             problem.message = with_sentence(problem.message, "NaN and Inf are clamped.");
             m_work.messages.say(problem);
@@ -82,11 +82,11 @@ void NanGuard::open() {
 
 void NanGuard::reset() {
     m_found.reset();
-    m_answer.reset();
+    m_action.reset();
     m_was_reported = false;
 }
 
-void NanGuard::answer(NonFiniteAction wanted) {
+void NanGuard::set_action(NonFiniteAction wanted) {
     if (!m_found)
         return;
     m_found.reset();
@@ -94,7 +94,7 @@ void NanGuard::answer(NonFiniteAction wanted) {
     if (wanted == NonFiniteAction::clear) {
         m_work.renderer->clear_history();
     } else {
-        m_answer = wanted;
+        m_action = wanted;
         if (wanted == NonFiniteAction::clamp)
             m_watch->sanitize(m_work.renderer->executor());
     }

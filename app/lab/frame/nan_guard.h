@@ -20,7 +20,7 @@ public:
 
     /// The pixel that paused the picture; nullopt: none.
     const std::optional<NonFinitePixel>& found() const { return m_found; }
-    void answer(NonFiniteAction answer);
+    void set_action(NonFiniteAction set_action);
     /// Without a user to ask, the values are clamped, and the first one is reported.
     void set_unattended(bool is_unattended) { m_is_unattended = is_unattended; }
 
@@ -45,7 +45,7 @@ private:
     Workspace& m_work;
     std::shared_ptr<NanWatch> m_watch = std::make_shared<NanWatch>();  // of the picture
     std::optional<NonFinitePixel> m_found;
-    std::optional<NonFiniteAction> m_answer;  // until the look changes
+    std::optional<NonFiniteAction> m_action;  // until the look changes
     bool m_is_unattended = false;
     bool m_was_reported = false;
     bool m_plays_after = false;  // when another value or text removes the cause

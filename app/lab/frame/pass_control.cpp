@@ -70,7 +70,7 @@ void PassControl::clear(const std::vector<bool>& passes) {
                 executor.clear_history(static_cast<int>(i));
                 return Result<void>();
             }));
-    Redraw redraw{reached_from(look, passes)};
+    Redraw redraw{dependents_of(look, passes)};
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         redraw.needs_replay =
             redraw.needs_replay || (redraw.passes[i] && look.passes[i].accumulate);

@@ -29,7 +29,7 @@ struct ContextViews {
     std::unique_ptr<gpu::ContextScope> scope;  // only to construct and destroy the members below
     Viewer viewer;
     Inspection inspection;
-    GainMeters gains;
+    LevelMeters gains;
     FlashMeter flash_meter;
     std::optional<gpu::Canvas> picture;
     std::optional<gpu::Canvas> reference;

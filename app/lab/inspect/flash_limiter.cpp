@@ -16,7 +16,7 @@ Result<FlashLimiter> FlashLimiter::make() {
         auto cells = LightCells::make();
         if (!cells)
             return fail(cells.error());
-        auto limiter = LightLimiter::make();
+        auto limiter = CellRateLimiter::make();
         if (!limiter)
             return fail(limiter.error());
         view.emplace(View{std::move(*cells), std::move(*limiter)});
@@ -26,7 +26,7 @@ Result<FlashLimiter> FlashLimiter::make() {
 
 void FlashLimiter::note_moving(const FlashLimit& clamp, double seconds) {
     const Light rates = clamp.rates();
-    m_specialized =
+    m_transition_end =
         clamp.is_on ? seconds + 1.0 / static_cast<double>(std::ranges::min(rates)) : 0.0;
 }
 
@@ -45,6 +45,6 @@ const gpu::Texture& FlashLimiter::shown(std::size_t index, const gpu::Texture& p
     const gpu::Texture* limited = view.limiter.limit({.picture = picture,
                                                       .encoding = Encoding::display,
                                                       .cells = view.cells.canvas().texture(),
-                                                      .most = times(clamp.rates(), passed)});
+                                                      .maximum = times(clamp.rates(), passed)});
     return limited ? *limited : picture;
 }

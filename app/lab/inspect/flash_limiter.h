@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graph/inspect/light_cells.h"
-#include "graph/view/light_limiter.h"
+#include "graph/view/cell_rate_limiter.h"
 #include "model/picture/flash_limit.h"
 
 #include <array>
@@ -21,17 +21,17 @@ public:
     /// change.
     void note_moving(const FlashLimit& clamp, double seconds);
     /// Whether the limited picture may still be changing towards a static picture.
-    bool is_specializing(double seconds) const { return seconds < m_specialized; }
+    bool is_transitioning(double seconds) const { return seconds < m_transition_end; }
 
 private:
     struct View {
         LightCells cells;
-        LightLimiter limiter;
+        CellRateLimiter limiter;
         std::optional<double> latest = {};
     };
     using Views = std::array<std::optional<View>, 3>;
     explicit FlashLimiter(Views views) : m_views(std::move(views)) {}
 
     Views m_views;
-    double m_specialized = 0.0;  // s
+    double m_transition_end = 0.0;  // s
 };

@@ -1,14 +1,14 @@
 #include "lab/inspect/flash_meter.h"
 
 void FlashMeter::update(const DisplayedFrame& frame, double seconds) {
-    while (!m_coming.empty() && m_coming.front().cells.has_come()) {
+    while (!m_coming.empty() && m_coming.front().cells.is_available()) {
         Coming& first = m_coming.front();
         m_flashes = m_counter.add(first.seconds, taken_cells(first.cells));
         m_coming.pop_front();
     }
-    constexpr std::size_t most_coming = 6;  // limits the backlog of a slow GPU
+    constexpr std::size_t max_coming = 6;  // limits the backlog of a slow GPU
     const bool has_news = frame.number != m_number || m_flashes != Flashes{};
-    if (!has_news || m_coming.size() >= most_coming)
+    if (!has_news || m_coming.size() >= max_coming)
         return;
     m_number = frame.number;
     if (m_cells.draw(frame.picture, frame.encoding))

@@ -4,19 +4,19 @@
 
 #include <chrono>
 
-void GainMeters::stop() {
+void LevelMeters::stop() {
     m_meter.stop();
     m_passes.clear();
     m_gains.clear();
     m_round_robin.restart(0);
 }
 
-void GainMeters::take_answer() {
+void LevelMeters::take_answer() {
     if (const auto measured = m_meter.take(); measured && m_asked < m_gains.size())
-        m_gains[m_asked] = gain_of(measured->statistics, measured->clipped, m_ceiling);
+        m_gains[m_asked] = target_level_of(measured->statistics, measured->clipped, m_ceiling);
 }
 
-void GainMeters::update(const Executor& executor, const Values& values, double seconds) {
+void LevelMeters::update(const Executor& executor, const Values& values, double seconds) {
     const Look& look = executor.look();
     if (m_passes != pass_names(look)) {
         stop();  // discard gains of another look
@@ -31,11 +31,11 @@ void GainMeters::update(const Executor& executor, const Values& values, double s
     m_asked = *due;
     m_ceiling = ceiling_of(look, m_asked, values);
     const auto start = std::chrono::steady_clock::now();
-    m_meter.start(executor.target(static_cast<int>(m_asked)), ChannelChoice::rgb,
+    m_meter.start(executor.target(static_cast<int>(m_asked)), Channels::color,
                   clips_from(m_ceiling));
     m_round_robin.done(seconds, seconds_since(start));
 }
 
-const Gain* GainMeters::gain(std::size_t pass) const {
+const TargetLevel* LevelMeters::gain(std::size_t pass) const {
     return pass < m_gains.size() && m_gains[pass] ? &*m_gains[pass] : nullptr;
 }

@@ -11,9 +11,9 @@
 #include <vector>
 
 /// The levels of all passes of the open look, measured one pass at a time.
-class GainMeters {
+class LevelMeters {
 public:
-    explicit GainMeters(std::shared_ptr<const MeterPrograms> programs)
+    explicit LevelMeters(std::shared_ptr<const MeterPrograms> programs)
         : m_meter(std::move(programs)) {}
 
     /// Call it in every update while the meters are visible. Never waits for the GPU.
@@ -24,15 +24,15 @@ public:
     /// Whether some passes have not been measured since the last change.
     bool is_pending() const { return m_round_robin.is_pending() || m_meter.is_busy(); }
     /// Null: not measured yet.
-    const Gain* gain(std::size_t pass) const;
+    const TargetLevel* gain(std::size_t pass) const;
 
 private:
     void take_answer();
 
     Meter m_meter;
-    std::vector<std::string> m_passes;         // to detect another look
-    std::vector<std::optional<Gain>> m_gains;  // of each pass
-    std::size_t m_asked = 0;                   // the pass being measured
-    double m_ceiling = 1.0;                    // of that pass
+    std::vector<std::string> m_passes;                // to detect another look
+    std::vector<std::optional<TargetLevel>> m_gains;  // of each pass
+    std::size_t m_asked = 0;                          // the pass being measured
+    double m_ceiling = 1.0;                           // of that pass
     RoundRobin m_round_robin;
 };

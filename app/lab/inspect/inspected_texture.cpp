@@ -45,7 +45,7 @@ std::optional<InspectedTexture> inspected_texture(const Executor& executor, cons
 }
 
 int frame_count(const Executor& executor, const TextureChoice& choice) {
-    TextureChoice older = choice.present();
+    TextureChoice older = choice.current();
     while (executor.texture(older))
         ++older.frames_ago;
     return older.frames_ago;

@@ -16,7 +16,7 @@ public:
 
     struct Subject {
         std::string pass;
-        ChannelChoice channels = ChannelChoice::rgb;
+        Channels channels = Channels::color;
         Levels levels;  // range of the histogram
 
         bool operator==(const Subject&) const = default;

@@ -1,7 +1,7 @@
 #include "lab/inspect/pins.h"
 
 Result<Pins> Pins::make() {
-    auto gatherer = Gatherer::make();
+    auto gatherer = PointReader::make();
     if (!gatherer)
         return fail(gatherer.error());
     return Pins(std::move(*gatherer));

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "graph/executor/executor.h"
-#include "graph/inspect/gatherer.h"
+#include "graph/inspect/point_reader.h"
 #include "lab/window/probes.h"
 
 /// The values of every pass at the pinned positions, read at most five times a second.
@@ -18,9 +18,9 @@ public:
     const std::array<float, 4>* value(std::size_t pin, std::size_t pass) const;
 
 private:
-    explicit Pins(Gatherer gatherer) : m_gatherer(std::move(gatherer)) {}
+    explicit Pins(PointReader gatherer) : m_gatherer(std::move(gatherer)) {}
 
-    Gatherer m_gatherer;
+    PointReader m_gatherer;
     std::vector<Pin> m_pins;                     // of the last request
     std::size_t m_passes = 0;                    // of the last request
     std::vector<std::array<float, 4>> m_values;  // for each pin, pass by pass

@@ -4,7 +4,7 @@
 
 namespace {
 constexpr double pause_seconds = 0.2;
-constexpr double most_share = 0.1;     // of the time
+constexpr double max_share = 0.1;      // of the time
 constexpr double rest_seconds = 0.15;  // unchanged for this time: static
 }  // namespace
 
@@ -32,5 +32,5 @@ void RoundRobin::done(double seconds, double seconds_taken) {
     m_next = (m_next + 1) % std::max(m_count, std::size_t{1});
     m_new -= m_new > 0 ? 1 : 0;
     m_pending -= m_pending > 0 ? 1 : 0;
-    m_due = seconds + std::max(pause_seconds, seconds_taken / most_share);
+    m_due = seconds + std::max(pause_seconds, seconds_taken / max_share);
 }

@@ -14,7 +14,7 @@ public:
     std::size_t size() const { return m_count; }
 
     /// The item to update now; nullopt: nothing to do yet. Call it in every update with
-    /// Executor::picture_number and the time.
+    /// FrameTextures::number() and the time.
     std::optional<std::size_t> due(std::uint64_t picture, double seconds);
     /// Reports the update of the due item, which took `seconds_taken`. Slow updates use at most a
     /// tenth of the time.

@@ -26,11 +26,11 @@ const gpu::Texture& TexelInspector::level_of(const InspectedTexture& inspected) 
     return smaller ? *smaller : *inspected.texture;
 }
 
-void TexelInspector::update_picture(const CellNumbers::Subject* subject, double seconds) {
+void TexelInspector::update_picture(const TexelValues::Subject* subject, double seconds) {
     follow(m_picture, m_reader, subject, seconds);
 }
 
-void TexelInspector::update_inspected(const CellNumbers::Subject* subject, double seconds) {
+void TexelInspector::update_inspected(const TexelValues::Subject* subject, double seconds) {
     follow(m_inspected, m_reader, subject, seconds);
 }
 

@@ -16,13 +16,13 @@ public:
     const gpu::Texture& level_of(const InspectedTexture& inspected);
 
     /// `subject` null: not visible.
-    void update_picture(const CellNumbers::Subject* subject, double seconds);
-    void update_inspected(const CellNumbers::Subject* subject, double seconds);
+    void update_picture(const TexelValues::Subject* subject, double seconds);
+    void update_inspected(const TexelValues::Subject* subject, double seconds);
     void update_waveform(const Waveform::Subject* subject, double seconds);
     void stop();
 
-    const CellNumbers& picture() const { return m_picture; }
-    const CellNumbers& inspected() const { return m_inspected; }
+    const TexelValues& picture() const { return m_picture; }
+    const TexelValues& inspected() const { return m_inspected; }
     const Waveform& waveform() const { return m_waveform; }
     /// Whether numbers are still pending.
     bool is_pending() const;
@@ -33,7 +33,7 @@ private:
 
     LevelCopy m_level;
     TexelReader m_reader;
-    CellNumbers m_picture;
-    CellNumbers m_inspected;
+    TexelValues m_picture;
+    TexelValues m_inspected;
     Waveform m_waveform;
 };

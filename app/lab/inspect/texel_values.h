@@ -10,7 +10,7 @@
 
 /// The stored values of the visible texels, if a view displays them large enough for text. They are
 /// read at most five times a second while the view does not move.
-class CellNumbers {
+class TexelValues {
 public:
     struct Subject {
         const gpu::Texture& texture;
@@ -18,8 +18,8 @@ public:
         Extent whole;      // displayed size in px
         PicturePosition position;
         Extent size;                // of the view
-        Extent least;               // device pixels per texel needed for text; empty: no text
-        std::uint64_t picture = 0;  // Executor::picture_number
+        Extent minimum;             // device pixels per texel needed for text; empty: no text
+        std::uint64_t picture = 0;  // FrameTextures::number()
         ViewOptions options = {};
     };
     /// Call it in every update while the view is visible. Never waits for the GPU.
@@ -37,7 +37,7 @@ public:
     /// Null: texels are too small, or the numbers are still pending.
     const Block* block() const { return m_block.numbers.empty() ? nullptr : &m_block; }
     /// The position of the texels in the view and their display, as of the last update.
-    struct Sight {
+    struct Placement {
         double left = 0.0;  // device pixels, of the texture's corner
         double top = 0.0;
         double texel_width = 0.0;
@@ -45,22 +45,22 @@ public:
         Format format = Format::rgba8;
         ViewOptions options;
     };
-    const Sight& sight() const { return m_sight; }
+    const Placement& placement() const { return m_placement; }
     /// Whether black text is more readable than white text on a texel of the block.
     bool is_light(std::size_t texel) const;
     /// Whether numbers are still pending.
-    bool is_pending() const { return m_answer.is_busy() || m_is_late; }
+    bool is_pending() const { return m_readback.is_busy() || m_is_late; }
 
 private:
-    TexelAnswer m_answer;
+    TexelReadback m_readback;
     std::string m_name;
     Block m_asked;  // its numbers are being read
     Block m_block;
-    Sight m_sight;
+    Placement m_placement;
     std::uint64_t m_picture = 0;
     double m_due = 0.0;      // s
     bool m_is_late = false;  // the numbers are of a previous picture
 };
 
 /// The visible texels of the view; empty if they are too small.
-CellNumbers::Block seen_cells(const CellNumbers::Subject& subject);
+TexelValues::Block visible_cells(const TexelValues::Subject& subject);

@@ -22,7 +22,7 @@ TexelRows texels_along(const ScanLine& line, Extent extent) {
 }
 
 void Waveform::stop() {
-    m_answer.stop();
+    m_readback.stop();
     m_name.clear();
     m_numbers.clear();
     m_rows = {};
@@ -37,12 +37,12 @@ std::array<int, 2> Waveform::texel(std::size_t index) const {
 }
 
 void Waveform::take(double seconds) {
-    auto numbers = m_answer.take();
+    auto numbers = m_readback.take();
     if (!numbers)
         return;
     m_numbers = std::move(*numbers);
     m_come = m_rows;
-    double least = 0.0;
+    double minimum = 0.0;
     double greatest = 0.0;
     const int plotted_channels = std::min(m_channels, 3);
     for (const auto& rgba : m_numbers)
@@ -50,10 +50,10 @@ void Waveform::take(double seconds) {
             const double number = rgba[static_cast<std::size_t>(i)];
             if (!std::isfinite(number))
                 continue;
-            least = std::min(least, number);
+            minimum = std::min(minimum, number);
             greatest = std::max(greatest, number);
         }
-    m_range.cover(least, greatest, seconds);
+    m_range.cover(minimum, greatest, seconds);
 }
 
 void Waveform::update(TexelReader& reader, const Subject& subject, double seconds) {
@@ -66,10 +66,10 @@ void Waveform::update(TexelReader& reader, const Subject& subject, double second
     const TexelRows rows = texels_along(subject.line, subject.texture.extent());
     const bool is_moved = rows != m_rows;
     m_is_late = is_moved || m_picture != subject.picture;
-    if (m_answer.is_busy() || !m_is_late || (!is_moved && seconds < m_due))
+    if (m_readback.is_busy() || !m_is_late || (!is_moved && seconds < m_due))
         return;
-    m_channels = facts_of(subject.texture.format()).channels;
-    m_answer.ask(reader, subject.texture, rows);
+    m_channels = info_of(subject.texture.format()).channels;
+    m_readback.ask(reader, subject.texture, rows);
     m_rows = rows;
     m_picture = subject.picture;
     m_due = seconds + pause_seconds;

@@ -16,7 +16,7 @@ public:
         const gpu::Texture& texture;
         std::string name;  // of the texture's content
         ScanLine line;
-        std::uint64_t picture = 0;  // Executor::picture_number
+        std::uint64_t picture = 0;  // FrameTextures::number()
     };
     /// Call it in every update while it is visible. Never waits for the GPU.
     void update(TexelReader& reader, const Subject& subject, double seconds);
@@ -26,7 +26,7 @@ public:
     /// RGBA from the start of the line to its end; empty: still pending.
     const std::vector<std::array<float, 4>>& numbers() const { return m_numbers; }
     /// The range of the plot.
-    const PlotRange& range() const { return m_range.present(); }
+    const PlotRange& range() const { return m_range.current(); }
     /// The name of the texture's content.
     const std::string& name() const { return m_name; }
     /// The number of channels of the texture, from red.
@@ -34,12 +34,12 @@ public:
     /// The texel of a value, from the top left.
     std::array<int, 2> texel(std::size_t index) const;
     /// Whether values are still pending.
-    bool is_pending() const { return m_answer.is_busy() || m_is_late; }
+    bool is_pending() const { return m_readback.is_busy() || m_is_late; }
 
 private:
     void take(double seconds);
 
-    TexelAnswer m_answer;
+    TexelReadback m_readback;
     std::string m_name;
     TexelRows m_rows;  // of the last request
     TexelRows m_come;  // of the current values

@@ -44,7 +44,7 @@ std::vector<CatalogEntry> list_presets(const Library& library) {
 
 namespace {
 // " v1=0.25 V/div. Volts a division..."
-std::string setting_line(const SettingFacts& setting) {
+std::string setting_line(const SettingInfo& setting) {
     std::string shown = "  " + setting.key + '=';
     if (setting.type == SettingType::number)
         shown += format_number(setting.initial);
@@ -64,7 +64,7 @@ std::vector<CatalogEntry> list_signals() {
     std::vector<CatalogEntry> entries;
     for (const SignalKind& kind : signal_kinds()) {
         std::string about = kind.help;
-        for (const SettingFacts& setting : kind.settings)
+        for (const SettingInfo& setting : kind.settings)
             about += '\n' + setting_line(setting);
         entries.push_back({kind.kind, kind.label, std::move(about), {}, {}});
     }
@@ -73,7 +73,7 @@ std::vector<CatalogEntry> list_signals() {
 
 std::vector<CatalogEntry> list_patterns() {
     std::vector<CatalogEntry> entries;
-    for (const PatternFacts& pattern : all_patterns())
+    for (const PatternInfo& pattern : all_patterns())
         entries.push_back({pattern.name, pattern.label, pattern.help, {}, {}});
     return entries;
 }

@@ -91,7 +91,10 @@ Result<OpenRequest> request_of_file(const fs::path& file, const Library& library
     }
     if (extension == ".json" || is_foreign)
         return OpenRequest{file, {}, {}};
-    return fail({file, 0, "not a look, shader, preset, picture or sound that Afterglow knows"});
+    return fail({file, 0,
+                 fmt::format("is not a look, preset, picture or sound. Afterglow opens looks of "
+                             "other programs: {}.",
+                             foreign_labels())});
 }
 
 // A native look, or a Shadertoy look with one file per pass.
@@ -210,7 +213,7 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
 }
 
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
-                          const ReadingHelp& help) {
+                          const LoadOptions& help) {
     const Values values = values_of(request);
     CheckCache checks(nullptr, library.roots().shader_limits);
     return load_stack(stack_of(request), library.roots().include_folders(),

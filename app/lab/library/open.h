@@ -38,7 +38,7 @@ std::string name_of(const OpenRequest& request);
 
 /// Reads the look or stack of a request. Like load_look().
 LoadedLook load_requested(const OpenRequest& request, const Library& library,
-                          const ReadingHelp& help = {});
+                          const LoadOptions& help = {});
 
 /// The extensions of files that may be looks or presets, lower case.
 std::vector<std::string> look_extensions();

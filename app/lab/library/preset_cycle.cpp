@@ -25,25 +25,25 @@ PresetIndex preset_after(const std::vector<PresetEntry>& presets, const std::fil
     return {next == 0 ? std::filesystem::path() : presets[next - 1].file, next, presets.size()};
 }
 
-std::optional<PresetIndex> starred_after(const std::vector<PresetEntry>& presets,
-                                         const PresetStars& stars,
-                                         const std::filesystem::path& open, int by) {
-    const int present = index_among(presets, open);
+std::optional<PresetIndex> favourite_after(const std::vector<PresetEntry>& presets,
+                                           const FavouritePresets& stars,
+                                           const std::filesystem::path& open, int by) {
+    const int current = index_among(presets, open);
     std::vector<std::filesystem::path> starred;
     int before = 0;  // number of starred ones up to the open one
-    bool is_present_starred = false;
+    bool is_current_favourite = false;
     for (int i = 0; i < static_cast<int>(presets.size()); ++i) {
         const PresetEntry& preset = presets[static_cast<std::size_t>(i)];
-        if (!stars.contains(star_of(preset.look, preset.id)))
+        if (!stars.contains(favourite_key(preset.look, preset.id)))
             continue;
         starred.push_back(preset.file);
-        before += i + 1 <= present ? 1 : 0;
-        is_present_starred = is_present_starred || i + 1 == present;
+        before += i + 1 <= current ? 1 : 0;
+        is_current_favourite = is_current_favourite || i + 1 == current;
     }
     if (starred.empty())
         return std::nullopt;
     // If the open preset is not starred, one step back is the previous starred one.
-    const int shift = !is_present_starred && by < 0 ? 1 : 0;
+    const int shift = !is_current_favourite && by < 0 ? 1 : 0;
     const auto next = static_cast<std::size_t>(
         wrapped(before - 1 + by + shift, static_cast<int>(starred.size())));
     return PresetIndex{starred[next], next + 1, starred.size()};

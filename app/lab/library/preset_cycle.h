@@ -19,6 +19,6 @@ PresetIndex preset_after(const std::vector<PresetEntry>& presets, const std::fil
 
 /// The same among starred presets only; number and count are of those. `open` need not be starred.
 /// nullopt: no preset is starred.
-std::optional<PresetIndex> starred_after(const std::vector<PresetEntry>& presets,
-                                         const PresetStars& stars,
-                                         const std::filesystem::path& open, int by);
+std::optional<PresetIndex> favourite_after(const std::vector<PresetEntry>& presets,
+                                           const FavouritePresets& stars,
+                                           const std::filesystem::path& open, int by);

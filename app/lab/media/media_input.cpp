@@ -69,7 +69,7 @@ Result<void> MediaInput::follow_signal(const Document& document, Player& player)
         return played.get() ? Result<void>() : fall_back(document, player, {});
     }
     m_loader.cancel();
-    if (auto set = player.set_signal(spec, file.empty() ? PlayedSound{} : played.sound()); !set)
+    if (auto set = player.set_signal(spec, file.empty() ? SignalFile{} : played.sound()); !set)
         return fall_back(document, player, std::move(set.error()));
     return {};
 }
@@ -164,12 +164,12 @@ Result<void> MediaInput::follow_source(const Document& document, const Player& p
 }
 
 Diagnostics MediaInput::take_problems() {
-    constexpr std::size_t most_kept = 4;  // fits into a panel
+    constexpr std::size_t max_kept = 4;  // fits into a panel
     Source* source = m_source.get();
     Diagnostics problems = source ? source->take_problems() : Diagnostics();
     for (Diagnostic& problem : problems) {
         problem.severity = Severity::warning;
-        if (source->spec().picture == m_problem_file && m_problems.size() < most_kept)
+        if (source->spec().picture == m_problem_file && m_problems.size() < max_kept)
             m_problems.push_back(problem);
     }
     return problems;

@@ -6,7 +6,7 @@
 #include <utility>
 
 namespace {
-LoadedMedia read_signal(const std::string& name, Work& work) {
+LoadedMedia read_signal(const std::string& name, JobProgress& work) {
     LoadedMedia loaded;
     loaded.name = name;
     auto media = load_signal_media(name, &work, &loaded.notes);
@@ -58,7 +58,7 @@ void MediaLoader::load(Kind kind, const std::string& name) {
     cancel();
     {
         const std::lock_guard lock(m_mutex);
-        m_job = m_current = Job{kind, name, std::make_shared<Work>()};
+        m_job = m_current = Job{kind, name, std::make_shared<JobProgress>()};
     }
     m_wake.notify_all();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "base/work.h"
+#include "base/job_progress.h"
 #include "lab/media/source.h"
 #include "model/devices/sound.h"
 #include "signals/drawing/drawing.h"
@@ -52,7 +52,7 @@ private:
     struct Job {
         Kind kind;
         std::string name;
-        std::shared_ptr<Work> work;
+        std::shared_ptr<JobProgress> work;
     };
 
     void run();

@@ -70,13 +70,13 @@ void separate_files(Preset& preset, const Look& look, const fs::path& folder,
 }  // namespace
 
 std::string OutsideContent::names(char quote) const {
-    constexpr std::size_t most_named = 3;
+    constexpr std::size_t max_named = 3;
     const bool is_socket = signal && !socket_of(*signal).empty();
     std::vector<std::string> named;
     if (!name.empty())
         named.push_back(is_socket ? fmt::format("socket {0}{1}{0}", quote, name)
                                   : fmt::format("file {0}{1}{0}", quote, name));
-    for (auto file = files.begin(); file != files.end() && named.size() < most_named; ++file)
+    for (auto file = files.begin(); file != files.end() && named.size() < max_named; ++file)
         named.push_back(fmt::format("file {0}{1}{0}", quote, file->second.path));
     if (count() > named.size())
         named.push_back(fmt::format("{} more", count() - named.size()));

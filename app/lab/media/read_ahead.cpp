@@ -18,14 +18,14 @@ SharedPicture ReadAhead::requested() const {
 std::optional<std::int64_t> ReadAhead::next_to_read() const {
     if (m_count == 0)
         return std::nullopt;
-    for (std::int64_t ahead = 0; ahead < m_most; ++ahead)
+    for (std::int64_t ahead = 0; ahead < m_maximum; ++ahead)
         if (const auto number = resolved(m_requested + ahead); !m_pictures.contains(number))
             return number;
     return std::nullopt;
 }
 
 bool ReadAhead::is_near(std::int64_t number) const {
-    for (std::int64_t ahead = 0; ahead < m_most; ++ahead)
+    for (std::int64_t ahead = 0; ahead < m_maximum; ++ahead)
         if (resolved(m_requested + ahead) == number)
             return true;
     return false;
@@ -33,10 +33,10 @@ bool ReadAhead::is_near(std::int64_t number) const {
 
 void ReadAhead::add(std::int64_t number, std::optional<Picture> read,
                     std::optional<std::int64_t> count) {
-    constexpr std::size_t most_bytes = std::size_t{256} << 20;
+    constexpr std::size_t max_bytes = std::size_t{256} << 20;
     if (read) {
         const std::size_t bytes = std::max<std::size_t>(read->pixels.size() * sizeof(float), 1);
-        m_most = static_cast<std::int64_t>(std::clamp<std::size_t>(most_bytes / bytes, 2, 8));
+        m_maximum = static_cast<std::int64_t>(std::clamp<std::size_t>(max_bytes / bytes, 2, 8));
         m_latest = std::make_shared<const Picture>(std::move(*read));
     }
     m_count = count;

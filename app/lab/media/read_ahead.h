@@ -38,6 +38,6 @@ private:
     SharedPicture m_latest;
     std::optional<std::int64_t> m_count;
     std::int64_t m_requested = 0;
-    std::int64_t m_most = 4;  // maximum number kept
+    std::int64_t m_maximum = 4;  // maximum number kept
     bool m_loops;
 };

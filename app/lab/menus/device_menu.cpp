@@ -17,28 +17,28 @@ MenuEntry sound_entry(std::string name, const SoundSettings& next, bool is_prese
     return {.name = std::move(name), .commands = {set_sound(next)}, .is_present = is_present};
 }
 
-MenuEntry sound_number(const char* name, const char* unit, double present, Limit limit,
+MenuEntry sound_number(const char* name, const char* unit, double current, Limit limit,
                        const std::function<Edit(double)>& command) {
     return {.name = name,
-            .number = AskedNumber{.present = present,
-                                  .unit = unit,
-                                  .limit = limit,
-                                  .answer = [command](double typed) -> std::vector<Edit> {
-                                      return {command(typed)};
-                                  }}};
+            .number = NumberPrompt{.current = current,
+                                   .unit = unit,
+                                   .limit = limit,
+                                   .answer = [command](double typed) -> std::vector<Edit> {
+                                       return {command(typed)};
+                                   }}};
 }
 
-void add_devices(const SoundFacts& facts, std::string SoundSettings::*device, const char* text,
+void add_devices(const SoundInfo& info, std::string SoundSettings::*device, const char* text,
                  std::vector<MenuEntry>& entries) {
     const bool is_out = device == &SoundSettings::output;
     const auto offer = [&](const std::string& name, const std::string& label) {
-        SoundSettings next = facts.settings;
+        SoundSettings next = info.settings;
         next.*device = name;
         entries.push_back(
-            sound_entry(fmt::format("{}: {}", text, label), next, facts.settings.*device == name));
+            sound_entry(fmt::format("{}: {}", text, label), next, info.settings.*device == name));
     };
     offer("", "System default");
-    for (const SoundDevice& one : facts.devices)
+    for (const SoundDevice& one : info.devices)
         if (is_out ? one.has_output : one.has_input)
             offer(one.name, one.name);
 }
@@ -59,8 +59,8 @@ void add_sizes(const SoundSettings& settings, std::vector<MenuEntry>& entries) {
     }
 }
 
-void add_sound_numbers(const SoundFacts& facts, std::vector<MenuEntry>& entries) {
-    const SoundSettings& settings = facts.settings;
+void add_sound_numbers(const SoundInfo& info, std::vector<MenuEntry>& entries) {
+    const SoundSettings& settings = info.settings;
     entries.push_back(sound_number("Picture delay…", "ms", settings.picture_delay_ms,
                                    {-200.0, 500.0}, [settings](double typed) {
                                        SoundSettings next = settings;
@@ -73,13 +73,13 @@ void add_sound_numbers(const SoundFacts& facts, std::vector<MenuEntry>& entries)
             next.beam_level = typed;
             return set_sound(next);
         }));
-    if (facts.sound_seconds <= 0.0)
+    if (info.sound_seconds <= 0.0)
         return;
-    entries.push_back(sound_number("Volume…", "×", facts.level, {0.0, 2.0}, [](double typed) {
+    entries.push_back(sound_number("Volume…", "×", info.level, {0.0, 2.0}, [](double typed) {
         return Edit([typed](Player& player) { player.set_level(typed); });
     }));
     entries.push_back(sound_number(
-        "Go to…", "s", facts.position, {0.0, facts.sound_seconds},
+        "Go to…", "s", info.position, {0.0, info.sound_seconds},
         [](double typed) { return Edit([typed](Player& player) { player.seek(typed); }); }));
 }
 
@@ -94,18 +94,18 @@ Edit change_remote(const std::function<void(RemoteSettings&)>& change) {
 }
 }  // namespace
 
-MenuSection sound_section(const SoundFacts& facts) {
+MenuSection sound_section(const SoundInfo& info) {
     MenuSection section{"Sound"};
-    SoundSettings beam = facts.settings;
+    SoundSettings beam = info.settings;
     beam.plays_beam = !beam.plays_beam;
     section.entries.push_back(
-        sound_entry("Send beam to audio output", beam, facts.settings.plays_beam));
+        sound_entry("Send beam to audio output", beam, info.settings.plays_beam));
     section.entries.push_back({.name = "Rescan devices",
                                .commands = {[](AudioControl& audio) { audio.find_devices(); }}});
-    add_devices(facts, &SoundSettings::output, "Output", section.entries);
-    add_devices(facts, &SoundSettings::input, "Input", section.entries);
-    add_sizes(facts.settings, section.entries);
-    add_sound_numbers(facts, section.entries);
+    add_devices(info, &SoundSettings::output, "Output", section.entries);
+    add_devices(info, &SoundSettings::input, "Input", section.entries);
+    add_sizes(info.settings, section.entries);
+    add_sound_numbers(info, section.entries);
     return section;
 }
 
@@ -121,21 +121,21 @@ MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool 
           [next = !hears_osc](RemoteSettings& changed) { changed.listens_to_osc = next; });
     offer("Listen to MIDI", hears_midi,
           [next = !hears_midi](RemoteSettings& changed) { changed.listens_to_midi = next; });
-    offer("Soft takeover", settings.picks_up,
-          [](RemoteSettings& changed) { changed.picks_up = !changed.picks_up; });
+    offer("Soft takeover", settings.has_soft_takeover,
+          [](RemoteSettings& changed) { changed.has_soft_takeover = !changed.has_soft_takeover; });
     section.entries.push_back(
         {.name = "Rescan MIDI devices",
          .commands = {[](RemoteControl& remote) { remote.find_midi_devices(); }}});
     section.entries.push_back(
         {.name = "OSC port…",
-         .number = AskedNumber{.present = static_cast<double>(settings.osc_port),
-                               .limit = {1.0, 65535.0},
-                               .is_whole = true,
-                               .answer = [](double typed) -> std::vector<Edit> {
-                                   return {change_remote([typed](RemoteSettings& changed) {
-                                       changed.osc_port = static_cast<int>(std::lround(typed));
-                                   })};
-                               }}});
+         .number = NumberPrompt{.current = static_cast<double>(settings.osc_port),
+                                .limit = {1.0, 65535.0},
+                                .is_whole = true,
+                                .answer = [](double typed) -> std::vector<Edit> {
+                                    return {change_remote([typed](RemoteSettings& changed) {
+                                        changed.osc_port = static_cast<int>(std::lround(typed));
+                                    })};
+                                }}});
     for (const MidiBinding& binding : settings.midi)
         offer(fmt::format("Unmap {} ({})", binding.goal.parameter, to_string(binding)), false,
               [goal = binding.goal](RemoteSettings& changed) { changed.unbind(goal); });

@@ -9,10 +9,10 @@
 #include <algorithm>
 
 namespace {
-Edit look_into(const TextureChoice& choice) {
+Edit inspect(const TextureChoice& choice) {
     return [choice](WindowState& window) {
-        window.views.inspected.look_into(choice);
-        window.layout.reveal(PanelId::inspector);
+        window.views.inspected.inspect(choice);
+        window.layout.reveal(panel_id::inspector);
     };
 }
 
@@ -21,28 +21,28 @@ MenuSection texture_section(const InspectedParts& parts) {
     MenuSection section{"Inspect", MenuSection::Menu::pass};
     const auto offer = [&](const TextureChoice& choice) {
         section.entries.push_back({.name = choice.label(),
-                                   .commands = {look_into(choice)},
-                                   .is_present = choice == parts.present});
+                                   .commands = {inspect(choice)},
+                                   .is_present = choice == parts.current});
     };
     std::ranges::for_each(parts.textures, offer);
     for (int ago = 1; ago < parts.frames; ++ago) {
-        TextureChoice choice = parts.present;
+        TextureChoice choice = parts.current;
         choice.frames_ago = ago;
-        const std::string label = choice.present().label();
+        const std::string label = choice.current().label();
         section.entries.push_back({.name = ago == 1 ? fmt::format("{}, 1 frame ago", label)
                                                     : fmt::format("{}, {} frames ago", label, ago),
-                                   .commands = {look_into(choice)},
-                                   .is_present = choice == parts.present});
+                                   .commands = {inspect(choice)},
+                                   .is_present = choice == parts.current});
     }
     for (int level = 1; level < parts.levels; ++level) {
-        TextureChoice choice = parts.present;
+        TextureChoice choice = parts.current;
         choice.level = level;
         offer(choice);
     }
     return section;
 }
 
-MenuSection channel_section(Channels present) {
+MenuSection channel_section(Channels current) {
     MenuSection section{"Channels", MenuSection::Menu::pass};
     for (const auto& [channels, name] :
          {std::pair{Channels::color, "Red, green and blue"},
@@ -52,24 +52,24 @@ MenuSection channel_section(Channels present) {
         section.entries.push_back({.name = name,
                                    .commands = {[chosen = channels](WindowState& window) {
                                        window.views.inspected.channels = chosen;
-                                       window.layout.panels.show(PanelId::inspector);
+                                       window.layout.panels.show(panel_id::inspector);
                                    }},
-                                   .is_present = channels == present});
+                                   .is_present = channels == current});
     return section;
 }
 
-MenuEntry view_number(const char* name, double present, Limit limit, std::string unit,
+MenuEntry view_number(const char* name, double current, Limit limit, std::string unit,
                       void (*set)(PassView& view, double number)) {
     return {.name = name,
-            .number = AskedNumber{.present = present,
-                                  .unit = std::move(unit),
-                                  .limit = limit,
-                                  .answer = [set](double number) -> std::vector<Edit> {
-                                      return {[set, number](WindowState& window) {
-                                          set(window.views.inspected, number);
-                                          window.layout.panels.show(PanelId::inspector);
-                                      }};
-                                  }}};
+            .number = NumberPrompt{.current = current,
+                                   .unit = std::move(unit),
+                                   .limit = limit,
+                                   .answer = [set](double number) -> std::vector<Edit> {
+                                       return {[set, number](WindowState& window) {
+                                           set(window.views.inspected, number);
+                                           window.layout.panels.show(panel_id::inspector);
+                                       }};
+                                   }}};
 }
 
 MenuSection level_section(const PassView& view) {
@@ -148,10 +148,10 @@ MenuSection pass_setting_section(const Document& document, const std::string& pa
         changed.scale = scale;
         offer(fmt::format("Size {}", times_text(scale)), changed, now->scale == scale);
     }
-    for (const FormatFacts& facts : all_formats()) {
+    for (const FormatInfo& info : all_formats()) {
         PassOverride changed = now->tried;
-        changed.format = facts.format;
-        offer(fmt::format("Format {}", facts.name), changed, facts.format == now->format);
+        changed.format = info.format;
+        offer(fmt::format("Format {}", info.name), changed, info.format == now->format);
     }
     for (const Filter filter : {Filter::nearest, Filter::linear}) {
         PassOverride changed = now->tried;

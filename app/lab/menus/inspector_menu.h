@@ -7,8 +7,8 @@
 /// What can be inspected besides the passes: source, images, earlier frames and mip levels.
 struct InspectedParts {
     std::vector<TextureChoice> textures;
-    TextureChoice present;
-    int frames = 1;  // stored frames of `present`
+    TextureChoice current;
+    int frames = 1;  // stored frames of `current`
     int levels = 1;
 };
 InspectedParts inspected_parts(const Executor& executor, const PassView& view);

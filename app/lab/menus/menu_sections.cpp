@@ -45,13 +45,13 @@ MenuSection comparison_section(const LabParts& lab) {
              .is_present = chosen.mode == CompareMode::difference && chosen.measure == measure});
     section.entries.push_back(
         {.name = "Difference gain…",
-         .number = AskedNumber{.present = chosen.gain_stops,
-                               .unit = "stops",
-                               .limit = {-16.0, 16.0},
-                               .answer = [](double typed) -> std::vector<Edit> {
-                                   return {change_comparison(
-                                       [typed](Comparison& next) { next.gain_stops = typed; })};
-                               }}});
+         .number = NumberPrompt{.current = chosen.gain_stops,
+                                .unit = "stops",
+                                .limit = {-16.0, 16.0},
+                                .answer = [](double typed) -> std::vector<Edit> {
+                                    return {change_comparison(
+                                        [typed](Comparison& next) { next.gain_stops = typed; })};
+                                }}});
     if (const auto& file = lab.frames.comparison().selection().reference().file();
         lab.frames.comparison().selection().reference().picture())
         section.entries.push_back({.name = fmt::format("With {}", file.filename().string()),
@@ -143,14 +143,15 @@ MenuSection unsaved_section(const SessionStash& sessions) {
 
 MenuSection include_section(const LabParts& lab) {
     MenuSection section{"Includes", MenuSection::Menu::edit};
-    section.entries.push_back({.name = "Folders, separated by ':'…",
-                               .text = AskedText{include_folders_text(lab.looks.include_folders()),
-                                                 [](const std::string& typed) -> std::vector<Edit> {
-                                                     return {[folders = parse_include_folders(
-                                                                  typed)](LookCommands& looks) {
-                                                         looks.set_include_folders(folders);
-                                                     }};
-                                                 }}});
+    section.entries.push_back(
+        {.name = "Folders, separated by ':'…",
+         .text = TextPrompt{include_folders_text(lab.looks.include_folders()),
+                            [](const std::string& typed) -> std::vector<Edit> {
+                                return {
+                                    [folders = parse_include_folders(typed)](LookCommands& looks) {
+                                        looks.set_include_folders(folders);
+                                    }};
+                            }}});
     return section;
 }
 
@@ -162,7 +163,7 @@ MenuSection nan_section(const LabParts& lab) {
                                            std::pair{NonFiniteAction::clamp, "Clamp NaN/Inf"},
                                            std::pair{NonFiniteAction::ignore, "Ignore NaN/Inf"}})
             section.entries.push_back({.name = name, .commands = {[to = answer](FrameLoop& frames) {
-                                                         frames.nan_guard().answer(to);
+                                                         frames.nan_guard().set_action(to);
                                                      }}});
     for (const Problem& problem : lab.messages.problems()) {
         const Diagnostic& said = problem.diagnostic;
@@ -226,7 +227,7 @@ std::vector<MenuSection> menu_sections(const LabParts& lab, const WindowState& w
         add_of_look(lab, window, looks, all);
         add_further(lab, window, all);
     }
-    add_sections(all, window_sections(window, size_in_force(lab.size)));
+    add_sections(all, window_sections(window, effective_size(lab.size)));
     const Player& player = lab.player;
     all.push_back(sound_section({.settings = player.devices().settings(),
                                  .devices = lab.audio.devices(),

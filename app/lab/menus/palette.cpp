@@ -172,9 +172,9 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
 }
 
 void note_use(std::vector<std::string>& used, const std::string& id) {
-    constexpr std::size_t most = 20;
+    constexpr std::size_t maximum = 20;
     std::erase(used, id);
     used.insert(used.begin(), id);
-    if (used.size() > most)
-        used.resize(most);
+    if (used.size() > maximum)
+        used.resize(maximum);
 }

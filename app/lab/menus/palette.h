@@ -13,13 +13,13 @@ struct PaletteEntry {
     enum class Kind { action, look, preset, pass, parameter, menu_entry, file, difference };
 
     Kind kind = Kind::action;
-    std::string id;             // for the recent list: "Undo", "parameter:decay"
-    std::string label;          // "Undo: Decay", "Parameter: Decay"
-    std::string detail;         // menu, group, or look of a preset
-    std::string subject;        // argument to open, or name of pass or parameter; "": an action
-    std::string keys;           // "Ctrl+Z"
-    std::string why_not;        // why it is disabled; "": enabled
-    MenuEntry menu_entry = {};  // for the kind `menu_entry`
+    std::string id;               // for the recent list: "Undo", "parameter:decay"
+    std::string label;            // "Undo: Decay", "Parameter: Decay"
+    std::string detail;           // menu, group, or look of a preset
+    std::string subject;          // argument to open, or name of pass or parameter; "": an action
+    std::string keys;             // "Ctrl+Z"
+    std::string disabled_reason;  // why it is disabled; "": enabled
+    MenuEntry menu_entry = {};    // for the kind `menu_entry`
 };
 
 /// All entries except actions: the presets, passes and parameters of the open look, then all looks

@@ -34,10 +34,10 @@ double typed_factor(const Parameter& parameter) {
     return parameter.control == Control::angle ? 180.0 / std::numbers::pi : 1.0;
 }
 
-AskedNumber asked_of(const Parameter& parameter, double present) {
+NumberPrompt asked_of(const Parameter& parameter, double current) {
     const double factor = typed_factor(parameter);
     const Limit limit = parameter.limit.value_or(Limit{-1e9, 1e9});
-    return {.present = present * factor,
+    return {.current = current * factor,
             .unit = factor != 1.0 ? "°" : std::string(shown_unit(parameter)),
             .limit = {limit.low * factor, limit.high * factor},
             .is_whole = parameter.type.scalar != Scalar::floating};
@@ -45,7 +45,7 @@ AskedNumber asked_of(const Parameter& parameter, double present) {
 
 MenuEntry end_entry(const Parameter& parameter, bool is_low) {
     const Limit ends{parameter.range.low, parameter.range.high};
-    AskedNumber asked = asked_of(parameter, is_low ? ends.low : ends.high);
+    NumberPrompt asked = asked_of(parameter, is_low ? ends.low : ends.high);
     asked.answer = [ends, is_low, factor = typed_factor(parameter),
                     name = parameter.name](double typed) -> std::vector<Edit> {
         const double end = typed / factor;
@@ -74,15 +74,15 @@ void add_ends(const Parameter& declared, const ParameterSetting& setting,
 // The components of a vector, a colour or a matrix.
 void add_parts(const Parameter& parameter, const Value& value, std::vector<MenuEntry>& entries) {
     for (std::size_t i = 0; i < value.numbers.size() && value.numbers.size() > 1; ++i) {
-        AskedNumber asked = asked_of(parameter, value.numbers[i]);
+        NumberPrompt asked = asked_of(parameter, value.numbers[i]);
         asked.answer = [value, i, factor = typed_factor(parameter),
                         name = parameter.name](double typed) -> std::vector<Edit> {
             Value next = value;
             next.numbers[i] = typed / factor;
             return {[name, next](Document& document) { document.set_value(name, next); }};
         };
-        entries.push_back(
-            {.name = fmt::format("{}…", part_label(parameter, i)), .number = std::move(asked)});
+        entries.push_back({.name = fmt::format("{}…", component_label(parameter, i)),
+                           .number = std::move(asked)});
     }
 }
 
@@ -93,8 +93,8 @@ void add_midi(const Parameter& parameter, std::vector<MenuEntry>& entries) {
     for (std::size_t i = 0; i < count; ++i)
         entries.push_back(
             {.name = count == 1 ? "MIDI learn"
-                                : fmt::format("MIDI learn: {}", part_label(parameter, i)),
-             .commands = {[goal = MidiGoal{parameter.name, i}](RemoteControl& remote) {
+                                : fmt::format("MIDI learn: {}", component_label(parameter, i)),
+             .commands = {[goal = MidiTarget{parameter.name, i}](RemoteControl& remote) {
                  remote.learn_midi(goal);
              }}});
 }
@@ -138,40 +138,40 @@ MenuSection modulation_section(const Document& document, const Parameter& parame
     MenuSection section{parameter.label};
     if (!why_unmodulated(document.look(), parameter).empty())
         return section;
-    const Modulation* present = modulation_of(document, parameter);
+    const Modulation* current = modulation_of(document, parameter);
     const auto offer = [&](std::string name, const std::optional<Modulation>& next, bool is_it) {
         section.entries.push_back({.name = std::move(name),
                                    .commands = {modulate(parameter.name, next)},
                                    .is_present = is_it});
     };
-    offer("Modulation: None", std::nullopt, !present);
-    const double depth = present ? present->depth : Modulation{}.depth;
+    offer("Modulation: None", std::nullopt, !current);
+    const double depth = current ? current->depth : Modulation{}.depth;
     for (const auto& kind : modulation_kinds())
         offer(fmt::format("Modulation: {}", kind.label),
               Modulation{.kind = kind.value, .depth = depth},
-              present && present->kind == kind.value);
-    if (!present)
+              current && current->kind == kind.value);
+    if (!current)
         return section;
     for (const auto& shape : lfo_shapes()) {
-        Modulation next = *present;
+        Modulation next = *current;
         next.shape = shape.value;
-        if (present->kind == ModulationKind::lfo)
-            offer(fmt::format("LFO shape: {}", shape.label), next, present->shape == shape.value);
+        if (current->kind == ModulationKind::lfo)
+            offer(fmt::format("LFO shape: {}", shape.label), next, current->shape == shape.value);
     }
-    for (const ModulationFigure& figure : figures_of(present->kind))
+    for (const ModulationFigure& figure : figures_of(current->kind))
         section.entries.push_back(
             {.name = fmt::format("Modulation: {}…", figure.label),
              .number =
-                 AskedNumber{.present = present->*figure.number,
-                             .unit = figure.unit,
-                             .limit = figure.limit,
-                             .help = figure.help,
-                             .answer = [now = *present, number = figure.number,
-                                        name = parameter.name](double typed) -> std::vector<Edit> {
-                                 Modulation next = now;
-                                 next.*number = typed;
-                                 return {modulate(name, next)};
-                             }}});
+                 NumberPrompt{.current = current->*figure.number,
+                              .unit = figure.unit,
+                              .limit = figure.limit,
+                              .help = figure.help,
+                              .answer = [now = *current, number = figure.number,
+                                         name = parameter.name](double typed) -> std::vector<Edit> {
+                                  Modulation next = now;
+                                  next.*number = typed;
+                                  return {modulate(name, next)};
+                              }}});
     return section;
 }
 
@@ -209,7 +209,7 @@ std::vector<MenuSection> parameter_list_sections(const Document& document,
         shown.entries.push_back({.name = name,
                                  .commands = {[chosen = filter](WindowState& changed) {
                                      changed.parameters.filter = chosen;
-                                     changed.layout.panels.show(PanelId::parameters);
+                                     changed.layout.panels.show(panel_id::parameters);
                                      if (chosen == ParameterFilter::all)
                                          changed.parameters.search.clear();
                                  }},
@@ -241,7 +241,7 @@ std::vector<Edit> sheet_commands(const SheetRequest& request) {
                 constexpr float room_of_grid = 330.0f;
                 if (is_grid)
                     window.layout.sizes.bottom = std::max(window.layout.sizes.bottom, room_of_grid);
-                window.layout.reveal(PanelId::sheet);
+                window.layout.reveal(panel_id::sheet);
             }};
 }
 

@@ -37,7 +37,7 @@ MenuSection star_section(const std::vector<ListedPreset>& presets) {
 }
 
 void show_preset_pictures(WindowState& window) {
-    window.layout.reveal(PanelId::presets);
+    window.layout.reveal(panel_id::presets);
 }
 
 MenuSection browsing_section(const PresetBrowsing& wanted) {
@@ -50,12 +50,12 @@ MenuSection browsing_section(const PresetBrowsing& wanted) {
                                .is_present = wanted.only_starred});
     section.entries.push_back(
         {.name = "Search…",
-         .text = AskedText{wanted.search, [](const std::string& search) -> std::vector<Edit> {
-                               return {[search](WindowState& window) {
-                                   window.presets.search = search;
-                                   show_preset_pictures(window);
-                               }};
-                           }}});
+         .text = TextPrompt{wanted.search, [](const std::string& search) -> std::vector<Edit> {
+                                return {[search](WindowState& window) {
+                                    window.presets.search = search;
+                                    show_preset_pictures(window);
+                                }};
+                            }}});
     return section;
 }
 }  // namespace

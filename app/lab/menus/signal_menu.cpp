@@ -26,40 +26,40 @@ Edit set_signal_setting(const std::string& key, Spec::Setting value) {
 }
 
 // Labels alone are not unique: each channel has a frequency.
-std::string full_label(const SettingFacts& setting) {
+std::string full_label(const SettingInfo& setting) {
     return setting.group.empty() ? setting.label
                                  : fmt::format("{} · {}", setting.group, setting.label);
 }
 
-void add_words(const SettingFacts& setting, const Spec& spec, std::vector<MenuEntry>& entries) {
+void add_words(const SettingInfo& setting, const Spec& spec, std::vector<MenuEntry>& entries) {
     for (const std::string& word : setting.words)
         entries.push_back({.name = fmt::format("{}: {}", full_label(setting), label_of_word(word)),
                            .commands = {set_signal_setting(setting.key, word)},
                            .is_present = spec.settings.at(setting.key) == Spec::Setting(word)});
 }
 
-MenuEntry number_setting(const SettingFacts& setting, const Spec& spec) {
+MenuEntry number_setting(const SettingInfo& setting, const Spec& spec) {
     return {
         .name = fmt::format("{}…", full_label(setting)),
-        .number = AskedNumber{.present = std::get<double>(spec.settings.at(setting.key)),
-                              .unit = setting.unit,
-                              .limit = setting.limit,
-                              .is_whole = setting.step == 1.0,
-                              .help = setting.help,
-                              .answer = [key = setting.key](double number) -> std::vector<Edit> {
-                                  return {set_signal_setting(key, number)};
-                              }}};
+        .number = NumberPrompt{.current = std::get<double>(spec.settings.at(setting.key)),
+                               .unit = setting.unit,
+                               .limit = setting.limit,
+                               .is_whole = setting.step == 1.0,
+                               .help = setting.help,
+                               .answer = [key = setting.key](double number) -> std::vector<Edit> {
+                                   return {set_signal_setting(key, number)};
+                               }}};
 }
 
-MenuEntry text_setting(const SettingFacts& setting, const SignalKind& kind, const Spec& spec) {
+MenuEntry text_setting(const SettingInfo& setting, const SignalKind& kind, const Spec& spec) {
     const std::string name = fmt::format("{}…", full_label(setting));
     if (setting.key == kind.file_setting)
         return {.name = name, .commands = {command_for(kind)}};
     return {.name = name,
-            .text = AskedText{std::get<std::string>(spec.settings.at(setting.key)),
-                              [key = setting.key](const std::string& text) -> std::vector<Edit> {
-                                  return {set_signal_setting(key, text)};
-                              }}};
+            .text = TextPrompt{std::get<std::string>(spec.settings.at(setting.key)),
+                               [key = setting.key](const std::string& text) -> std::vector<Edit> {
+                                   return {set_signal_setting(key, text)};
+                               }}};
 }
 
 // A drawing starts immediately, although it can also have a file.
@@ -68,12 +68,12 @@ std::string name_of_kind(const SignalKind& kind) {
     return asks ? fmt::format("{}…", kind.label) : kind.label;
 }
 
-MenuSection kind_section(const std::string& present) {
+MenuSection kind_section(const std::string& current) {
     MenuSection section{"Signal", MenuSection::Menu::edit};
     for (const SignalKind& kind : signal_kinds())
         section.entries.push_back({.name = name_of_kind(kind),
                                    .commands = {command_for(kind)},
-                                   .is_present = kind.kind == present});
+                                   .is_present = kind.kind == current});
     return section;
 }
 
@@ -84,7 +84,7 @@ MenuSection setting_section(const Document& document) {
     section.entries.push_back(content_lock_entry(document));
     if (!kind || !spec)
         return section;
-    for (const SettingFacts& setting : kind->settings) {
+    for (const SettingInfo& setting : kind->settings) {
         if (setting.is_hidden || !is_used(setting, *spec))
             continue;
         if (setting.type == SettingType::word)

@@ -17,9 +17,9 @@ Edit set_source_to(const SourceSpec& source) {
     return [text = to_string(source)](Document& document) { set_source(document, text); };
 }
 
-AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, Limit limit,
-                          std::string unit) {
-    return {.present = source.*number,
+NumberPrompt source_number(const SourceSpec& source, double SourceSpec::*number, Limit limit,
+                           std::string unit) {
+    return {.current = source.*number,
             .unit = std::move(unit),
             .limit = limit,
             .answer = [source, number](double typed) -> std::vector<Edit> {
@@ -30,24 +30,24 @@ AskedNumber source_number(const SourceSpec& source, double SourceSpec::*number, 
 }
 
 void add_fits(SourceSpec source, std::vector<MenuEntry>& entries) {
-    const Fit present = source.fit;
+    const Fit current = source.fit;
     for (const auto& [fit, label] :
          {std::pair{Fit::stretch, "Stretch"}, std::pair{Fit::whole, "Fit"},
           std::pair{Fit::crop, "Fill (crop)"}, std::pair{Fit::integer, "Integer scale"}}) {
         source.fit = fit;
         entries.push_back({.name = fmt::format("Scaling: {}", label),
                            .commands = {set_source_to(source)},
-                           .is_present = fit == present});
+                           .is_present = fit == current});
     }
 }
 
 void add_ends(SourceSpec source, std::vector<MenuEntry>& entries) {
-    const bool present = source.loops;
+    const bool current = source.loops;
     for (const bool loops : {true, false}) {
         source.loops = loops;
         entries.push_back({.name = loops ? "At end: Loop" : "At end: Hold",
                            .commands = {set_source_to(source)},
-                           .is_present = loops == present});
+                           .is_present = loops == current});
     }
 }
 }  // namespace
@@ -91,12 +91,12 @@ std::vector<NamedSource> source_shapes(const SourceSpec& source, Extent extent) 
         return chosen;
     };
     constexpr double television_pixel = 8.0 / 7.0;  // for 256 pixels per line
-    const double present = pixel_aspect(source, extent);
+    const double current = pixel_aspect(source, extent);
     std::vector<NamedSource> shapes{
         {"Square pixels", shaped({}, 1.0)},
         {"4:3", shaped(ShapeRatio{4.0, 3.0}, 1.0)},
         {"16:9", shaped(ShapeRatio{16.0, 9.0}, 1.0)},
-        {"Custom", shaped({}, present == 1.0 ? television_pixel : present)}};
+        {"Custom", shaped({}, current == 1.0 ? television_pixel : current)}};
     if (source.shape && std::ranges::none_of(shapes, [&](const NamedSource& shape) {
             return shape.source == source;
         }))
@@ -123,11 +123,11 @@ std::vector<NamedSource> source_prescales(const SourceSpec& source, std::optiona
 
 namespace {
 void add_named(const std::string& heading, const std::vector<NamedSource>& from,
-               const SourceSpec& present, std::vector<MenuEntry>& entries) {
+               const SourceSpec& current, std::vector<MenuEntry>& entries) {
     for (const NamedSource& named : from)
         entries.push_back({.name = fmt::format("{}: {}", heading, named.name),
                            .commands = {set_source_to(named.source)},
-                           .is_present = named.source == present});
+                           .is_present = named.source == current});
 }
 }  // namespace
 
@@ -136,7 +136,7 @@ std::vector<MenuSection> source_sections(const Document& document, const OpenSou
         return {};
     const SourceSpec source = parse_source(document.state().source).value_or(SourceSpec{});
     MenuSection section{"Source", MenuSection::Menu::edit};
-    for (const PatternFacts& pattern : all_patterns()) {
+    for (const PatternInfo& pattern : all_patterns()) {
         const SourceSpec chosen = with_pattern(source, pattern.name);
         section.entries.push_back({.name = pattern.label,
                                    .commands = {set_source_to(chosen)},

@@ -66,7 +66,7 @@ std::vector<std::string> part_names(const Stack& stack, const std::vector<Listed
     return names;
 }
 
-bool is_worth_listing(const Stack& stack) {
+bool has_stack_menu(const Stack& stack) {
     return stack.size() > 1 || (!stack.empty() && stack.front().is_bypassed);
 }
 
@@ -76,7 +76,7 @@ MenuSection stack_section(const Stack& stack, const std::vector<ListedLook>& loo
         if (!look.is_stack())
             section.entries.push_back(
                 {.name = fmt::format("Add {}", look.name), .commands = {add_part(look)}});
-    if (!is_worth_listing(stack))
+    if (!has_stack_menu(stack))
         return section;
     const std::vector<std::string> names = part_names(stack, looks);
     for (std::size_t i = 0; i < stack.size(); ++i) {

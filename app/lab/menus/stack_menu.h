@@ -15,6 +15,6 @@ Edit add_part(const ListedLook& look);
 std::vector<std::string> part_names(const Stack& stack, const std::vector<ListedLook>& looks);
 
 /// Whether the stack has commands for its looks.
-bool is_worth_listing(const Stack& stack);
+bool has_stack_menu(const Stack& stack);
 
 MenuSection stack_section(const Stack& stack, const std::vector<ListedLook>& looks);

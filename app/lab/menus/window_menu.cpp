@@ -16,36 +16,36 @@ MenuEntry sized(std::string name, const PictureSize& size, bool is_present) {
             .is_present = is_present};
 }
 
-MenuSection size_section(const SizeInForce& in_force) {
+MenuSection size_section(const EffectiveSize& in_force) {
     MenuSection section{"Render size"};
-    const PictureSize& present = in_force.chosen;
-    PictureSize size = present;
+    const PictureSize& current = in_force.chosen;
+    PictureSize size = current;
     for (const auto& [shape, name] : picture_shapes)
         section.entries.push_back(
-            sized(name, with_shape(present, shape), in_force.is_shaped(shape)));
+            sized(name, with_shape(current, shape), in_force.is_shaped(shape)));
     section.entries.push_back({.name = "Match pane once", .commands = {[](RenderSize& render_size) {
                                                               render_size.fix_to_view();
                                                           }}});
     for (const Extent& extent : picture_sizes)
         section.entries.push_back(sized(fmt::format("{} × {}", extent.width, extent.height),
-                                        {false, extent, present.scale, present.shape},
-                                        present.is_exactly(extent)));
+                                        {false, extent, current.scale, current.shape},
+                                        current.is_exactly(extent)));
     for (const double scale : picture_scales) {
-        size = present;
+        size = current;
         size.scale = scale;
         section.entries.push_back(
-            sized(fmt::format("Scale {}", times_text(scale)), size, present.scale == scale));
+            sized(fmt::format("Scale {}", times_text(scale)), size, current.scale == scale));
     }
     return section;
 }
 
-MenuSection zoom_section(const PictureView& present) {
+MenuSection zoom_section(const PictureView& current) {
     MenuSection section{"Zoom"};
     section.entries.push_back({.name = "Largest integer zoom",
                                .commands = {[](WindowState& window) {
-                                   window.views.large() = {PictureView::Fit::whole};
+                                   window.views.large() = {PictureView::Fit::integer};
                                }},
-                               .is_present = present.fit == PictureView::Fit::whole});
+                               .is_present = current.fit == PictureView::Fit::integer});
     for (const double zoom : picture_zooms)
         section.entries.push_back(
             {.name = times_text(zoom),
@@ -53,7 +53,7 @@ MenuSection zoom_section(const PictureView& present) {
                  window.views.large().fit = PictureView::Fit::free;
                  window.views.large().zoom = zoom;
              }},
-             .is_present = present.fit == PictureView::Fit::free && present.zoom == zoom});
+             .is_present = current.fit == PictureView::Fit::free && current.zoom == zoom});
     for (const auto& [name, x, y] :
          {std::tuple{"Pan left", -0.1, 0.0}, std::tuple{"Pan right", 0.1, 0.0},
           std::tuple{"Pan up", 0.0, -0.1}, std::tuple{"Pan down", 0.0, 0.1}})
@@ -92,7 +92,7 @@ MenuSection pin_section(const std::vector<Pin>& pins) {
 }
 
 void show_waveform(WindowState& window) {
-    window.layout.reveal(PanelId::waveform);
+    window.layout.reveal(panel_id::waveform);
 }
 
 MenuSection waveform_section(const WindowState& window, Extent picture) {
@@ -108,30 +108,30 @@ MenuSection waveform_section(const WindowState& window, Extent picture) {
         window.probes.scan_line.start.texel(picture)[1]);
     section.entries.push_back(
         {.name = "Row…",
-         .number =
-             AskedNumber{.present = row,
-                         .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
-                         .is_whole = true,
-                         .answer = [height = picture.height](double typed) -> std::vector<Edit> {
-                             return {[row = static_cast<int>(typed), height](WindowState& changed) {
-                                 changed.probes.scan_line = ScanLine::along_row(row, height);
-                                 show_waveform(changed);
-                             }};
-                         }}});
+         .number = NumberPrompt{
+             .current = row,
+             .limit = {0.0, std::max(picture.height - 1.0, 0.0)},
+             .is_whole = true,
+             .answer = [height = picture.height](double typed) -> std::vector<Edit> {
+                 return {[row = static_cast<int>(typed), height](WindowState& changed) {
+                     changed.probes.scan_line = ScanLine::along_row(row, height);
+                     show_waveform(changed);
+                 }};
+             }}});
     return section;
 }
 
-MenuEntry window_number(const char* name, const char* unit, double present, Limit limit,
+MenuEntry window_number(const char* name, const char* unit, double current, Limit limit,
                         void (*set)(WindowState& window, double number)) {
     return {.name = name,
-            .number = AskedNumber{.present = present,
-                                  .unit = unit,
-                                  .limit = limit,
-                                  .answer = [set](double number) -> std::vector<Edit> {
-                                      return {[set, number](WindowState& window) {
-                                          set(window, number);
-                                      }};
-                                  }}};
+            .number = NumberPrompt{.current = current,
+                                   .unit = unit,
+                                   .limit = limit,
+                                   .answer = [set](double number) -> std::vector<Edit> {
+                                       return {[set, number](WindowState& window) {
+                                           set(window, number);
+                                       }};
+                                   }}};
 }
 
 MenuSection number_section(const WindowState& window) {
@@ -142,9 +142,10 @@ MenuSection number_section(const WindowState& window) {
                           changed.frame_rate.budget_milliseconds = number;
                       }),
         window_number("Flash limiter…", "× full brightness per second",
-                      window.flashes.limit.most_a_second, {FlashLimit::lowest, FlashLimit::highest},
+                      window.flashes.limit.max_per_second,
+                      {FlashLimit::lowest, FlashLimit::highest},
                       [](WindowState& changed, double number) {
-                          changed.flashes.limit = {.is_on = true, .most_a_second = number};
+                          changed.flashes.limit = {.is_on = true, .max_per_second = number};
                       }),
         window_number("Wipe position…", "%", 100.0 * window.views.wipe_share, {0.0, 100.0},
                       [](WindowState& changed, double number) {
@@ -155,11 +156,11 @@ MenuSection number_section(const WindowState& window) {
 }  // namespace
 
 void add_pin(WindowState& window, const Pin& pin) {
-    constexpr std::size_t most = 4;  // fit into the table
-    if (window.probes.pins.size() == most)
+    constexpr std::size_t maximum = 4;  // fit into the table
+    if (window.probes.pins.size() == maximum)
         window.probes.pins.erase(window.probes.pins.begin());
     window.probes.pins.push_back(pin);
-    window.layout.panels.show(PanelId::pins);
+    window.layout.panels.show(panel_id::pins);
 }
 
 std::string times_text(double factor) {
@@ -168,13 +169,13 @@ std::string times_text(double factor) {
     return fmt::format("{:g}×", factor);
 }
 
-SizeInForce size_in_force(const RenderSize& render_size) {
+EffectiveSize effective_size(const RenderSize& render_size) {
     return {render_size.chosen(), render_size.shape(), render_size.extent()};
 }
 
 void offer_display_size(const RenderSize& render_size, Messages& messages, Extent display) {
-    const PictureSize& present = render_size.chosen();
-    if (present.follows_view || present.room(display) == display)
+    const PictureSize& current = render_size.chosen();
+    if (current.follows_view || current.room(display) == display)
         return;
     const Extent picture = render_size.extent();
     messages.offer(
@@ -189,7 +190,7 @@ PictureSize with_shape(PictureSize size, ViewShape shape) {
     return size;
 }
 
-std::vector<MenuSection> window_sections(const WindowState& window, const SizeInForce& size) {
+std::vector<MenuSection> window_sections(const WindowState& window, const EffectiveSize& size) {
     return {size_section(size),
             zoom_section(window.views.large()),
             pane_section(),

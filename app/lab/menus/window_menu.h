@@ -9,20 +9,20 @@ struct Pin;
 struct WindowState;
 
 /// The chosen and the resulting render size.
-struct SizeInForce {
+struct EffectiveSize {
     PictureSize chosen;
     ViewShape shape = ViewShape::view;
     Extent extent;
 
     bool is_shaped(ViewShape as) const { return chosen.follows_view && shape == as; }
 };
-SizeInForce size_in_force(const RenderSize& size);
+EffectiveSize effective_size(const RenderSize& size);
 
 /// Offers the display's size if the output window shows a picture of fixed size.
 void offer_display_size(const RenderSize& size, Messages& messages, Extent display);
 
 /// Render size, zoom, panes, pins, waveform line and other settings of the window.
-std::vector<MenuSection> window_sections(const WindowState& window, const SizeInForce& size);
+std::vector<MenuSection> window_sections(const WindowState& window, const EffectiveSize& size);
 
 /// The labels of the shapes of a picture that follows the view.
 inline constexpr std::array picture_shapes{

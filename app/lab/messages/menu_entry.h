@@ -9,8 +9,8 @@
 #include <vector>
 
 /// A number that the user must type for an entry.
-struct AskedNumber {
-    double present = 0.0;
+struct NumberPrompt {
+    double current = 0.0;
     std::string unit = {};
     Limit limit = {};
     bool is_whole = false;
@@ -19,8 +19,8 @@ struct AskedNumber {
 };
 
 /// A text that the user must type for an entry.
-struct AskedText {
-    std::string present;
+struct TextPrompt {
+    std::string current;
     std::function<std::vector<Edit>(const std::string&)> answer;
 };
 
@@ -29,8 +29,8 @@ struct MenuEntry {
     std::string name;  // "Lissajous"; "Frequency…" if a value must be typed first
     std::vector<Edit> commands = {};
     bool is_present = false;  // it is the current state
-    std::optional<AskedNumber> number = {};
-    std::optional<AskedText> text = {};
+    std::optional<NumberPrompt> number = {};
+    std::optional<TextPrompt> text = {};
 };
 
 /// Menu entries of one kind.

@@ -13,7 +13,7 @@
 void Messages::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    m_notice = Notice{shortened(std::move(text), most_message_bytes), is_problem,
+    m_notice = Notice{shortened(std::move(text), max_message_bytes), is_problem,
                       is_problem ? 12.0 : 5.0, std::move(subject)};
 }
 
@@ -63,7 +63,7 @@ void Messages::add_look_problems(const Diagnostics& problems) {
     for (const Diagnostic& diagnostic : problems) {
         m_look_problems.push_back({diagnostic, lines.line_of(diagnostic)});
         m_look_problems.back().diagnostic.message =
-            shortened(diagnostic.message, most_message_bytes);
+            shortened(diagnostic.message, max_message_bytes);
     }
     join_problems();
 }

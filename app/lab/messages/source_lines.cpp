@@ -14,6 +14,6 @@ std::string SourceLines::line_of(const Diagnostic& diagnostic) {
         lines = split_lines(text->second);
     }
     const auto number = static_cast<std::size_t>(diagnostic.line);
-    return number <= lines.size() ? shortened(std::string(lines[number - 1]), most_line_bytes)
+    return number <= lines.size() ? shortened(std::string(lines[number - 1]), max_line_bytes)
                                   : std::string();
 }

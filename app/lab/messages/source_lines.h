@@ -7,14 +7,14 @@
 #include <string>
 
 /// Limit for one message in the window. Longer ones would be slow to draw.
-constexpr std::size_t most_message_bytes = 2048;
+constexpr std::size_t max_message_bytes = 2048;
 /// Limit for one line of a file in the window.
-constexpr std::size_t most_line_bytes = std::size_t{64} * 1024;
+constexpr std::size_t max_line_bytes = std::size_t{64} * 1024;
 
 /// The source lines of diagnostics. Each file is read only once.
 class SourceLines {
 public:
-    /// The line of a diagnostic, shortened to most_line_bytes; "": the line does not exist.
+    /// The line of a diagnostic, shortened to max_line_bytes; "": the line does not exist.
     std::string line_of(const Diagnostic& diagnostic);
 
 private:

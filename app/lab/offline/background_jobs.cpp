@@ -3,7 +3,7 @@
 void BackgroundJobs::compare_rates() {
     m_rate_pictures.clear();
     if (m_document)
-        m_rates.start([document = *m_document, picture = m_size.extent()](Work& work) {
+        m_rates.start([document = *m_document, picture = m_size.extent()](JobProgress& work) {
             return ::compare_rates(document, picture, work);
         });
 }
@@ -15,16 +15,18 @@ void BackgroundJobs::show_rate_pair(std::size_t pair) {
 
 void BackgroundJobs::fire_impulse(const Pin& pin) {
     if (m_document)
-        m_impulse.start([document = *m_document, picture = m_size.extent(), pin](Work& work) {
-            return ::fire_impulse(document, picture, {.pin = pin}, work);
-        });
+        m_impulse.start(
+            [document = *m_document, picture = m_size.extent(), pin](JobProgress& work) {
+                return ::fire_impulse(document, picture, {.pin = pin}, work);
+            });
 }
 
-void BackgroundJobs::export_frames(const ExportWishes& wishes) {
+void BackgroundJobs::export_frames(const ExportSettings& wishes) {
     if (m_document)
-        m_export.start([document = *m_document, picture = m_size.extent(), wishes](Work& work) {
-            return export_document(document, picture, wishes, work);
-        });
+        m_export.start(
+            [document = *m_document, picture = m_size.extent(), wishes](JobProgress& work) {
+                return export_document(document, picture, wishes, work);
+            });
 }
 
 void BackgroundJobs::update() {

@@ -27,9 +27,9 @@ public:
     void cancel_impulse() { m_impulse.cancel(); }
     const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
     /// Writes a film or an image sequence.
-    void export_frames(const ExportWishes& wishes);
+    void export_frames(const ExportSettings& wishes);
     void cancel_export() { m_export.cancel(); }
-    const BackgroundWork<Exported>& frame_export() const { return m_export; }
+    const BackgroundWork<ExportResult>& frame_export() const { return m_export; }
 
     void update();
     bool is_running() const {
@@ -43,5 +43,5 @@ private:
     BackgroundWork<RateComparison> m_rates;
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
-    BackgroundWork<Exported> m_export;
+    BackgroundWork<ExportResult> m_export;
 };

@@ -32,8 +32,8 @@ private:
 
 // By file name only, so that a sample does not have to read all files.
 bool may_be_of_corpus(const fs::path& file) {
-    const std::vector<std::string> endings = foreign_extensions();
-    return std::ranges::find(endings, to_lower(file.extension().string())) != endings.end() &&
+    const std::vector<std::string> extensions = foreign_extensions();
+    return std::ranges::find(extensions, to_lower(file.extension().string())) != extensions.end() &&
            file.filename() != "look.json";
 }
 
@@ -63,7 +63,7 @@ void order_by_chance(std::vector<fs::path>& files, const fs::path& folder, int s
     });
 }
 
-void draw(Prepared prepared, const CorpusTask& task, CorpusTrial& trial) {
+void draw(PreparedLook prepared, const CorpusTask& task, CorpusResult& trial) {
     Stopwatch watch;
     auto offline = Offline::create(std::move(prepared), task.size, 60.0);
     trial.link_ms = watch.milliseconds();
@@ -90,8 +90,8 @@ void draw(Prepared prepared, const CorpusTask& task, CorpusTrial& trial) {
 }
 }  // namespace
 
-CorpusTrial try_look(const fs::path& file, const CorpusTask& task, const Library& library) {
-    CorpusTrial trial;
+CorpusResult try_look(const fs::path& file, const CorpusTask& task, const Library& library) {
+    CorpusResult trial;
     trial.file = file;
     Stopwatch watch;
     LoadedLook loaded = load_requested({file, {}, {}}, library);

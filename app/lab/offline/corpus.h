@@ -8,7 +8,7 @@
 #include <vector>
 
 /// The result and cost of testing one file of a collection of looks.
-struct CorpusTrial {
+struct CorpusResult {
     std::filesystem::path file;
     bool is_parsed = false;    // its texts were read
     bool is_compiled = false;  // glslang accepted its shaders
@@ -32,8 +32,8 @@ struct CorpusTask {
 };
 
 /// Tests a file in this process.
-CorpusTrial try_look(const std::filesystem::path& file, const CorpusTask& task,
-                     const Library& library);
+CorpusResult try_look(const std::filesystem::path& file, const CorpusTask& task,
+                      const Library& library);
 
 /// The selection of files in a folder.
 struct CorpusChoice {

@@ -88,7 +88,7 @@ FramePipeline::Stages film_stages(FilmFile& film) {
         false};
 }
 
-FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate) {
+FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate) {
     const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
         const auto bytes = film_bytes(frame, extent);
         if (!bytes)
@@ -170,7 +170,7 @@ bool is_film_output(const std::string& output) {
     return output == export_pipe || is_film_name(output);
 }
 
-Result<double> usual_film_seconds(const Offline& offline, double start_seconds) {
+Result<double> default_video_seconds(const Offline& offline, double start_seconds) {
     const double sound = offline.signal().sound_seconds();
     if (sound <= 0.0)
         return film_seconds_without_sound;
@@ -185,7 +185,7 @@ Result<double> usual_film_seconds(const Offline& offline, double start_seconds) 
 Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
                        Diagnostics& warnings) {
     const Extent extent = offline.executor().target(job.pass).extent();
-    const FilmRate rate = film_rate_of(job.fps);
+    const FrameRateFraction rate = frame_rate_fraction(job.fps);
     std::unique_ptr<FilmFile> film;
     if (output == export_pipe) {
         job.stages = pipe_stages(standard_output, extent, rate);

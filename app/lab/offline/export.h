@@ -40,7 +40,7 @@ FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t firs
 /// Writes into `film`, which must outlive the stages.
 FramePipeline::Stages film_stages(FilmFile& film);
 /// Writes y4m to an open file descriptor.
-FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FilmRate& rate);
+FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate);
 
 /// Draws from a fresh start and writes on background threads. Each file is complete or missing.
 /// False: cancelled.
@@ -56,7 +56,7 @@ inline constexpr const char* export_pipe = "-";
 bool is_film_output(const std::string& output);
 /// The default duration of a film from `start_seconds` on: the remaining sound, else 10 s. Fails
 /// after the end of the sound.
-Result<double> usual_film_seconds(const Offline& offline, double start_seconds);
+Result<double> default_video_seconds(const Offline& offline, double start_seconds);
 /// As export_frames(), with stages for the output name: a film, y4m to standard output, or
 /// pictures. Warns about flashes if the pass is the picture.
 Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,

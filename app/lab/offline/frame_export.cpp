@@ -23,8 +23,8 @@ Result<void> check_export(const Document& document, const std::filesystem::path&
 }
 }  // namespace
 
-Result<Exported> export_document(const Document& document, Extent size, const ExportWishes& wishes,
-                                 Work& work) {
+Result<ExportResult> export_document(const Document& document, Extent size,
+                                     const ExportSettings& wishes, JobProgress& work) {
     if (auto good = check_export(document, wishes.file); !good)
         return fail(good.error());
     Document changed = document;  // the window may not have applied its constants yet
@@ -33,7 +33,7 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
     auto offline = Offline::create({std::move(changed), {}}, size, wishes.fps);
     if (!offline)
         return fail(offline.error());
-    const auto usual = usual_film_seconds(*offline, 0.0);
+    const auto usual = default_video_seconds(*offline, 0.0);
     if (!usual)
         return fail(usual.error());
     const double seconds = wishes.seconds > 0.0 ? wishes.seconds : *usual;
@@ -45,7 +45,7 @@ Result<Exported> export_document(const Document& document, Extent size, const Ex
         work.share = static_cast<double>(drawn) / static_cast<double>(count);
         return !work.is_cancelled;
     };
-    Exported exported{wishes.file, count, size, {}};
+    ExportResult exported{wishes.file, count, size, {}};
     const auto done = export_to(wishes.file.string(), *offline, std::move(job), exported.warnings);
     if (!done)
         return fail(done.error());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/work.h"
+#include "base/job_progress.h"
 #include "lab/document/document.h"
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 inline constexpr double film_seconds_without_sound = 10.0;
 
 /// The user's settings for an export.
-struct ExportWishes {
+struct ExportSettings {
     std::filesystem::path file = {};  // .mp4, .webm, .gif, or .png and .exr with %04d
     double fps = 60.0;
     double seconds = 0.0;  // 0: the duration of the sound, else the default
 
-    bool operator==(const ExportWishes&) const = default;
+    bool operator==(const ExportSettings&) const = default;
 };
 
 /// The result of an export.
-struct Exported {
+struct ExportResult {
     std::filesystem::path file;
     std::int64_t frames = 0;
     Extent size;
@@ -29,5 +29,5 @@ struct Exported {
 /// Draws a document from a fresh start in its own GL context, like the command render. Fails if it
 /// cannot be drawn or written, if its input is live, or when cancelled. Then no film remains, and
 /// only complete pictures.
-Result<Exported> export_document(const Document& document, Extent size, const ExportWishes& wishes,
-                                 Work& work);
+Result<ExportResult> export_document(const Document& document, Extent size,
+                                     const ExportSettings& wishes, JobProgress& work);

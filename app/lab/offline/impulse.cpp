@@ -2,7 +2,7 @@
 
 #include "gpu/objects/readback.h"
 #include "lab/document/users_content.h"
-#include "lab/drawing/beam_position.h"
+#include "lab/drawing/beam_mapping.h"
 #include "lab/offline/offline.h"
 #include "lab/offline/rate_comparison.h"
 #include "model/look/color.h"
@@ -19,7 +19,7 @@ constexpr int dark_frames = 4;  // before the impulse, to measure the background
 
 // A charge well above the steps of an 8-bit picture and below the ceiling. The beam moves in a
 // circle smaller than a pixel, because only a moving beam draws segments.
-Beam flash_at(const BeamPlacing& placing, const PicturePixel& pixel, double frame_seconds) {
+Beam flash_at(const BeamMapping& placing, const PicturePixel& pixel, double frame_seconds) {
     constexpr int points = 16;
     constexpr double charge = 16.0;  // a frame of 1/60 s has 4096
     const BeamPosition middle = placing.position_of(pixel);
@@ -42,7 +42,7 @@ Picture even(Extent extent, float light) {
                                light)};
 }
 
-Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& question) {
+Result<void> drive(Offline& offline, Extent size, const ImpulseRequest& request) {
     const Look& look = offline.executor().look();
     if (look.driven_by == Driver::nothing)
         return fail({look.manifest, 0,
@@ -50,12 +50,12 @@ Result<void> drive(Offline& offline, Extent size, const ImpulseQuestion& questio
                                  "response",
                                  look.id)});
     if (look.driven_by == Driver::picture)
-        return offline.hold_source(even(size, 0.0f));
-    const BeamPlacing placing(look, offline.document().values(), size,
+        return offline.override_source(even(size, 0.0f));
+    const BeamMapping placing(look, offline.document().values(), size,
                               beam_fit_of(offline.document().state().signal));
-    const PicturePixel pixel{question.pin.x * size.width, question.pin.y * size.height};
-    const Beam flash = flash_at(placing, pixel, 1.0 / question.fps);
-    offline.drive_by([flash](const PlayedFrame& frame) {
+    const PicturePixel pixel{request.pin.x * size.width, request.pin.y * size.height};
+    const Beam flash = flash_at(placing, pixel, 1.0 / request.fps);
+    offline.override_beam([flash](const PlayedFrame& frame) {
         return frame.number == dark_frames + 1 ? flash : Beam();
     });
     return {};
@@ -98,28 +98,29 @@ PassImpulse impulse_of(std::string pass, const std::vector<Numbers>& frames,
 }
 }  // namespace
 
-Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseQuestion& question,
-                                     Work& work) {
-    if (auto driven = drive(offline, size, question); !driven)
+Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseRequest& request,
+                                     JobProgress& work) {
+    if (auto driven = drive(offline, size, request); !driven)
         return fail(driven.error());
     const Look& look = offline.executor().look();
     const bool has_source = look.driven_by == Driver::picture;
-    ImpulseResponse response{size, question, {}, {}};
-    const int watched = std::max(1, static_cast<int>(std::lround(question.seconds * question.fps)));
+    ImpulseResponse response{size, request, {}, {}};
+    const int watched = std::max(1, static_cast<int>(std::lround(request.seconds * request.fps)));
     std::vector<std::vector<Numbers>> passes(look.passes.size());
     const int all = dark_frames + 1 + watched;
     for (int frame = 1; frame <= all; ++frame) {
         if (work.is_cancelled)
             return fail({{}, 0, "the impulse response was cancelled"});
         if (has_source && (frame == dark_frames + 1 || frame == dark_frames + 2))
-            if (auto held = offline.hold_source(even(size, frame == dark_frames + 1 ? 1.0f : 0.0f));
+            if (auto held =
+                    offline.override_source(even(size, frame == dark_frames + 1 ? 1.0f : 0.0f));
                 !held)
                 return fail(held.error());
         offline.advance();
         for (std::size_t pass = 0; pass < passes.size(); ++pass)
-            passes[pass].push_back(light_at(offline, pass, question.pin));
+            passes[pass].push_back(light_at(offline, pass, request.pin));
         if (frame > dark_frames)
-            response.seconds.push_back((frame - dark_frames - 1) / question.fps);
+            response.seconds.push_back((frame - dark_frames - 1) / request.fps);
         work.share = static_cast<double>(frame) / all;
     }
     for (std::size_t pass = 0; pass < passes.size(); ++pass)
@@ -129,10 +130,10 @@ Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const Impuls
 }
 
 Result<ImpulseResponse> fire_impulse(Document document, Extent picture,
-                                     const ImpulseQuestion& question, Work& work) {
+                                     const ImpulseRequest& request, JobProgress& work) {
     const Extent size = size_to_compare(picture);
-    auto offline = Offline::create({std::move(document), {}}, size, question.fps);
+    auto offline = Offline::create({std::move(document), {}}, size, request.fps);
     if (!offline)
         return fail(offline.error());
-    return fire_impulse(*offline, size, question, work);
+    return fire_impulse(*offline, size, request, work);
 }

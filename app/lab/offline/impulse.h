@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/work.h"
+#include "base/job_progress.h"
 #include "lab/document/document.h"
 #include "lab/window/probes.h"
 #include "model/picture/decay_curve.h"
@@ -11,7 +11,7 @@
 class Offline;
 
 /// The position of an impulse and its measurement.
-struct ImpulseQuestion {
+struct ImpulseRequest {
     Pin pin;
     double fps = 60.0;
     double seconds = 2.0;
@@ -28,7 +28,7 @@ struct PassImpulse {
 /// The response of all passes to an impulse of one frame.
 struct ImpulseResponse {
     Extent size;
-    ImpulseQuestion question;
+    ImpulseRequest request;
     std::vector<double> seconds;  // end times of the frames; 0: end of the impulse's frame
     std::vector<PassImpulse> passes;
 };
@@ -36,9 +36,9 @@ struct ImpulseResponse {
 /// Draws an impulse in the dark. For a signal, the beam is at this position for one frame, with
 /// 1/256 of its charge in 1/60 s. A source is white for one frame. `offline` must be in its initial
 /// state. Fails if the look uses neither a signal nor a picture, and when cancelled.
-Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseQuestion& question,
-                                     Work& work);
+Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const ImpulseRequest& request,
+                                     JobProgress& work);
 
 /// The same in its own GL context, at size_to_compare() of the picture (at most 360 lines).
 Result<ImpulseResponse> fire_impulse(Document document, Extent picture,
-                                     const ImpulseQuestion& question, Work& work);
+                                     const ImpulseRequest& request, JobProgress& work);

@@ -62,6 +62,6 @@ Result<Measurement> measure(Offline& offline, int frames) {
     measured.draw_calls = offline.executor().drawer().draw_calls();
     measured.bytes_per_pixel = bytes_per_pixel(offline.executor());
     measured.target_bytes = memory_of(offline.executor().plan());
-    measured.renderer = offline.context().facts().renderer;
+    measured.renderer = offline.context().info().renderer;
     return measured;
 }

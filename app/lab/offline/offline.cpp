@@ -22,7 +22,7 @@
 #include <algorithm>
 #include <utility>
 
-Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
+Offline::Offline(std::unique_ptr<gpu::Context> context, PreparedLook prepared, Programs programs,
                  Extent size, double fps)
     : m_context(std::move(context)),
       m_document(std::move(prepared.document)),
@@ -32,7 +32,7 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Progr
       m_fps(fps),
       m_automation(std::move(prepared.automation)) {}
 
-Result<Offline> Offline::create(Prepared prepared, Extent size, double fps) {
+Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) {
     auto context = gpu::create_headless_context();
     if (!context)
         return fail(context.error());
@@ -67,7 +67,7 @@ Result<void> Offline::load_signal() {
     const Spec& signal = m_document.state().signal;
     if (executor().look().driven_by != Driver::signal)
         return {};
-    PlayedSound sound{.file = file_of(signal), .sound = {}};
+    SignalFile sound{.file = file_of(signal), .sound = {}};
     if (!sound.file.empty()) {
         auto loaded = load_signal_media(sound.file, nullptr, &m_problems);
         if (!loaded)
@@ -130,7 +130,7 @@ Result<void> Offline::load_pictures() {
         if (!source)
             return fail(source.error());
         m_source = std::move(*source);
-        m_source_is_carried = reads_source(look, carried_passes(look));
+        m_source_is_carried = reads_source(look, feedback_passes(look));
         const Extent extent = placed_extent(m_source->extent(), m_source->spec(), m_size);
         if (auto done = m_executors.picture().resize(m_size, extent); !done)
             return done;
@@ -190,7 +190,7 @@ Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
     if (auto done = m_executors.picture().replace(look, *programs); !done)
         return done;
     std::vector<PassRun> runs;
-    for (const bool is_read : read_for(executor(), is_displayed))
+    for (const bool is_read : read_dependencies_of(executor(), is_displayed))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
     return m_executors.picture().set_runs(runs);
 }
@@ -213,7 +213,7 @@ Result<void> Offline::show_to(const std::vector<bool>& displayed) {
 bool Offline::turns_sharing() const {
     const Look& look = executor().look();
     return std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
-        return is_animated(parameter) && decides_sharing(look, parameter);
+        return is_animated(parameter) && affects_aliasing(look, parameter);
     });
 }
 
@@ -271,7 +271,7 @@ Beam Offline::beam_of(const PlayedFrame& frame) const {
     return m_beam ? m_beam(frame) : m_player->signal().trace(frame.span);
 }
 
-Result<void> Offline::hold_source(const Picture& picture) {
+Result<void> Offline::override_source(const Picture& picture) {
     m_source.reset();
     return m_executors.set_source(picture);
 }

@@ -24,7 +24,7 @@
 class Offline {
 public:
     /// Creates its own headless context.
-    static Result<Offline> create(Prepared prepared, Extent size, double fps);
+    static Result<Offline> create(PreparedLook prepared, Extent size, double fps);
 
     /// Draws the next frame of the clock.
     void advance();
@@ -50,9 +50,9 @@ public:
         return m_nan_watch->set_policy(policy, m_executors.picture());
     }
     /// Replaces the signal's beam in all later frames.
-    void drive_by(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
+    void override_beam(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
     /// Replaces the document's source from now on.
-    Result<void> hold_source(const Picture& picture);
+    Result<void> override_source(const Picture& picture);
     /// Sets the frame rate; call start_again() afterwards.
     void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_executors.picture(); }
@@ -86,7 +86,7 @@ private:
     Result<void> resize_again();
     void modulate_values(const PlayedFrame& frame);
     Beam beam_of(const PlayedFrame& frame) const;
-    Offline(std::unique_ptr<gpu::Context> context, Prepared prepared, Programs programs,
+    Offline(std::unique_ptr<gpu::Context> context, PreparedLook prepared, Programs programs,
             Extent size, double fps);
 
     std::unique_ptr<gpu::Context> m_context;

@@ -27,7 +27,7 @@ namespace {
 Result<void> apply_values(const RenderRequest& request, Document& document) {
     Diagnostics problems;
     for (const auto& [name, text] : request.values) {
-        const auto parameter = meant_parameter(name, document.look());
+        const auto parameter = resolve_parameter(name, document.look());
         auto value = parameter ? parse_value(**parameter, text) : fail(parameter.error());
         if (value)
             document.set_value((*parameter)->name, std::move(*value));
@@ -57,7 +57,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
 }
 }  // namespace
 
-Result<void> apply_constants(Document& document, const ReadingHelp& help) {
+Result<void> apply_constants(Document& document, const LoadOptions& help) {
     if (constants_of(document.look(), document.values()) == document.look().constants)
         return {};
     const Values& values = document.values();
@@ -68,7 +68,7 @@ Result<void> apply_constants(Document& document, const ReadingHelp& help) {
     return {};
 }
 
-Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared) {
+Result<void> open_preset(OpenRequest request, const Library& library, PreparedLook& prepared) {
     Preset& preset = *request.preset;
     const fs::path& file = request.preset_file;
     const Look& look = prepared.document.look();
@@ -117,7 +117,7 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
 
 namespace {
 // Refuses outside content of a preset, unless options of the user replace it.
-std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
+std::optional<Diagnostic> problem_with_outside(const PreparedLook& prepared,
                                                const RenderRequest& request,
                                                const fs::path& preset_file) {
     if (!prepared.outside)
@@ -126,7 +126,7 @@ std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
     if (!request.signal.empty() || !request.source.empty())
         unnamed = {.files = std::move(unnamed.files)};
     for (const auto& [name, text] : request.values)
-        if (const auto parameter = meant_parameter(name, prepared.document.look()))
+        if (const auto parameter = resolve_parameter(name, prepared.document.look()))
             unnamed.files.erase((*parameter)->name);
     if (unnamed.count() == 0)
         return std::nullopt;
@@ -134,7 +134,7 @@ std::optional<Diagnostic> problem_with_outside(const Prepared& prepared,
 }
 }  // namespace
 
-Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
+Result<PreparedLook> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
         return fail(preset.error());
@@ -143,11 +143,11 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     LoadedLook loaded = load_requested(*preset, library, {&checks, request.progress});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
-    Prepared prepared{.document = Document(std::move(*loaded.look)),
-                      .warnings = std::move(loaded.warnings),
-                      .shader_cache = std::move(cache),
-                      .progress = request.progress,
-                      .sender_seconds = request.sender_seconds};
+    PreparedLook prepared{.document = Document(std::move(*loaded.look)),
+                          .warnings = std::move(loaded.warnings),
+                          .shader_cache = std::move(cache),
+                          .progress = request.progress,
+                          .sender_seconds = request.sender_seconds};
     const fs::path preset_file = preset->preset_file;
     if (preset->preset)
         if (auto done = open_preset(std::move(*preset), library, prepared); !done)
@@ -169,11 +169,11 @@ Result<Prepared> prepare(const RenderRequest& request, const Library& library) {
     return prepared;
 }
 
-Result<Plan> plan_of(const Prepared& prepared, Extent size) {
+Result<Plan> plan_of(const PreparedLook& prepared, Extent size) {
     return plan_targets(prepared.document.drawn_look(), size, size, prepared.document.values());
 }
 
-Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory) {
+Result<void> check_memory(const PreparedLook& prepared, Extent size, std::uint64_t memory) {
     const auto plan = plan_of(prepared, size);
     if (!plan)
         return fail(plan.error());
@@ -191,7 +191,7 @@ Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t m
                      static_cast<double>(memory) / gigabyte)});
 }
 
-Result<std::string> describe(const Prepared& prepared, Extent size) {
+Result<std::string> describe(const PreparedLook& prepared, Extent size) {
     const auto plan = plan_of(prepared, size);
     if (!plan)
         return fail(plan.error());

@@ -26,11 +26,11 @@ struct RenderRequest {
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
-    double sender_seconds = std::numeric_limits<double>::infinity();  // timeout, as in Prepared
+    double sender_seconds = std::numeric_limits<double>::infinity();  // timeout, as in PreparedLook
 };
 
 /// A look with its values and its input, ready to draw or describe; needs no GL.
-struct Prepared {
+struct PreparedLook {
     Document document;
     Diagnostics warnings = {};
     AutomationPoints automation = {};
@@ -44,22 +44,22 @@ struct Prepared {
     // picture. Others then need no memory. nullopt: all passes can be displayed.
     std::optional<std::vector<std::string>> displayed = {};
 };
-Result<Prepared> prepare(const RenderRequest& request, const Library& library);
+Result<PreparedLook> prepare(const RenderRequest& request, const Library& library);
 
 /// Reads the look of a document again if the constants in its texts have other values than when it
 /// was read.
-Result<void> apply_constants(Document& document, const ReadingHelp& help = {});
+Result<void> apply_constants(Document& document, const LoadOptions& help = {});
 
 /// Opens `request.preset` in the document of its look, with warnings about it. Fails if it is for
 /// another look or its values are invalid.
-Result<void> open_preset(OpenRequest request, const Library& library, Prepared& prepared);
+Result<void> open_preset(OpenRequest request, const Library& library, PreparedLook& prepared);
 
 /// Fails if drawing would need more than a quarter of the machine's memory, with the amount in the
 /// message. `memory`: the machine's memory in bytes.
-Result<void> check_memory(const Prepared& prepared, Extent size, std::uint64_t memory);
+Result<void> check_memory(const PreparedLook& prepared, Extent size, std::uint64_t memory);
 
 /// The targets of a prepared look; needs no GL.
-Result<Plan> plan_of(const Prepared& prepared, Extent size);
+Result<Plan> plan_of(const PreparedLook& prepared, Extent size);
 
 /// The JSON of `describe`.
-Result<std::string> describe(const Prepared& prepared, Extent size);
+Result<std::string> describe(const PreparedLook& prepared, Extent size);

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-double moment_to_compare(const Look& look) {
+double comparison_seconds(const Look& look) {
     constexpr double common = 6.0;  // greatest common divisor of all rates
     constexpr double shortest = 0.5;
     constexpr double longest = 10.0;
@@ -16,11 +16,11 @@ double moment_to_compare(const Look& look) {
 }
 
 Extent size_to_compare(Extent picture) {
-    constexpr int most_lines = 360;
-    if (picture.height <= most_lines)
+    constexpr int max_lines = 360;
+    if (picture.height <= max_lines)
         return picture;
-    const double scale = static_cast<double>(most_lines) / picture.height;
-    return {std::max(1, static_cast<int>(std::lround(picture.width * scale))), most_lines};
+    const double scale = static_cast<double>(max_lines) / picture.height;
+    return {std::max(1, static_cast<int>(std::lround(picture.width * scale))), max_lines};
 }
 
 std::size_t RateComparison::worst_index() const {
@@ -62,10 +62,11 @@ Picture shown(Picture picture) {
 }
 }  // namespace
 
-Result<RateComparison> compare_rates(const Document& document, Extent picture, Work& work) {
+Result<RateComparison> compare_rates(const Document& document, Extent picture, JobProgress& work) {
     if (auto good = check_driver(document); !good)
         return fail(good.error());
-    RateComparison comparison{moment_to_compare(document.look()), size_to_compare(picture), {}, {}};
+    RateComparison comparison{
+        comparison_seconds(document.look()), size_to_compare(picture), {}, {}};
     auto offline = Offline::create({document, {}}, comparison.size, compared_rates.front());
     if (!offline)
         return fail(offline.error());

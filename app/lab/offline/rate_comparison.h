@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/work.h"
+#include "base/job_progress.h"
 #include "lab/document/document.h"
 #include "model/picture/difference.h"
 
@@ -33,11 +33,11 @@ struct RateComparison {
 
 /// The earliest time, a multiple of 1/6 s, at which every rate ends a frame and transients are
 /// over.
-double moment_to_compare(const Look& look);
+double comparison_seconds(const Look& look);
 
 /// The size to draw: at most 360 lines, because every frame is drawn.
 Extent size_to_compare(Extent picture);
 
-/// Draws a document at every rate from a fresh start up to moment_to_compare(), in its own GL
+/// Draws a document at every rate from a fresh start up to comparison_seconds(), in its own GL
 /// context. Fails if it cannot be drawn, if its input is live, and when cancelled.
-Result<RateComparison> compare_rates(const Document& document, Extent picture, Work& work);
+Result<RateComparison> compare_rates(const Document& document, Extent picture, JobProgress& work);

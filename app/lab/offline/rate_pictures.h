@@ -5,22 +5,21 @@
 
 #include <optional>
 
-/// Two of the pictures that a comparison of frame rates has drawn, and how far they are apart, to
-/// be seen.
+/// Two pictures of a frame rate comparison and their difference, as textures for display.
 class RatePictures {
 public:
     struct Shown {
         std::size_t pair = 0;  // of the comparison's
         gpu::Texture first;
         gpu::Texture second;
-        gpu::Texture difference;  // `gain` times
+        gpu::Texture difference;  // multiplied by `gain`
         double gain = 1.0;
     };
 
-    /// Shows a pair. Fails where there is no memory.
+    /// Shows a pair. Fails if memory is exhausted.
     Result<void> show(const RateComparison& comparison, std::size_t pair);
     void clear() { m_shown.reset(); }
-    /// None before one was asked for.
+    /// nullopt before the first show().
     const std::optional<Shown>& shown() const { return m_shown; }
 
 private:

@@ -9,7 +9,7 @@
 #include <cmath>
 
 namespace {
-constexpr int most_stops = 100;
+constexpr int max_stops = 100;
 
 std::string unit_of(const Parameter& parameter) {
     const std::string unit = parameter.control == Control::angle ? "rad" : parameter.unit;
@@ -34,12 +34,12 @@ Result<std::vector<std::string>> texts_of_span(const Parameter& parameter, std::
     const auto low = parse_number(trim(parts[0]));
     const auto high = parts.size() == 3 ? parse_number(trim(parts[1])) : std::nullopt;
     const int count = parts.size() == 3 ? parse_integer(trim(parts[2])).value_or(0) : 0;
-    if (!low || !high || count < 2 || count > most_stops)
+    if (!low || !high || count < 2 || count > max_stops)
         return fail(
             {{},
              0,
              fmt::format("expected name=low:high:count with a count from 2 to {}, got '{}={}'",
-                         most_stops, parameter.name, text)});
+                         max_stops, parameter.name, text)});
     std::vector<std::string> texts;
     for (int i = 0; i < count; ++i) {
         const double share = static_cast<double>(i) / (count - 1);
@@ -56,11 +56,11 @@ Result<std::vector<std::string>> texts_of(const Parameter& parameter, std::strin
     std::vector<std::string> texts;
     for (const std::string_view piece : split(text, ','))
         texts.emplace_back(trim(piece));
-    if (texts.size() > static_cast<std::size_t>(most_stops))
+    if (texts.size() > static_cast<std::size_t>(max_stops))
         return fail({{},
                      0,
                      fmt::format("'{}' has {} values; the limit is {}", parameter.name,
-                                 texts.size(), most_stops)});
+                                 texts.size(), max_stops)});
     return texts;
 }
 
@@ -80,7 +80,7 @@ Result<SweepAxis> parse_sweep_axis(std::string_view text, const Look& look) {
     if (equals == std::string_view::npos || equals == 0)
         return fail(
             {{}, 0, fmt::format("expected name=low:high:count or name=a,b,c, got '{}'", text)});
-    const auto parameter = meant_parameter(std::string(text.substr(0, equals)), look);
+    const auto parameter = resolve_parameter(std::string(text.substr(0, equals)), look);
     if (!parameter)
         return fail(parameter.error());
     if (!is_single_number(**parameter))

@@ -14,13 +14,13 @@ void BeamPlayout::rest() {
 }
 
 void BeamPlayout::follow(double time, double speed) {
-    constexpr double most_waiting = 0.4;  // s
+    constexpr double max_waiting = 0.4;  // s
     BeamQueue& queue = m_output->queue();
     const double rate = queue.rate();
     const double end = time + lead() * speed;
     const double waiting = static_cast<double>(queue.waiting()) / rate;
-    if (!m_is_running || waiting == 0.0 || waiting > most_waiting ||
-        end - m_played > most_waiting * speed) {
+    if (!m_is_running || waiting == 0.0 || waiting > max_waiting ||
+        end - m_played > max_waiting * speed) {
         rest();
         m_played = std::max(end - cushion() * speed, 0.0);
         m_sampler.start_at(m_played);

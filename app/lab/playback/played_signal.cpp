@@ -52,7 +52,7 @@ Result<void> PlayedSignal::open_feed(const Spec& complete, double time) {
 }
 
 Result<std::unique_ptr<Signal>> PlayedSignal::make(const Spec& complete,
-                                                   const PlayedSound& sound) const {
+                                                   const SignalFile& sound) const {
     SignalMedia media{.sound = sound.sound, .scene = sound.scene, .drawing = sound.drawing};
     if (is_live_kind(complete) && m_pace == BeamInput::Pace::live) {
         media.live = m_live_input.sound();
@@ -63,7 +63,7 @@ Result<std::unique_ptr<Signal>> PlayedSignal::make(const Spec& complete,
     return make_signal(complete, media);
 }
 
-Result<void> PlayedSignal::set(Spec complete, PlayedSound sound) {
+Result<void> PlayedSignal::set(Spec complete, SignalFile sound) {
     std::unique_ptr<Signal> signal;
     if (!complete.kind.empty()) {
         auto made = make(complete, sound);
@@ -82,7 +82,7 @@ Result<void> PlayedSignal::set(Spec complete, PlayedSound sound) {
     return {};
 }
 
-bool PlayedSignal::is_current(const Spec& complete, const PlayedSound& sound) const {
+bool PlayedSignal::is_current(const Spec& complete, const SignalFile& sound) const {
     return m_signal && complete == m_spec && sound == m_sound && !is_live_kind(m_spec) &&
            !is_sent_kind(m_spec);
 }

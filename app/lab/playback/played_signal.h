@@ -14,13 +14,13 @@
 #include <memory>
 
 /// The sound, scene or drawing of a signal's file.
-struct PlayedSound {
+struct SignalFile {
     std::filesystem::path file;
     std::shared_ptr<const Sound> sound;           // shared with the audio thread
     std::shared_ptr<const BeamScene> scene = {};  // shared with the loader thread
     std::shared_ptr<const Drawing> drawing = {};  // also shared with it
 
-    bool operator==(const PlayedSound&) const = default;
+    bool operator==(const SignalFile&) const = default;
 };
 
 /// The current signal and its input: a file, live sound or the beam of another program.
@@ -34,9 +34,9 @@ public:
     Result<void> open_input(const Spec& complete, const AudioDevices& devices, double time);
     /// Makes the signal of a completed spec whose input is open, and closes other inputs. An empty
     /// spec means no signal. On an error the previous signal stays.
-    Result<void> set(Spec complete, PlayedSound sound);
+    Result<void> set(Spec complete, SignalFile sound);
     /// Whether this is the current signal, and is neither live nor sent.
-    bool is_current(const Spec& complete, const PlayedSound& sound) const;
+    bool is_current(const Spec& complete, const SignalFile& sound) const;
     /// The present of a live sound or of the sender gets this time.
     void seek(double time);
 
@@ -47,7 +47,7 @@ public:
     std::unique_ptr<Signal> copy() const;
     Beam trace(const TimeSpan& span) const;
 
-    const PlayedSound& sound() const { return m_sound; }
+    const SignalFile& sound() const { return m_sound; }
     /// The duration of the played part of the sound, in seconds; 0: no sound.
     double sound_seconds() const;
     SoundTrack track() const;
@@ -68,13 +68,13 @@ public:
 
 private:
     Result<void> open_feed(const Spec& complete, double time);
-    Result<std::unique_ptr<Signal>> make(const Spec& complete, const PlayedSound& sound) const;
+    Result<std::unique_ptr<Signal>> make(const Spec& complete, const SignalFile& sound) const;
     void measure();
 
     BeamInput::Pace m_pace;
     double m_sender_patience;
     Spec m_spec;  // completed
-    PlayedSound m_sound;
+    SignalFile m_sound;
     LiveInput m_live_input;
     std::unique_ptr<BeamFeed> m_feed;
     std::shared_ptr<const Signal> m_signal;  // shared with its loudness

@@ -12,7 +12,7 @@ Player::Player(std::unique_ptr<SoundDevices> devices, double sender_patience)
       m_signal(m_devices.has_devices() ? BeamInput::Pace::live : BeamInput::Pace::waiting,
                sender_patience) {}
 
-Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
+Result<void> Player::set_signal(const Spec& spec, SignalFile sound) {
     auto complete = spec.kind.empty() ? Result<Spec>(Spec()) : completed(spec);
     if (!complete)
         return fail(complete.error());
@@ -23,7 +23,7 @@ Result<void> Player::set_signal(const Spec& spec, PlayedSound sound) {
 }
 
 // Without a device, playback continues silently.
-Result<void> Player::start(Spec complete, PlayedSound sound) {
+Result<void> Player::start(Spec complete, SignalFile sound) {
     const SignalKind* kind = find_kind(complete.kind);
     if (auto opened = m_signal.open_input(complete, m_devices, m_transport.time()); !opened) {
         if (kind && kind->is_live)

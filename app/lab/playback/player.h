@@ -24,7 +24,7 @@ public:
 
     /// Sets the signal of a spec, with `sound` if its kind plays one. A spec without a kind means
     /// no signal. On an error the previous signal stays.
-    Result<void> set_signal(const Spec& spec, PlayedSound sound = {});
+    Result<void> set_signal(const Spec& spec, SignalFile sound = {});
     /// Closes or opens the device of the live input.
     Result<void> mute_input(bool is_muted);
     /// Reopens the devices in use.
@@ -55,7 +55,7 @@ public:
     PlayedFrame advance_fixed(double fps) { return m_transport.advance_fixed(fps); }
 
 private:
-    Result<void> start(Spec complete, PlayedSound sound);
+    Result<void> start(Spec complete, SignalFile sound);
     Result<void> play_beam();
     void report_stall();
     std::optional<PlayedFrame> advance_clock(double wall_seconds);

@@ -6,7 +6,7 @@
 #include "io/sound/sound_file.h"
 #include "lab/storage/media.h"
 
-Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* work,
+Result<SignalMedia> load_signal_media(const std::filesystem::path& file, JobProgress* work,
                                       Diagnostics* notes) {
     SignalMedia media;
     if (is_svg_file(file)) {
@@ -16,7 +16,7 @@ Result<SignalMedia> load_signal_media(const std::filesystem::path& file, Work* w
         media.drawing = std::make_shared<const Drawing>(std::move(*drawing));
         return media;
     }
-    if (is_drawn_file(file)) {
+    if (is_drawing_or_scene(file)) {
         auto scene = load_scene(file);
         if (!scene)
             return fail(scene.error());

@@ -27,8 +27,8 @@ void Transport::seek(double seconds) {
 
 void Transport::fill_past(std::size_t frames) {
     const auto since_start = static_cast<std::int64_t>(m_time / step_seconds);
-    const auto most = static_cast<std::int64_t>(std::min(frames, frames_remembered));
-    const std::int64_t count = std::min(since_start, most);
+    const auto maximum = static_cast<std::int64_t>(std::min(frames, frames_remembered));
+    const std::int64_t count = std::min(since_start, maximum);
     m_past.clear();
     m_frame = since_start - count;
     for (std::int64_t left = count; left > 0; --left) {

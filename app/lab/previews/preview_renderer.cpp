@@ -10,7 +10,7 @@
 #include <chrono>
 
 namespace {
-constexpr double patience_seconds = 0.01;  // for accumulating passes
+constexpr double sample_budget_seconds = 0.01;  // for accumulating passes
 
 std::vector<PlayedFrame> latest(const Player& player, std::size_t frames) {
     const auto& past = player.transport().past();
@@ -27,7 +27,7 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
     inputs.beam_fit = beam_fit_of(subject.document.state().signal);
     inputs.sound = subject.player.signal().sound_texels();
     inputs.date = local_date();
-    inputs.patience_seconds = patience_seconds;
+    inputs.sample_budget_seconds = sample_budget_seconds;
     inputs.input_state.move(subject.shown.executors().inputs().input_state.position());
     executors.picture().set_values(values);
     const Extent source = subject.media.source().extent(subject.picture);
@@ -107,14 +107,15 @@ bool PreviewRenderer::update(const PreviewSubject& subject, double seconds) {
     return !is_running();
 }
 
-std::string why_untried(const Parameter& constant) {
+std::string preview_error(const Parameter& constant) {
     return fmt::format(
         "\"{}\" is a constant, so changing it recompiles the look. Change it directly, or render a "
         "sheet with 'afterglow sweep'.",
         constant.label);
 }
 
-std::size_t bearable_frames(const Look& look, const Renderer& shown, double seconds, double times) {
+std::size_t affordable_frames(const Look& look, const Renderer& shown, double seconds,
+                              double times) {
     constexpr double fewest = 4.0;
     const double all = std::max(look.settle_frames, 1);
     const double bearable = seconds / std::max(shown.times().frame_seconds() * times, 1e-6);

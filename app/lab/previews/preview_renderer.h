@@ -21,7 +21,7 @@ struct PreviewSubject {
 };
 
 /// Why a constant cannot be previewed.
-std::string why_untried(const Parameter& constant);
+std::string preview_error(const Parameter& constant);
 
 /// Redraws the latest frames with other values, one slice per update. It does not affect the
 /// history or the clock of the picture.
@@ -64,4 +64,5 @@ private:
 
 /// The number of frames that can be redrawn in about this time if each is drawn `times` times. At
 /// most the settling time of the look.
-std::size_t bearable_frames(const Look& look, const Renderer& shown, double seconds, double times);
+std::size_t affordable_frames(const Look& look, const Renderer& shown, double seconds,
+                              double times);

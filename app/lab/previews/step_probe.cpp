@@ -11,15 +11,15 @@
 #include <limits>
 #include <utility>
 
-void StepProbe::ask(const StepQuestion& question) {
-    if (m_question == question)
+void StepProbe::ask(const StepRequest& request) {
+    if (m_request == request)
         return;
     stop();
-    m_question = question;
+    m_request = request;
 }
 
 void StepProbe::stop() {
-    m_question.reset();
+    m_request.reset();
     m_trial.reset();
     m_picture.reset();
     m_has_picture = false;
@@ -59,17 +59,17 @@ void StepProbe::begin(const PreviewSubject& subject) {
     m_effect.reset();
     m_changes.assign(look.passes.size(), std::nullopt);
     m_next = 0;
-    const Parameter* declared = find_parameter(look, m_question->parameter);
+    const Parameter* declared = find_parameter(look, m_request->parameter);
     if (!declared)
         return fail_with("This parameter no longer exists");
     const Parameter parameter =
         with_ends(*declared, setting_of(declared->name, document.parameter_settings()));
-    const auto next = one_step(parameter, value_of(parameter, m_values), m_question->component,
-                               m_question->is_up);
+    const auto next =
+        one_step(parameter, value_of(parameter, m_values), m_request->component, m_request->is_up);
     if (!next)
         return fail_with(next.error().front().message);
     if (parameter.is_constant)
-        return fail_with(why_untried(parameter));
+        return fail_with(preview_error(parameter));
     Values others = m_values;
     others[parameter.name] = *next;
     DocumentState before = document.state();
@@ -78,9 +78,9 @@ void StepProbe::begin(const PreviewSubject& subject) {
     after.values = others;
     m_change = line_of(changes_between(look, before, after).front());
     m_text = fmt::format("{} …", m_change);
-    constexpr double patience_seconds = 1.0;
+    constexpr double sample_budget_seconds = 1.0;
     constexpr double times = 2.0;
-    const std::size_t frames = bearable_frames(look, subject.shown, patience_seconds, times);
+    const std::size_t frames = affordable_frames(look, subject.shown, sample_budget_seconds, times);
     auto trial = PreviewRenderer::make(subject, m_values, &others, frames);
     if (!trial)
         return fail_with(trial.error().front().message);
@@ -134,7 +134,7 @@ void StepProbe::conclude() {
     std::vector<PassChange> changes;
     for (const auto& change : m_changes)
         changes.push_back(*change);
-    m_effect = effect_of(look, *find_parameter(look, m_question->parameter), changes);
+    m_effect = effect_of(look, *find_parameter(look, m_request->parameter), changes);
     m_gain = gain_for(changes.back().largest);
     draw_difference();
     const std::string effect = effect_text(*m_effect, changes.back());
@@ -146,7 +146,7 @@ void StepProbe::conclude() {
 }
 
 void StepProbe::update(const PreviewSubject& subject, double slice_seconds) {
-    if (!m_question || subject.player.transport().past().empty())
+    if (!m_request || subject.player.transport().past().empty())
         return;
     const bool is_other = m_values != subject.document.values() || m_extent != subject.picture;
     const bool is_new = !m_trial && !m_is_answered;

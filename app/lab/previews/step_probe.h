@@ -10,12 +10,12 @@
 #include <vector>
 
 /// A step of a parameter to preview.
-struct StepQuestion {
+struct StepRequest {
     std::string parameter;
     std::size_t component = 0;  // of a vector
     bool is_up = true;
 
-    bool operator==(const StepQuestion&) const = default;
+    bool operator==(const StepRequest&) const = default;
 };
 
 /// The effect of one step of a parameter on the picture and each pass. It draws the latest frames
@@ -23,13 +23,13 @@ struct StepQuestion {
 class StepProbe {
 public:
     /// Starts a preview; results follow over the next updates, and again when values change.
-    void ask(const StepQuestion& question);
+    void ask(const StepRequest& request);
     void stop();
     /// Call it in every update.
     void update(const PreviewSubject& subject, double slice_seconds);
 
-    const std::optional<StepQuestion>& question() const { return m_question; }
-    bool is_busy() const { return m_question && !m_is_answered; }
+    const std::optional<StepRequest>& request() const { return m_request; }
+    bool is_busy() const { return m_request && !m_is_answered; }
     /// The signed difference of the picture, around a middle grey; null: still pending.
     const gpu::Texture* picture() const {
         return m_picture && m_has_picture ? &m_picture->texture() : nullptr;
@@ -58,7 +58,7 @@ private:
     void draw_difference();
     Pair pair_of(std::size_t pass) const;
 
-    std::optional<StepQuestion> m_question;
+    std::optional<StepRequest> m_request;
     std::optional<Tools> m_tools;
     std::optional<PreviewRenderer> m_trial;
     Values m_values;  // of the current result

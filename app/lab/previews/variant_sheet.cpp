@@ -1,7 +1,7 @@
 #include "lab/previews/variant_sheet.h"
 
 #include "lab/document/parameter_edits.h"
-#include "lab/offline/small_picture.h"
+#include "lab/offline/thumbnail.h"
 #include "model/tuning/slider_range.h"
 
 #include <fmt/format.h>
@@ -99,7 +99,7 @@ void VariantSheet::lay_out(const PreviewSubject& subject) {
             return;
         }
         if (parameter->is_constant) {
-            m_problem = why_untried(*parameter);
+            m_problem = preview_error(*parameter);
             return;
         }
         auto axis = axis_along(
@@ -124,10 +124,10 @@ Result<void> VariantSheet::start_cell(const PreviewSubject& subject) {
     const Values values = values_with(subject.document, m_cells[m_next].values);
     if (m_trial)
         return m_trial->start_again(values);
-    constexpr double patience_seconds = 0.3;  // per cell
+    constexpr double sample_budget_seconds = 0.3;  // per cell
     const double share = texels_of(subject.picture) / texels_of(m_shown_as);
     const std::size_t frames =
-        bearable_frames(subject.document.look(), subject.shown, patience_seconds, share);
+        affordable_frames(subject.document.look(), subject.shown, sample_budget_seconds, share);
     auto trial = PreviewRenderer::make(subject, values, nullptr, frames);
     if (!trial)
         return fail(trial.error());
@@ -143,7 +143,7 @@ Result<void> VariantSheet::keep_picture() {
             return fail(viewer.error());
         m_viewer.emplace(std::move(*viewer));
     }
-    auto canvas = small_picture(*m_viewer, m_trial->executor(), height);
+    auto canvas = thumbnail(*m_viewer, m_trial->executor(), height);
     if (!canvas)
         return fail(canvas.error());
     m_cells[m_next].picture.emplace(std::move(*canvas));
@@ -174,7 +174,7 @@ void VariantSheet::update(const PreviewSubject& whole, double slice_seconds) {
         m_trial.reset();
 }
 
-std::optional<std::size_t> VariantSheet::present(const Document& document) const {
+std::optional<std::size_t> VariantSheet::current(const Document& document) const {
     const auto is_present = [&](const Cell& cell) {
         return std::ranges::all_of(cell.values.values, [&](const auto& named) {
             const Parameter* parameter = find_parameter(document.look(), named.first);

@@ -46,7 +46,7 @@ public:
     bool is_running() const { return !m_request.across.empty() && m_problem.empty() && !is_done(); }
     std::size_t drawn() const { return m_next; }
     /// The cell with the document's values; nullopt: no such cell.
-    std::optional<std::size_t> present(const Document& document) const;
+    std::optional<std::size_t> current(const Document& document) const;
     /// Sets the document to the values of a cell, as one undo step.
     void apply(std::size_t cell, Document& document) const;
 

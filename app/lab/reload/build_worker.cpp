@@ -20,9 +20,9 @@ void BuildWorker::allow_preparation() {
         m_queue.wake();
 }
 
-bool BuildWorker::end(std::chrono::milliseconds patience) {
+bool BuildWorker::end(std::chrono::milliseconds timeout) {
     m_queue.end();
-    return m_queue.wait_until_ended(patience);
+    return m_queue.wait_until_ended(timeout);
 }
 
 void BuildWorker::run() {

@@ -32,7 +32,7 @@ public:
     void allow_preparation();
     /// Ends the thread; false if it did not end in time, because it hangs in a driver. Then this
     /// must not be destroyed.
-    bool end(std::chrono::milliseconds patience);
+    bool end(std::chrono::milliseconds timeout);
 
 private:
     void run();

@@ -98,7 +98,7 @@ void JobQueue::note_ended() {
     m_ended.notify_all();
 }
 
-bool JobQueue::wait_until_ended(std::chrono::milliseconds patience) {
+bool JobQueue::wait_until_ended(std::chrono::milliseconds timeout) {
     std::unique_lock lock(m_mutex);
-    return m_ended.wait_for(lock, patience, [this] { return m_has_ended; });
+    return m_ended.wait_for(lock, timeout, [this] { return m_has_ended; });
 }

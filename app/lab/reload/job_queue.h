@@ -61,7 +61,7 @@ public:
     /// The worker thread calls this last.
     void note_ended();
     /// Whether the worker thread ended within this time.
-    bool wait_until_ended(std::chrono::milliseconds patience);
+    bool wait_until_ended(std::chrono::milliseconds timeout);
 
 private:
     struct Slot {

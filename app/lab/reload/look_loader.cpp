@@ -28,7 +28,7 @@ void LookLoader::reload() {
         submit(*m_asked, true);
 }
 
-void LookLoader::restack(const Stack& stack, const Values& values) {
+void LookLoader::reload_stack(const Stack& stack, const Values& values) {
     if (!m_asked || m_asked->stack == stack)
         return;
     OpenRequest request = *m_asked;
@@ -85,7 +85,7 @@ void LookLoader::acquire_context(std::promise<std::shared_ptr<LookContext>>& com
         create_worker_context();
     coming.set_value(context);
     if (context)
-        context->have_programs();
+        context->build_view_programs();
 }
 
 void LookLoader::create_worker_context() {
@@ -160,7 +160,7 @@ std::optional<BuiltLook> LookLoader::update(const OpenLook& open_look, double wa
     take_built();
     if (!m_pending)
         return std::nullopt;
-    const bool waits = m_pending->built().kind != JobKind::look && open_look.is_amid_frame;
+    const bool waits = m_pending->built().kind != JobKind::look && open_look.has_unfinished_frame;
     if (waits ||
         !m_pending->update({m_programs.shown().get(), open_look.picture}, seconds_per_update))
         return std::nullopt;
@@ -205,7 +205,7 @@ void LookLoader::note_update(bool is_quiet) {
         if (!m_worker.context().is_created())
             create_worker_context();
         else if (m_programs.shown() && m_programs.shown()->context)
-            m_contexts.have_spare();
+            m_contexts.prepare_spare();
     }
     m_worker.allow_preparation();
 }

@@ -2,7 +2,7 @@
 
 #include "lab/messages/messages.h"
 #include "lab/reload/build_worker.h"
-#include "lab/reload/opening_mark.h"
+#include "lab/reload/crash_marker.h"
 #include "lab/reload/pending_look.h"
 #include "lab/reload/program_set.h"
 #include "lab/reload/watched_files.h"
@@ -30,7 +30,7 @@ public:
     /// Reads the open look again although no file changed.
     void reload();
     /// Reads the looks of another stack, once; `values` by the names of that stack.
-    void restack(const Stack& stack, const Values& values);
+    void reload_stack(const Stack& stack, const Values& values);
     /// Opens the open look again after another one could not be opened.
     void dismiss_failed();
 
@@ -51,8 +51,8 @@ public:
 
     /// What the open look draws meanwhile.
     struct OpenLook {
-        Extent picture;              // px
-        bool is_amid_frame = false;  // constants wait, which would drop the unfinished frame
+        Extent picture;                     // px
+        bool has_unfinished_frame = false;  // constants wait, which would drop the unfinished frame
     };
     /// Warms up a built look. Returns it when it can be drawn, with look and programs. Shows the
     /// problems of looks that could not be built.
@@ -69,7 +69,7 @@ public:
     const ProgramSet& programs() const { return m_programs; }
     BuildWorker& worker() { return m_worker; }
     WatchedFiles& files() { return m_files; }
-    OpeningMark& mark() { return m_mark; }
+    CrashMarker& mark() { return m_mark; }
     /// The displayed passes of looks that will be opened.
     void set_displayed(PassSelection passes) { m_displayed = std::move(passes); }
 
@@ -81,7 +81,7 @@ private:
     bool accept(const BuiltLook& built);
 
     Messages& m_messages;
-    OpeningMark m_mark;
+    CrashMarker m_mark;
     WatchedFiles m_files;
     LookContexts m_contexts;
     BuildWorker m_worker;

@@ -61,7 +61,7 @@ void ProgramBuilder::build(Job& job, BuiltLook& built) {
 // Constants change during a drag. They are not stored between runs, and not warmed up, because with
 // a busy GPU they would be late.
 Result<Programs> ProgramBuilder::link(const Job& job, BuiltLook& built) {
-    fail_as_injected();
+    trigger_injected_fault();
     const bool is_look = job.kind == JobKind::look;
     const std::optional<Programs> reusable = known_programs(job, *built.look);
     const Programs* const known = reusable ? &*reusable : nullptr;
@@ -181,7 +181,7 @@ void ProgramBuilder::draw_first_in_look_context(const Job& job, Programs& progra
                        .programs = programs,
                        .images = built.images,
                        .viewport = m_picture,
-                       .size = FirstDrawsOf::Size::own,
+                       .size = FirstDrawsInput::Size::own,
                        .values = values_of(job.request),
                        .seen = job.seen.of(*built.look)});
     warm_up.draw_all(*job.progress);
@@ -203,7 +203,7 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
     drawn.context = nullptr;
     drawn.nan_detector = nullptr;  // their uniforms are in use on another thread
     drawn.views = nullptr;
-    m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsOf::Size::whole},
+    m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsInput::Size::whole},
                     *job.progress);
     // The look's context finds the result in the cache once it is written.
     gpu::wait_for_driver_cache(cache_patience, *job.progress);

@@ -47,8 +47,9 @@ void Specialization::update(const Drawn& drawn, Renderer& renderer, bool is_quie
     if (auto built = m_loader.worker().queue().take(JobKind::specialization);
         built && built->programs)
         m_pending = std::make_unique<PendingLook>(std::move(*built));
-    const bool is_amid_frame = renderer.is_amid_frame() && !renderer.replay().is_running();
-    if (!m_pending || is_amid_frame ||
+    const bool has_unfinished_frame =
+        renderer.has_unfinished_frame() && !renderer.replay().is_running();
+    if (!m_pending || has_unfinished_frame ||
         !m_pending->update({m_loader.programs().shown().get(), drawn.picture}, seconds_per_update))
         return;
     const BuiltLook built = std::exchange(m_pending, nullptr)->take();

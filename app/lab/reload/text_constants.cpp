@@ -23,7 +23,7 @@ void TextConstants::update(const Document& document) {
         m_asked_for_variant.reset();
         return;
     }
-    if (!m_loader.opened() || document.is_restacking())
+    if (!m_loader.opened() || document.has_pending_stack())
         return;
     const Look& look = document.look();
     Values wanted = constants_of(look, document.values());

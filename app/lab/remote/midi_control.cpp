@@ -18,7 +18,7 @@ Result<void> MidiControl::listen(bool listens) {
     return opened;
 }
 
-void MidiControl::learn(std::optional<MidiGoal> goal) {
+void MidiControl::learn(std::optional<MidiTarget> goal) {
     m_goal = std::move(goal);
     m_learnt.reset();
 }
@@ -43,8 +43,8 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& chang
 std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
                                                RemoteEdits& edits, double now_seconds) {
     std::optional<MidiBinding> learnt;
-    constexpr int most = 1000;  // per update, so that endless input cannot block the picture
-    for (int i = 0; i < most; ++i) {
+    constexpr int maximum = 1000;  // per update, so that endless input cannot block the picture
+    for (int i = 0; i < maximum; ++i) {
         const auto message = m_inputs->take();
         if (!message)
             break;
@@ -54,7 +54,7 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
         m_last = message_read;
         if (auto now = learnt_of(*message_read, now_seconds))
             learnt = now;
-        else if (document && !document->is_restacking())
+        else if (document && !document->has_pending_stack())
             for (const MidiBinding& binding : settings.midi)
                 if (const auto share = m_pairs.share(binding, *message_read))
                     set_value(binding, *share, settings, *document, edits, now_seconds);
@@ -69,16 +69,16 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
 void MidiControl::set_value(const MidiBinding& binding, double share,
                             const RemoteSettings& settings, Document& document, RemoteEdits& edits,
                             double now_seconds) {
-    const auto meant = meant_parameter(binding.goal.parameter, document.look());
+    const auto meant = resolve_parameter(binding.goal.parameter, document.look());
     if (!meant || !has_slider_numbers(**meant))
         return;
     const Parameter& parameter = **meant;
     const SliderNumber number{parameter, setting_of(parameter.name, document.parameter_settings()),
                               binding.goal.component};
-    PickUp& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
-    const double present = share_at(number, document.value(parameter));
-    const bool takes = pick_up.takes(share, present);
-    if (settings.picks_up && is_gradual(parameter) && !takes)
+    SoftTakeover& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
+    const double current = share_at(number, document.value(parameter));
+    const bool accepts = pick_up.accepts(share, current);
+    if (settings.has_soft_takeover && is_gradual(parameter) && !accepts)
         return;
     const auto done = edits.apply(
         document, {parameter.name, value_at_share(number, document.value(parameter), share)},
@@ -89,14 +89,14 @@ void MidiControl::set_value(const MidiBinding& binding, double share,
         return;
     }
     ++m_applied;
-    pick_up.gave(share_at(number, document.value(parameter)));
+    pick_up.record(share_at(number, document.value(parameter)));
 }
 
 std::vector<MidiBinding> bindings_of(const Parameter& parameter, const Look& look,
                                      const RemoteSettings& settings) {
     std::vector<MidiBinding> found;
     for (const MidiBinding& binding : settings.midi)
-        if (const auto meant = meant_parameter(binding.goal.parameter, look);
+        if (const auto meant = resolve_parameter(binding.goal.parameter, look);
             meant && (*meant)->name == parameter.name)
             found.push_back(binding);
     return found;

@@ -25,8 +25,8 @@ public:
     int descriptor() const { return m_inputs->descriptor(); }
 
     /// Binds the next moved controller to `goal`; nullopt: stops learning.
-    void learn(std::optional<MidiGoal> goal);
-    const std::optional<MidiGoal>& learning() const { return m_goal; }
+    void learn(std::optional<MidiTarget> goal);
+    const std::optional<MidiTarget>& learning() const { return m_goal; }
 
     /// Applies the received messages; `document` null: no look is open. Returns a learnt binding.
     std::optional<MidiBinding> update(const RemoteSettings& settings, Document* document,
@@ -46,11 +46,11 @@ private:
 
     std::unique_ptr<MidiInputs> m_inputs;
     bool m_is_listening = false;
-    std::optional<MidiGoal> m_goal;
+    std::optional<MidiTarget> m_goal;
     std::optional<MidiBinding> m_learnt;  // can become a 14-bit binding
     double m_learnt_seconds = 0.0;
-    MidiPairs m_pairs;
-    std::map<std::pair<std::string, std::size_t>, PickUp> m_pick_ups;  // by goal
+    Midi14BitDecoder m_pairs;
+    std::map<std::pair<std::string, std::size_t>, SoftTakeover> m_pick_ups;  // by goal
     std::optional<MidiControlChange> m_last;
     std::size_t m_applied = 0;
     std::size_t m_refused = 0;

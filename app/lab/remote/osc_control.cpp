@@ -29,7 +29,7 @@ Result<Value> asked_value(const OscMessage& message, const Parameter& parameter)
 Result<RemoteChange> change_of(const OscMessage& message, const Look& look) {
     if (!message.address.starts_with(osc_prefix))
         return fail({{}, 0, fmt::format("expected /afterglow/NAME, got '{}'", message.address)});
-    const auto parameter = meant_parameter(message.address.substr(osc_prefix.size()), look);
+    const auto parameter = resolve_parameter(message.address.substr(osc_prefix.size()), look);
     if (!parameter)
         return fail(parameter.error());
     auto value = asked_value(message, **parameter);
@@ -63,12 +63,12 @@ void OscControl::update(Document* document, RemoteEdits& edits, double now_secon
         return;
     // Per update, so that an endless sender cannot block the picture. A bundle can contain
     // thousands of messages.
-    constexpr std::size_t most_packets = 100;
-    constexpr std::size_t most_messages = 1000;
+    constexpr std::size_t max_packets = 100;
+    constexpr std::size_t max_messages = 1000;
     std::size_t packets = 0;
-    for (std::size_t messages = 0; messages < most_messages; ++messages) {
+    for (std::size_t messages = 0; messages < max_messages; ++messages) {
         while (m_next == m_messages.size()) {
-            const auto packet = packets++ < most_packets ? m_port->take() : std::nullopt;
+            const auto packet = packets++ < max_packets ? m_port->take() : std::nullopt;
             if (!packet)
                 return;
             read(*packet);

@@ -47,7 +47,7 @@ void RemoteControl::find_midi_devices() {
     m_messages.succeeded(save_remote_settings(m_roots, m_settings));
 }
 
-void RemoteControl::learn_midi(const MidiGoal& goal) {
+void RemoteControl::learn_midi(const MidiTarget& goal) {
     const Parameter* parameter =
         m_document ? find_parameter(m_document->look(), goal.parameter) : nullptr;
     if (!parameter)
@@ -74,10 +74,10 @@ void RemoteControl::update(double wall_seconds) {
     Document* document = m_document ? &*m_document : nullptr;
     const std::size_t refused_osc = m_osc.refused();
     const std::size_t refused_midi = m_midi.refused();
-    m_osc.update(document, m_hand, m_seconds);
-    if (const auto learnt = m_midi.update(m_settings, document, m_hand, m_seconds))
+    m_osc.update(document, m_edits, m_seconds);
+    if (const auto learnt = m_midi.update(m_settings, document, m_edits, m_seconds))
         bind_midi(*learnt);
-    m_hand.update(document, m_seconds);
+    m_edits.update(document, m_seconds);
     if (m_osc.refused() > refused_osc)
         m_messages.say(fmt::format("OSC: {}", m_osc.problem()), true, "OSC");
     if (m_midi.refused() > refused_midi)

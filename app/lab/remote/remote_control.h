@@ -24,13 +24,13 @@ public:
     /// Finds and opens the MIDI devices; shows a notice with their names.
     void find_midi_devices();
     /// Binds the next controller that moves. Opens the MIDI devices.
-    void learn_midi(const MidiGoal& goal);
+    void learn_midi(const MidiTarget& goal);
     void end_midi_learning() { m_midi.learn({}); }
 
     /// Applies the messages received since the last update.
     void update(double wall_seconds);
     /// Whether the next update has work without any event.
-    bool is_busy() const { return m_hand.is_in_gesture() || m_osc.has_more(); }
+    bool is_busy() const { return m_edits.is_in_gesture() || m_osc.has_more(); }
 
 private:
     bool listen_to_midi(bool listens);
@@ -40,7 +40,7 @@ private:
     const Roots& m_roots;
     Messages& m_messages;
     RemoteSettings m_settings;
-    RemoteEdits m_hand;
+    RemoteEdits m_edits;
     OscControl m_osc;
     MidiControl m_midi;
     double m_seconds = 0.0;

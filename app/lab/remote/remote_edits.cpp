@@ -10,13 +10,14 @@ namespace {
 constexpr double quiet_seconds = 0.5;
 }
 
-bool RemoteGesture::goes_on(const std::string& parameter, double now_seconds) {
+bool RemoteGesture::continues_step(const std::string& parameter, double now_seconds) {
     const auto last = m_touched.find(parameter);
-    const bool goes_on = last != m_touched.end() && now_seconds - last->second < quiet_seconds;
-    if (!goes_on)
+    const bool continues_step =
+        last != m_touched.end() && now_seconds - last->second < quiet_seconds;
+    if (!continues_step)
         m_touched.erase(parameter);
     m_touched[parameter] = now_seconds;
-    return goes_on;
+    return continues_step;
 }
 
 bool RemoteGesture::has_ended(double now_seconds) {
@@ -33,7 +34,7 @@ Result<void> RemoteEdits::apply(Document& document, const RemoteChange& change,
                                 double now_seconds) {
     if (setting_of(change.parameter, document.parameter_settings()).is_locked)
         return fail({{}, 0, fmt::format("'{}' is locked", change.parameter)});
-    if (!m_gesture.goes_on(change.parameter, now_seconds))
+    if (!m_gesture.continues_step(change.parameter, now_seconds))
         document.finish();
     set_values(document, {{change.parameter, change.value}}, "Remote control", true);
     return {};

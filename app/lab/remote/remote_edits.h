@@ -15,7 +15,7 @@ struct RemoteChange {
 class RemoteGesture {
 public:
     /// Whether a change of the parameter belongs to the current step.
-    bool goes_on(const std::string& parameter, double now_seconds);
+    bool continues_step(const std::string& parameter, double now_seconds);
     /// Whether the current step has ended; true only once.
     bool has_ended(double now_seconds);
     bool is_open() const { return !m_touched.empty(); }

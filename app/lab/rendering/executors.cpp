@@ -60,7 +60,7 @@ void Executors::set_image(const std::string& name,
 Frame Executors::next_frame(const PlayedFrame& played, const Beam& beam) const {
     Frame frame = frame_of(m_inputs, played, beam);
     if (m_variant)
-        frame.patience_seconds /= 2.0;
+        frame.sample_budget_seconds /= 2.0;
     return frame;
 }
 
@@ -83,7 +83,7 @@ void Executors::redraw(const PlayedFrame& played, const Beam& beam, const std::v
 }
 
 void draw_unseen(Executors& executors, const PlayedFrame& played, const Beam& beam) {
-    const std::vector<bool> carried = carried_passes(executors.picture().look());
+    const std::vector<bool> carried = feedback_passes(executors.picture().look());
     executors.draw(played, beam, &carried);
 }
 

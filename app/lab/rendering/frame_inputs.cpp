@@ -10,7 +10,7 @@ Frame frame_of(const FrameInputs& inputs, const PlayedFrame& played, const Beam&
     frame.keys = inputs.input_state.keys();
     frame.pixel_aspect = inputs.pixel_aspect;
     frame.source_raster = inputs.source_raster;
-    frame.patience_seconds = inputs.patience_seconds;
+    frame.sample_budget_seconds = inputs.sample_budget_seconds;
     frame.beam = beam;
     frame.beam_fit = inputs.beam_fit;
     frame.tints = beam.tints;

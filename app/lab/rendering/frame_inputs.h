@@ -17,7 +17,7 @@ struct FrameInputs {
     std::optional<Date> date = {};                  // nullopt: that of offline renders
     // The time per frame for samples of accumulating passes; 0: no limit. The rest is left to the
     // next frames.
-    double patience_seconds = 0.0;
+    double sample_budget_seconds = 0.0;
 };
 
 /// `inputs` and `beam` must outlive the result.

@@ -25,7 +25,7 @@ public:
     std::size_t point_count() const { return m_point_count; }
     /// GPU time of the passes that draw the beam per second of the signal, smoothed; 0 if the
     /// driver reports no times.
-    double beam_seconds_a_second() const { return m_beam_cost; }
+    double beam_seconds_per_second() const { return m_beam_cost; }
     /// Smoothed wall time of a frame's drawing calls, in seconds.
     double frame_seconds() const { return m_frame_seconds; }
     /// GPU time of the last frame; 0 if the driver reports no times.

@@ -14,13 +14,13 @@ public:
     /// For the same frame: whether it was due within 1/30 s.
     void expect(double wall_seconds, bool is_due);
     /// Both for each update of the window. A slow frame spans many updates.
-    void update(double wall_seconds, bool is_amid_frame, bool is_due);
+    void update(double wall_seconds, bool has_unfinished_frame, bool is_due);
 
     /// Milliseconds, oldest first from start(), wrapping round.
     const std::array<float, length>& milliseconds() const { return m_milliseconds; }
     std::size_t start() const { return m_next; }
     /// Over about the last half second; 0 before the first frame.
-    double frames_a_second() const { return m_seconds > 0.0 ? 1.0 / m_seconds : 0.0; }
+    double frames_per_second() const { return m_seconds > 0.0 ? 1.0 / m_seconds : 0.0; }
     /// Whether no frame has come within 1/30 s for two seconds.
     bool is_slow() const { return m_slow_seconds >= 2.0; }
     /// Whether it is slow and the passes take at least half of each frame. Otherwise a smaller

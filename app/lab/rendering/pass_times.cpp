@@ -23,9 +23,9 @@ double PassTimes::total(std::size_t frame) const {
     return std::accumulate(times.begin(), times.end(), 0.0);
 }
 
-double PassTimes::present_total() const {
-    constexpr std::size_t most = 20;
-    const std::size_t count = std::min(frames(), most);
+double PassTimes::current_total() const {
+    constexpr std::size_t maximum = 20;
+    const std::size_t count = std::min(frames(), maximum);
     double sum = 0.0;
     for (std::size_t i = frames() - count; i < frames(); ++i)
         sum += total(i);

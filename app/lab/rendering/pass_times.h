@@ -17,7 +17,7 @@ public:
     double milliseconds(std::size_t pass, std::size_t frame) const;
     double total(std::size_t frame) const;
     /// The mean total of the last 20 frames, steady enough to read.
-    double present_total() const;
+    double current_total() const;
     /// The longest total of the stored frames.
     double longest_total() const;
 

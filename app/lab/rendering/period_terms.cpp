@@ -22,15 +22,15 @@ PeriodTerms period_terms(const Parameter& parameter, const Document& document,
     return terms;
 }
 
-PeriodFacts period_facts(const Parameter& parameter, double value, const PeriodTerms& terms) {
-    PeriodFacts facts;
-    facts.period = period_of(parameter, value, terms);
+PeriodInfo period_info(const Parameter& parameter, double value, const PeriodTerms& terms) {
+    PeriodInfo info;
+    info.period = period_of(parameter, value, terms);
     const int length = std::max(terms.target.width, terms.target.height);
     constexpr double finest = 2.0;  // px, two samples per period (Nyquist)
-    facts.is_too_fine = facts.period && *facts.period < finest;
-    if (facts.period && !facts.is_too_fine)
-        facts.beat = visible_beat(*facts.period, length);
-    if (facts.beat || facts.is_too_fine)
-        facts.even = even_value(parameter, value, terms);
-    return facts;
+    info.is_too_fine = info.period && *info.period < finest;
+    if (info.period && !info.is_too_fine)
+        info.beat = visible_beat(*info.period, length);
+    if (info.beat || info.is_too_fine)
+        info.even = whole_period_value(parameter, value, terms);
+    return info;
 }

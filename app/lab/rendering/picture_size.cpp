@@ -4,7 +4,7 @@
 #include <cmath>
 
 namespace {
-constexpr double least_picture_scale = 0.25;
+constexpr double min_picture_scale = 0.25;
 constexpr double largest_picture_scale = 2.0;
 }  // namespace
 
@@ -18,7 +18,7 @@ Extent PictureSize::scaled(Extent extent) const {
 std::optional<PictureSize> PictureSize::halved() const {
     PictureSize half = *this;
     half.scale *= 0.5;
-    return half.scale >= least_picture_scale ? std::optional(half) : std::nullopt;
+    return half.scale >= min_picture_scale ? std::optional(half) : std::nullopt;
 }
 
 PictureSize fixed_in(const PictureSize& size, Extent view) {
@@ -26,6 +26,6 @@ PictureSize fixed_in(const PictureSize& size, Extent view) {
 }
 
 PictureSize within_bounds(PictureSize size) {
-    size.scale = std::clamp(size.scale, least_picture_scale, largest_picture_scale);
+    size.scale = std::clamp(size.scale, min_picture_scale, largest_picture_scale);
     return size;
 }

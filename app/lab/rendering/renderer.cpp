@@ -16,7 +16,7 @@ void Renderer::change_input_state(const std::function<void(InputState&)>& change
 
 // Keeps the samples of an unfinished frame.
 void Renderer::note_mouse() {
-    m_has_new_mouse = is_amid_frame();
+    m_has_new_mouse = has_unfinished_frame();
     if (m_has_new_mouse)
         return;
     m_executors.picture().drawer().note_mouse_moved();
@@ -26,8 +26,8 @@ void Renderer::note_mouse() {
 
 bool Renderer::has_whole_picture() const {
     const Executor* variant = m_executors.variant();
-    const bool is_one_ahead =
-        variant && variant->drawer().is_amid_frame() != executor().drawer().is_amid_frame();
+    const bool is_one_ahead = variant && variant->drawer().has_unfinished_frame() !=
+                                             executor().drawer().has_unfinished_frame();
     return m_holds_picture && !is_one_ahead && (!m_unfinished || m_is_double_buffered);
 }
 
@@ -57,7 +57,7 @@ void Renderer::draw_unseen(const PlayedFrame& played, const Beam& beam) {
     drop_frame();
     if (!m_slicing.is_due())
         return ::draw_unseen(m_executors, played, beam);
-    const std::vector<bool> carried = carried_passes(executor().look());
+    const std::vector<bool> carried = feedback_passes(executor().look());
     m_executors.draw(played, beam, &carried, begin_slices({}));
     continue_frame();
 }
@@ -74,16 +74,16 @@ bool draws_beam(const Look& look, const std::vector<bool>& passes) {
 void Renderer::redraw(const Player& player, const std::vector<bool>& passes) {
     if (player.transport().past().empty())
         return;
-    const PlayedFrame& present = player.transport().past().back();
+    const PlayedFrame& current = player.transport().past().back();
     const Beam beam =
-        draws_beam(executor().look(), passes) ? player.signal().trace(present.span) : Beam();
+        draws_beam(executor().look(), passes) ? player.signal().trace(current.span) : Beam();
     drop_frame();
     if (m_slicing.is_due()) {
-        m_executors.redraw(present, beam, passes, begin_slices({.is_again = true}));
+        m_executors.redraw(current, beam, passes, begin_slices({.is_again = true}));
         continue_frame();
         return;
     }
-    m_executors.redraw(present, beam, passes);
+    m_executors.redraw(current, beam, passes);
     m_has_drawn = m_holds_picture = true;
 }
 
@@ -99,7 +99,7 @@ bool Renderer::continue_frame(double seconds) {
     bool was_dropped = true;
     bool is_whole = true;
     for (Executor* executor : {&m_executors.picture(), m_executors.variant()}) {
-        if (!executor || !executor->drawer().is_amid_frame())
+        if (!executor || !executor->drawer().has_unfinished_frame())
             continue;
         was_dropped = false;
         is_whole = executor->drawer().continue_frame(seconds - seconds_since(begun)) && is_whole;

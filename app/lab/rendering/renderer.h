@@ -36,7 +36,7 @@ public:
     /// Redraws these passes of the current frame.
     void redraw(const Player& player, const std::vector<bool>& passes);
     /// Values, source and images must not change meanwhile.
-    bool is_amid_frame() const { return m_unfinished.has_value(); }
+    bool has_unfinished_frame() const { return m_unfinished.has_value(); }
     /// Continues for a slice, or about `seconds`; true when the frame is complete.
     bool continue_frame() { return continue_frame(m_slicing.slice_seconds()); }
     bool continue_frame(double seconds);

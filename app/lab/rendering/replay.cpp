@@ -43,7 +43,7 @@ bool Replay::update(const Player& player, double seconds, const BeforeFrame& bef
     while (is_running() && seconds_since(start) < seconds) {
         const PlayedFrame& frame = player.transport().past()[m_first + m_done];
         const bool is_last = m_done + 1 == m_total;
-        if (m_renderer.is_amid_frame()) {
+        if (m_renderer.has_unfinished_frame()) {
             m_renderer.continue_frame(seconds - seconds_since(start));
         } else {
             before(frame);
@@ -52,7 +52,7 @@ bool Replay::update(const Player& player, double seconds, const BeforeFrame& bef
             else
                 m_renderer.draw_unseen(frame, player.signal().trace(frame.span));
         }
-        if (m_renderer.is_amid_frame())
+        if (m_renderer.has_unfinished_frame())
             return false;
         if (m_renderer.take_dropped_frame())
             continue;  // repeats it

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
-#include "base/work.h"
+#include "base/job_progress.h"
 
 #include <chrono>
 #include <functional>
@@ -14,7 +14,7 @@
 template <class Outcome>
 class BackgroundWork {
 public:
-    using Task = std::function<Result<Outcome>(Work& work)>;
+    using Task = std::function<Result<Outcome>(JobProgress& work)>;
 
     BackgroundWork() = default;
     ~BackgroundWork() { cancel(); }  // the future waits for the thread, which ends soon
@@ -69,12 +69,12 @@ private:
     void begin_next() {
         if (m_coming.valid())
             return;
-        m_work = std::make_shared<Work>();
+        m_work = std::make_shared<JobProgress>();
         m_coming = std::async(std::launch::async, [task = std::exchange(m_next, nullptr),
                                                    work = m_work] { return task(*work); });
     }
 
-    std::shared_ptr<Work> m_work;  // shared with the thread
+    std::shared_ptr<JobProgress> m_work;  // shared with the thread
     Task m_next;
     std::chrono::steady_clock::time_point m_start;
     std::future<Result<Outcome>> m_coming;

@@ -4,11 +4,11 @@ EventWaker::EventWaker(int descriptor, std::function<void()> wake) : m_wait(desc
     if (!m_wait.is_possible())
         return;
     // The main thread reads the data. Until then, waiting again would only use CPU time.
-    constexpr std::chrono::milliseconds patience{50};
+    constexpr std::chrono::milliseconds timeout{50};
     m_thread = std::thread([this, wake = std::move(wake)] {
         while (m_wait.wait()) {
             wake();
-            if (!m_wait.pause(patience))
+            if (!m_wait.pause(timeout))
                 return;
         }
     });

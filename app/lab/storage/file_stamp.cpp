@@ -4,7 +4,7 @@
 
 namespace fs = std::filesystem;
 
-std::string stamp_of(const fs::path& file) {
+std::string stamp_text(const fs::path& file) {
     std::error_code error;
     const bool is_sequence = is_sequence_name(file);
     const auto size = is_sequence ? 0 : fs::file_size(file, error);
@@ -13,9 +13,9 @@ std::string stamp_of(const fs::path& file) {
     return error ? std::string() : std::to_string(size) + " " + std::to_string(time);
 }
 
-std::string stamp_of(const std::vector<fs::path>& files) {
+std::string stamp_text(const std::vector<fs::path>& files) {
     std::string all;
     for (const fs::path& file : files)
-        all += file.string() + ' ' + stamp_of(file) + '\n';
+        all += file.string() + ' ' + stamp_text(file) + '\n';
     return all;
 }

@@ -27,7 +27,7 @@ bool is_of_others(const fs::path& file, const std::string& ending) {
 }  // namespace
 
 std::vector<FolderEntry> list_folder(const fs::path& folder,
-                                     const std::vector<std::string>& endings) {
+                                     const std::vector<std::string>& extensions) {
     std::vector<FolderEntry> entries;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
@@ -38,8 +38,8 @@ std::vector<FolderEntry> list_folder(const fs::path& folder,
         std::error_code ignored;  // unreadable entries are listed as files
         const bool is_folder = entry->is_directory(ignored);
         const std::string ending = to_lower(entry->path().extension().string());
-        const bool is_wanted = endings.empty() || std::ranges::count(endings, ending) > 0;
-        if (is_folder || endings.empty() || (is_wanted && !is_of_others(entry->path(), ending)))
+        const bool is_wanted = extensions.empty() || std::ranges::count(extensions, ending) > 0;
+        if (is_folder || extensions.empty() || (is_wanted && !is_of_others(entry->path(), ending)))
             entries.push_back({name, is_folder});
     }
     std::sort(entries.begin(), entries.end(), [](const FolderEntry& a, const FolderEntry& b) {

@@ -13,7 +13,7 @@ struct FolderEntry {
 };
 
 /// The entries of a folder: folders first, then files, sorted by name, without hidden ones. Only
-/// files with one of the `endings` (".wav", lower case); empty: all. An unreadable folder gives an
-/// empty list.
+/// files with one of the `extensions` (".wav", lower case); empty: all. An unreadable folder gives
+/// an empty list.
 std::vector<FolderEntry> list_folder(const std::filesystem::path& folder,
-                                     const std::vector<std::string>& endings);
+                                     const std::vector<std::string>& extensions);

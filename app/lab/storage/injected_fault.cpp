@@ -25,7 +25,7 @@ bool take_injected_reset() {
     return injected_fault() == InjectedFault::reset && unset_environment(variable_name);
 }
 
-void fail_as_injected() {
+void trigger_injected_fault() {
     const InjectedFault fault = injected_fault();
     if (fault == InjectedFault::crash)
         crash_process();

@@ -14,4 +14,4 @@ InjectedFault injected_fault();
 bool take_injected_reset();
 
 /// Crashes or hangs if a test requests it. Called where programs are linked.
-void fail_as_injected();
+void trigger_injected_fault();

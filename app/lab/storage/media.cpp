@@ -81,14 +81,14 @@ std::vector<MediaEntry> RecentMedia::entries() const {
 }
 
 void RecentMedia::remember(const fs::path& file, const std::string& digest) const {
-    constexpr std::size_t most = 100;
+    constexpr std::size_t maximum = 100;
     std::vector<MediaEntry> list = entries();
-    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest, stamp_of(file)};
+    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest, stamp_text(file)};
     if (!list.empty() && list.front() == entry)
         return;
     std::erase_if(list, [&entry](const MediaEntry& old) { return old.file == entry.file; });
     list.insert(list.begin(), entry);
-    list.resize(std::min(list.size(), most));
+    list.resize(std::min(list.size(), maximum));
     (void)write_atomically(m_list, media_to_json(list));
 }
 
@@ -115,7 +115,7 @@ bool RecentMedia::has(const fs::path& file) const {
 std::string RecentMedia::digest_of(const fs::path& file) const {
     for (const MediaEntry& entry : entries())
         if (entry.file == file)
-            return entry.stamp == stamp_of(file) ? entry.digest : std::string();
+            return entry.stamp == stamp_text(file) ? entry.digest : std::string();
     return {};
 }
 

@@ -15,7 +15,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr std::size_t most_stashed_sessions = 12;
+constexpr std::size_t max_stashed_sessions = 12;
 constexpr std::size_t number_digits = 6;  // before the title
 constexpr std::string_view json_ending = ".json";
 
@@ -112,7 +112,7 @@ Result<bool> SessionStash::keep(const Session& session,
     m_files.insert(m_files.begin(), file);
     if (const auto drawn = picture ? picture() : std::nullopt)
         (void)save_picture(*drawn, picture_of(file));  // optional, so errors are ignored
-    while (m_files.size() > most_stashed_sessions)
+    while (m_files.size() > max_stashed_sessions)
         forget(m_files.back());
     return true;
 }

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 namespace {
 // Identifies this build, because another build can translate differently.
 std::string this_program() {
-    return fmt::format("afterglow {} {}", AFTERGLOW_VERSION, stamp_of({program_file()}));
+    return fmt::format("afterglow {} {}", AFTERGLOW_VERSION, stamp_text({program_file()}));
 }
 }  // namespace
 

@@ -10,7 +10,7 @@ PassSelection displayed_passes(const Lab& lab, const WindowState& window) {
             document->look()
                 .passes.at(static_cast<std::size_t>(lab.frames().passes().picture_pass()))
                 .name);
-    if (window.views.shows_pass_large || window.layout.sees(PanelId::inspector)) {
+    if (window.views.shows_pass_large || window.layout.sees(panel_id::inspector)) {
         displayed.names.push_back(window.views.inspected.pass);
         if (const auto& other = window.views.inspected.other;
             other && other->from == Input::From::pass)

@@ -1,13 +1,13 @@
 #include "lab/views/displayed_texture.h"
 
-CellNumbers::Subject DisplayedTexture::cells(Extent room, Extent least,
+TexelValues::Subject DisplayedTexture::cells(Extent room, Extent minimum,
                                              std::uint64_t picture) const {
     return {.texture = *texture,
             .name = name,
             .whole = whole,
             .position = position_of(view, whole, room),
             .size = room,
-            .least = least,
+            .minimum = minimum,
             .picture = picture,
             .options = options};
 }

@@ -18,7 +18,7 @@ struct DisplayedTexture {
     PictureView view;
     ViewOptions options;
 
-    CellNumbers::Subject cells(Extent room, Extent least, std::uint64_t picture) const;
+    TexelValues::Subject cells(Extent room, Extent minimum, std::uint64_t picture) const;
 };
 
 /// Draws `from` in the place and with the options of `displayed`. Without memory the view stays

@@ -7,7 +7,7 @@ void InspectorView::set_context(std::shared_ptr<ContextViews> context) {
 
 void InspectorView::select(const Executor& executor, const WindowState& window,
                            TexelInspector& texels) {
-    const bool has_panel = window.layout.sees(PanelId::inspector);
+    const bool has_panel = window.layout.sees(panel_id::inspector);
     const auto inspected = has_panel || window.views.shows_pass_large
                                ? inspected_texture(executor, window.views.inspected)
                                : std::nullopt;
@@ -25,7 +25,7 @@ void InspectorView::select(const Executor& executor, const WindowState& window,
 
 void InspectorView::update(const Executor& executor, const WindowState& window,
                            TexelInspector& texels, double seconds) {
-    if (!m_selected || !window.layout.sees(PanelId::inspector)) {
+    if (!m_selected || !window.layout.sees(panel_id::inspector)) {
         m_context->inspected.reset();
         m_context->inspection.stop();
         texels.update_inspected(nullptr, 0.0);
@@ -40,7 +40,7 @@ void InspectorView::update(const Executor& executor, const WindowState& window,
         m_context->inspection.update(
             *shown.texture, {shown.name, shown.options.channels, shown.options.levels}, seconds);
     }
-    const CellNumbers::Subject cells =
+    const TexelValues::Subject cells =
         shown.cells(room, window.views.sizes.cell, executor.textures().number());
     texels.update_inspected(&cells, seconds);
 }
@@ -48,7 +48,7 @@ void InspectorView::update(const Executor& executor, const WindowState& window,
 ViewOptions options_for(const PassView& view, Encoding encoding) {
     return {.levels = view.levels,
             .exposure_stops = view.exposure,
-            .channels = static_cast<ChannelChoice>(view.channels),
+            .channels = view.channels,
             .encoding = encoding,
             .marks_flaws = view.marks_flaws,
             .marks_clipping = view.marks_clipping,
@@ -61,5 +61,5 @@ int inspected_pass(const Look& look, const PassView& inspected) {
 }
 
 PictureView inspector_view(const ViewState& views) {
-    return views.shows_pass_large ? PictureView{PictureView::Fit::all} : views.inspected.view;
+    return views.shows_pass_large ? PictureView{PictureView::Fit::whole} : views.inspected.view;
 }

@@ -37,14 +37,14 @@ void MainView::measure(const Subject& subject, TexelInspector& texels) {
     const WindowState& window = subject.window;
     const DisplayedTexture shown = displayed(subject);
     const auto number = subject.renderer.executor().textures().number();
-    const CellNumbers::Subject cells =
+    const TexelValues::Subject cells =
         shown.cells(window.views.sizes.picture, window.views.sizes.cell, number);
     const bool is_itself = subject.frames.comparison().mode() == CompareMode::off &&
-                           !subject.frames.comparison().selection().is_flashing() &&
+                           !subject.frames.comparison().selection().is_reference_shown() &&
                            !subject.frames.previews().probe().picture();
     texels.update_picture(is_itself && !window.layout.is_picture_only ? &cells : nullptr,
                           subject.seconds);
-    const bool has_waveform = window.layout.sees(PanelId::waveform);
+    const bool has_waveform = window.layout.sees(panel_id::waveform);
     const Waveform::Subject along{*shown.texture, shown.name, window.probes.scan_line, number};
     texels.update_waveform(has_waveform ? &along : nullptr, subject.seconds);
     count_flashes(subject);
@@ -91,9 +91,9 @@ void MainView::limit_flashes(const Subject& subject, bool is_moving) {
     }
 }
 
-bool MainView::is_specializing(double seconds) const {
+bool MainView::is_transitioning(double seconds) const {
     return (m_context && m_context->flash_meter.is_counting()) ||
-           m_limiter.is_specializing(seconds);
+           m_limiter.is_transitioning(seconds);
 }
 
 DisplayedTexture MainView::displayed(const Subject& subject) const {
@@ -170,18 +170,19 @@ void MainView::draw_picture(const Subject& subject) {
         return;
     const ComparisonView& comparison = subject.frames.comparison();
     const CompareMode mode = comparison.mode();
-    const Extent size = room_of_one(subject.window.views.sizes.picture, mode);
+    const Extent size = size_of_one(subject.window.views.sizes.picture, mode);
     const DisplayedTexture shown = displayed(subject);
     compare(subject, shown);
     const gpu::Texture* other = m_compared.other();
-    const bool is_flashing = other && comparison.selection().is_flashing();
-    draw_view(*m_context, is_flashing ? *other : *shown.texture, m_context->picture, size, shown);
+    const bool is_reference_shown = other && comparison.selection().is_reference_shown();
+    draw_view(*m_context, is_reference_shown ? *other : *shown.texture, m_context->picture, size,
+              shown);
     if (other && mode == CompareMode::side_by_side)
         draw_view(*m_context, *other, m_context->reference, size, shown);
     else
         m_context->reference.reset();
-    if (other && !is_flashing && mode == CompareMode::wipe)
+    if (other && !is_reference_shown && mode == CompareMode::wipe)
         draw_wiped(subject, shown);
-    if (other && !is_flashing && mode == CompareMode::difference)
+    if (other && !is_reference_shown && mode == CompareMode::difference)
         draw_difference(subject, shown);
 }

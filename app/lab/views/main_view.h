@@ -31,7 +31,7 @@ public:
     void measure(const Subject& subject, TexelInspector& texels);
 
     ViewImage picture() const { return image_of(m_shown[0]); }
-    /// The reference in a side-by-side comparison; both pictures have the size of room_of_one().
+    /// The reference in a side-by-side comparison; both pictures have the size of size_of_one().
     ViewImage reference() const { return image_of(m_shown[1]); }
     /// The picture in the size of the output window; null: not drawn.
     const gpu::Texture* output() const { return m_shown[2]; }
@@ -43,7 +43,7 @@ public:
     /// Flashes within the last second; 0 while they are not measured.
     Flashes flashes() const { return m_context ? m_context->flash_meter.flashes() : Flashes{}; }
     /// Whether the view still changes for a while although the lab is idle.
-    bool is_specializing(double seconds) const;
+    bool is_transitioning(double seconds) const;
 
 private:
     MainView(ComparedPictures compared, FlashLimiter limiter)

@@ -17,7 +17,7 @@ std::optional<double> fitting_gain(const Comparison& comparison,
 
 namespace {
 void fit_levels(const Views& views, WindowState& window) {
-    const bool is_measured = window.layout.sees(PanelId::inspector);
+    const bool is_measured = window.layout.sees(panel_id::inspector);
     if (const auto statistics = views.inspector().statistics(); is_measured && statistics)
         window.views.inspected.fit(*statistics);
     else if (is_measured)
@@ -40,7 +40,7 @@ void fit_gain(const Views& views, Lab& lab, WindowState& window) {
 }
 }  // namespace
 
-void answer_pending_fits(const Views& views, Lab& lab, WindowState& window) {
+void apply_pending_fits(const Views& views, Lab& lab, WindowState& window) {
     if (window.views.pending.levels)
         fit_levels(views, window);
     if (window.views.pending.gain)

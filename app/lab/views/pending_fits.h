@@ -12,4 +12,4 @@ std::optional<double> fitting_gain(const Comparison& comparison,
 
 /// Applies the requested fits when their measurement is available. Drops those without a
 /// measurement. Call it after Views::update().
-void answer_pending_fits(const Views& views, Lab& lab, WindowState& window);
+void apply_pending_fits(const Views& views, Lab& lab, WindowState& window);

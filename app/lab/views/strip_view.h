@@ -16,7 +16,7 @@ public:
 
     ViewImage thumbnail(std::size_t pass) const { return image_of(m_thumbnails.picture(pass)); }
     /// The level of a pass; null: not measured.
-    const Gain* gain(std::size_t pass) const {
+    const TargetLevel* gain(std::size_t pass) const {
         return m_context ? m_context->gains.gain(pass) : nullptr;
     }
     /// Whether some passes are not up to date. Calls of update() draw them.

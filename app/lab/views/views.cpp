@@ -25,7 +25,7 @@ Result<Views> Views::make() {
     return Views(std::move(*main_view), std::move(*pins), std::move(*texels));
 }
 
-std::optional<gpu::Texture> Views::small_picture(const Lab& lab, int pass, Extent extent) {
+std::optional<gpu::Texture> Views::thumbnail(const Lab& lab, int pass, Extent extent) {
     const Executor& executor = lab.renderer()->executor();
     if (!m_context || !m_context->serve(executor.programs().generic()))
         return std::nullopt;
@@ -75,14 +75,14 @@ Probe picture_probe(const Executor& executor, int pass, Extent picture,
 }
 
 namespace {
-double present_seconds() {
+double current_seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
 }
 }  // namespace
 
-bool Views::is_specializing() const {
-    return m_main.is_specializing(present_seconds());
+bool Views::is_transitioning() const {
+    return m_main.is_transitioning(current_seconds());
 }
 
 void Views::update(const Lab& lab, const WindowState& window) {
@@ -99,7 +99,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
     const Executor& executor = lab.renderer()->executor();
     if (!m_context || !m_context->serve(executor.programs().generic()))
         set_context(std::make_shared<ContextViews>(executor.programs().generic()));
-    const double now = present_seconds();
+    const double now = current_seconds();
     m_inspector.select(executor, window, m_texels);
     const MainView::Subject subject{*lab.renderer(), lab.frames(), window, m_inspector.selected(),
                                     now};
@@ -108,10 +108,10 @@ void Views::update(const Lab& lab, const WindowState& window) {
         return;  // the picture is displayed first, the remaining views in the next update
     m_main.measure(subject, m_texels);
     m_strip.update(executor, lab.document()->values(),
-                   window.layout.sees(PanelId::strip) ? window.views.sizes.thumbnail_height : 0,
+                   window.layout.sees(panel_id::strip) ? window.views.sizes.thumbnail_height : 0,
                    now);
     m_inspector.update(executor, window, m_texels, now);
-    if (window.layout.sees(PanelId::pins))
+    if (window.layout.sees(panel_id::pins))
         m_pins.update(executor, window.probes.pins, now);
     else
         m_pins.stop();

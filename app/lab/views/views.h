@@ -31,9 +31,9 @@ public:
     const std::optional<std::array<float, 4>>& probed() const { return m_probed; }
     /// A display-encoded thumbnail of a pass; nullopt: no memory, or the views belong to another
     /// look.
-    std::optional<gpu::Texture> small_picture(const Lab& lab, int pass, Extent extent);
+    std::optional<gpu::Texture> thumbnail(const Lab& lab, int pass, Extent extent);
     /// Whether displays still change for a while although the lab is idle.
-    bool is_specializing() const;
+    bool is_transitioning() const;
     /// Whether some views do not show the current picture yet. Calls of update() draw them, even
     /// while paused.
     bool is_pending() const { return m_strip.is_pending() || m_texels.is_pending(); }

@@ -2,35 +2,35 @@
 
 #include <algorithm>
 
-namespace {
-const PanelKind& kind_of(PanelId panel) {
-    return *std::ranges::find(panel_kinds, panel, &PanelKind::id);
-}
-}  // namespace
-
-PanelPlace place_of(PanelId panel) {
-    return kind_of(panel).place;
-}
-
-OpenPanels::OpenPanels() {
-    for (const PanelKind& kind : panel_kinds)
+OpenPanels::OpenPanels(std::vector<PanelKind> kinds) : m_kinds(std::move(kinds)) {
+    for (const PanelKind& kind : m_kinds)
         if (kind.is_open)
             m_open.insert(kind.id);
 }
 
+const PanelKind* OpenPanels::kind_of(PanelId panel) const {
+    const auto found = std::ranges::find(m_kinds, panel, &PanelKind::id);
+    return found == m_kinds.end() ? nullptr : &*found;
+}
+
+bool OpenPanels::shows(PanelId panel) const {
+    const PanelKind* const kind = kind_of(panel);
+    return kind ? shown_in(kind->place) == panel : is_open(panel);
+}
+
 std::optional<PanelId> OpenPanels::shown_in(PanelPlace place) const {
     std::optional<PanelId> shown;
-    for (const PanelKind& kind : panel_kinds)
+    for (const PanelKind& kind : m_kinds)
         if (kind.place == place && is_open(kind.id))
             shown = kind.id;
     return shown;
 }
 
 void OpenPanels::show(PanelId panel) {
-    const PanelKind& shown = kind_of(panel);
-    if (!shown.covers)
-        for (const PanelKind& kind : panel_kinds)
-            if (kind.place == shown.place)
+    const PanelKind* const shown = kind_of(panel);
+    if (shown && !shown->covers)
+        for (const PanelKind& kind : m_kinds)
+            if (kind.place == shown->place)
                 hide(kind.id);
     m_open.insert(panel);
 }

@@ -84,7 +84,7 @@ ParameterQuery query_of(const WindowState& window) {
 }
 
 std::optional<Pointed> listed_neighbour(const std::vector<ParameterGroup>& groups,
-                                        const Pointed& present, int by) {
+                                        const Pointed& current, int by) {
     std::vector<Pointed> lines;
     for (const ParameterGroup& group : groups)
         for (const Parameter* parameter : group.parameters) {
@@ -95,14 +95,14 @@ std::optional<Pointed> listed_neighbour(const std::vector<ParameterGroup>& group
     if (lines.empty())
         return std::nullopt;
     const auto last = static_cast<std::ptrdiff_t>(lines.size()) - 1;
-    const auto found = std::ranges::find(lines, present);
+    const auto found = std::ranges::find(lines, current);
     if (found == lines.end())
         return by > 0 ? lines.front() : lines.back();
     const std::ptrdiff_t line = std::clamp<std::ptrdiff_t>(found - lines.begin() + by, 0, last);
     return lines[static_cast<std::size_t>(line)];
 }
 
-std::string why_nothing_is_listed(const ParameterQuery& query) {
+std::string empty_list_text(const ParameterQuery& query) {
     if (!query.search.empty())
         return query.filter == ParameterFilter::all ? "No matches."
                                                     : "No matches among the filtered parameters.";

@@ -23,11 +23,11 @@ std::vector<ParameterGroup> listed_parameters(const Document& document,
 /// The filter of the parameters panel.
 ParameterQuery query_of(const WindowState& window);
 
-/// The number `by` lines below `present` in the list (negative: above), limited to the list. Each
-/// component of a vector has its own line. If `present` is not listed, the first or last number.
+/// The number `by` lines below `current` in the list (negative: above), limited to the list. Each
+/// component of a vector has its own line. If `current` is not listed, the first or last number.
 /// nullopt: the list is empty.
 std::optional<Pointed> listed_neighbour(const std::vector<ParameterGroup>& groups,
-                                        const Pointed& present, int by);
+                                        const Pointed& current, int by);
 
 /// The message for an empty list.
-std::string why_nothing_is_listed(const ParameterQuery& query);
+std::string empty_list_text(const ParameterQuery& query);

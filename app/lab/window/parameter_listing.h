@@ -14,10 +14,10 @@ struct Pointed {
 
 /// The revealed parameter in the panel, which the keys change.
 struct Revealed {
-    std::string parameter;        // "": not set
-    bool is_new = false;          // not scrolled to yet
-    std::size_t component = 0;    // the component that the keys change
-    bool is_to_be_typed = false;  // focus its number field
+    std::string parameter;      // "": not set
+    bool is_new = false;        // not scrolled to yet
+    std::size_t component = 0;  // the component that the keys change
+    bool wants_focus = false;   // focus its number field
 
     bool operator==(const Revealed&) const = default;
 };

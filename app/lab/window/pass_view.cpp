@@ -1,11 +1,11 @@
 #include "lab/window/pass_view.h"
 
-void PassView::look_into(const std::string& name) {
+void PassView::inspect(const std::string& name) {
     pass = name;
     other.reset();
 }
 
-void PassView::look_into(const TextureChoice& choice) {
+void PassView::inspect(const TextureChoice& choice) {
     if (choice.from == Input::From::pass)
         pass = choice.name;
     other = choice.is_present_pass() ? std::nullopt : std::optional(choice);

@@ -2,13 +2,11 @@
 
 #include "lab/window/picture_view.h"
 #include "model/look/texture_choice.h"
+#include "model/picture/channels.h"
 #include "model/picture/levels.h"
 
 #include <optional>
 #include <string>
-
-/// The displayed channels of a pass.
-enum class Channels { color, red, green, blue, alpha, luminance };
 
 /// The inspected texture and its display settings.
 struct PassView {
@@ -20,13 +18,13 @@ struct PassView {
     bool marks_flaws = false;  // marks non-finite and negative values
     bool marks_clipping = false;
     bool is_false_color = false;
-    PictureView view{PictureView::Fit::all};
+    PictureView view{PictureView::Fit::whole};
 
     bool operator==(const PassView&) const = default;
     /// Inspects the current picture of a pass.
-    void look_into(const std::string& name);
+    void inspect(const std::string& name);
     /// Inspects any texture; that of a pass also selects the pass.
-    void look_into(const TextureChoice& choice);
+    void inspect(const TextureChoice& choice);
     /// The name of the inspected texture: "persistence", "noise mip 2".
     std::string label() const { return other ? other->label() : pass; }
     /// Fits black and white to the range of all finite values.

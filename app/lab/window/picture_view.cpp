@@ -13,12 +13,12 @@ double PictureView::zoom_for(Extent picture, Extent view) const {
         return zoom;
     const double all = std::min(static_cast<double>(view.width) / picture.width,
                                 static_cast<double>(view.height) / picture.height);
-    return fit == Fit::all || all < 1.0 ? all : std::floor(all);
+    return fit == Fit::whole || all < 1.0 ? all : std::floor(all);
 }
 
-void PictureView::zoom_about(double at_x, double at_y, double present, double next) {
-    x = std::clamp(at_x + (x - at_x) * present / next, 0.0, 1.0);
-    y = std::clamp(at_y + (y - at_y) * present / next, 0.0, 1.0);
+void PictureView::zoom_about(double at_x, double at_y, double current, double next) {
+    x = std::clamp(at_x + (x - at_x) * current / next, 0.0, 1.0);
+    y = std::clamp(at_y + (y - at_y) * current / next, 0.0, 1.0);
     zoom = next;
     fit = Fit::free;
 }

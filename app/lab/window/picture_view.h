@@ -7,12 +7,12 @@
 /// The position of a picture in its view. The zoom is in device pixels per pixel of the picture.
 struct PictureView {
     enum class Fit {
-        whole,
-        all,
-        free
-    };  // whole: largest integer zoom that fits, or `all` if 1 does not fit
+        integer,  // the largest integer zoom that fits, or `whole` if 1 does not fit
+        whole,    // all of the picture
+        free,     // `zoom`
+    };
 
-    Fit fit = Fit::whole;
+    Fit fit = Fit::integer;
     double zoom = 1.0;  // if free
     double x = 0.5;     // centre of the view, 0 left to 1 right
     double y = 0.5;     // 0 top to 1 bottom
@@ -21,7 +21,7 @@ struct PictureView {
     /// The effective zoom of a picture in a view, both in device pixels.
     double zoom_for(Extent picture, Extent view) const;
     /// Sets the zoom to `next` and keeps the point (at_x, at_y) of the picture, 0..1, in place.
-    void zoom_about(double at_x, double at_y, double present, double next);
+    void zoom_about(double at_x, double at_y, double current, double next);
 };
 
 /// The next zoom in (or out): 1/8 1/4 1/2 1 2 3 4 6 8 12 16 24 32 48 64 96 128.

@@ -23,17 +23,18 @@ bool is_open_preset(const Document& document, const std::filesystem::path& file)
 }
 
 ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
-                       const PresetStars& stars) {
+                       const FavouritePresets& stars) {
     const bool is_open = is_open_preset(document, preset.entry.file);
     return {.preset = preset,
             .is_open = is_open,
             .is_modified = is_open && is_modified(document),
-            .has_star = stars.contains(star_of(document.look().id, preset.entry.id))};
+            .has_star = stars.contains(favourite_key(document.look().id, preset.entry.id))};
 }
 
 std::vector<ListedPreset> listed_presets(const Document& document,
                                          const std::vector<ListedLook>& looks,
-                                         const PresetStars& stars, const PresetBrowsing& wanted) {
+                                         const FavouritePresets& stars,
+                                         const PresetBrowsing& wanted) {
     std::vector<ListedPreset> listed;
     const auto add = [&](const ListedLookPreset& preset) {
         ListedPreset entry = as_listed(preset, document, stars);

@@ -20,13 +20,14 @@ struct ListedPreset {
 };
 
 ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
-                       const PresetStars& stars);
+                       const FavouritePresets& stars);
 
 /// The presets that match the filter, after the look without a preset. Each search word must occur
 /// in the name, file name or description.
 std::vector<ListedPreset> listed_presets(const Document& document,
                                          const std::vector<ListedLook>& looks,
-                                         const PresetStars& stars, const PresetBrowsing& wanted);
+                                         const FavouritePresets& stars,
+                                         const PresetBrowsing& wanted);
 
 /// Whether the document was opened from this file.
 bool is_open_preset(const Document& document, const std::filesystem::path& file);

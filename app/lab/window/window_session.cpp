@@ -55,19 +55,19 @@ std::optional<int> whole(const std::map<std::string, double>& numbers, const cha
 
 namespace {
 // The panels that the session stores by their number, in this order.
-std::vector<PanelId> bottom_panels() {
-    std::vector<PanelId> panels;
-    for (const PanelKind& kind : panel_kinds)
+std::vector<PanelId> bottom_panels(const OpenPanels& panels) {
+    std::vector<PanelId> bottom;
+    for (const PanelKind& kind : panels.kinds())
         if (kind.place == PanelPlace::bottom)
-            panels.push_back(kind.id);
-    return panels;
+            bottom.push_back(kind.id);
+    return bottom;
 }
 
 void remember_panels(const OpenPanels& panels, std::map<std::string, double>& numbers) {
-    for (const PanelKind& kind : panel_kinds)
-        if (kind.key)
-            numbers[kind.key] = panels.is_open(kind.id) ? 1.0 : 0.0;
-    const std::vector<PanelId> bottom = bottom_panels();
+    for (const PanelKind& kind : panels.kinds())
+        if (kind.place != PanelPlace::bottom)
+            numbers[std::string(kind.id)] = panels.is_open(kind.id) ? 1.0 : 0.0;
+    const std::vector<PanelId> bottom = bottom_panels(panels);
     const auto shown = std::ranges::find_if(bottom, [&](PanelId id) { return panels.shows(id); });
     const bool is_open = shown != bottom.end();
     numbers["bottom"] = is_open ? 1.0 : 0.0;
@@ -75,19 +75,23 @@ void remember_panels(const OpenPanels& panels, std::map<std::string, double>& nu
 }
 
 void restore_panels(const std::map<std::string, double>& numbers, OpenPanels& panels) {
-    for (const PanelKind& kind : panel_kinds) {
-        const auto stored = kind.key ? number(numbers, kind.key, 0.0, 1.0) : std::nullopt;
+    const std::vector<PanelKind> kinds = panels.kinds();
+    for (const PanelKind& kind : kinds) {
+        const auto stored = kind.place == PanelPlace::bottom
+                                ? std::nullopt
+                                : number(numbers, std::string(kind.id).c_str(), 0.0, 1.0);
         if (stored)
             *stored != 0.0 ? panels.show(kind.id) : panels.hide(kind.id);
     }
-    const std::vector<PanelId> bottom = bottom_panels();
+    const std::vector<PanelId> bottom = bottom_panels(panels);
+    if (bottom.empty() || number(numbers, "bottom", 0.0, 1.0).value_or(0.0) == 0.0)
+        return;
     const auto last = static_cast<double>(bottom.size() - 1);
-    if (number(numbers, "bottom", 0.0, 1.0).value_or(0.0) != 0.0)
-        panels.show(
-            bottom[static_cast<std::size_t>(whole(numbers, "bottom_part", 0.0, last).value_or(0))]);
+    panels.show(
+        bottom[static_cast<std::size_t>(whole(numbers, "bottom_part", 0.0, last).value_or(0))]);
 }
 
-constexpr std::size_t most_pins = 9;
+constexpr std::size_t max_pins = 9;
 
 std::string pin_name(std::size_t index, const char* side) {
     return "pin" + std::to_string(index + 1) + side;
@@ -106,7 +110,7 @@ void remember_looking(const WindowState& window, std::map<std::string, double>& 
     numbers["line_start_y"] = line.start.y;
     numbers["line_end_x"] = line.end.x;
     numbers["line_end_y"] = line.end.y;
-    for (std::size_t i = 0; i < std::min(window.probes.pins.size(), most_pins); ++i) {
+    for (std::size_t i = 0; i < std::min(window.probes.pins.size(), max_pins); ++i) {
         numbers[pin_name(i, "_x")] = window.probes.pins[i].x;
         numbers[pin_name(i, "_y")] = window.probes.pins[i].y;
     }
@@ -120,11 +124,11 @@ std::optional<Pin> pin_of(const std::map<std::string, double>& numbers, const st
 }
 
 void restore_looking(const std::map<std::string, double>& numbers, WindowState& window) {
-    constexpr double most = 1e9;
+    constexpr double maximum = 1e9;
     constexpr auto last_channels = static_cast<double>(Channels::luminance);
     PassView& view = window.views.inspected;
-    const auto black = number(numbers, "black", -most, most);
-    const auto white = number(numbers, "white", -most, most);
+    const auto black = number(numbers, "black", -maximum, maximum);
+    const auto white = number(numbers, "white", -maximum, maximum);
     if (black && white && *black < *white)
         view.levels = {*black, *white};
     view.exposure = number(numbers, "exposure", -60.0, 60.0).value_or(0.0);
@@ -136,13 +140,13 @@ void restore_looking(const std::map<std::string, double>& numbers, WindowState& 
     const auto end = pin_of(numbers, "line_end_x", "line_end_y");
     if (start && end)
         window.probes.scan_line = {*start, *end};
-    for (std::size_t i = 0; i < most_pins; ++i)
+    for (std::size_t i = 0; i < max_pins; ++i)
         if (const auto pin = pin_of(numbers, pin_name(i, "_x"), pin_name(i, "_y")))
             window.probes.pins.push_back(*pin);
 }
 }  // namespace
 
-std::map<std::string, double> remembered(const WindowState& window) {
+std::map<std::string, double> serialized_window(const WindowState& window) {
     std::map<std::string, double> numbers{
         {"width", window.geometry.size.width},
         {"height", window.geometry.size.height},
@@ -153,7 +157,7 @@ std::map<std::string, double> remembered(const WindowState& window) {
         {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
         {"frame_cap", window.frame_rate.cap},
         {"comfort", window.flashes.limit.is_on ? 1.0 : 0.0},
-        {"comfort_rate", window.flashes.limit.most_a_second},
+        {"comfort_rate", window.flashes.limit.max_per_second},
         {"budget_ms", window.frame_rate.budget_milliseconds},
         {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
         {"offered_move", window.presets.has_offered_move ? 1.0 : 0.0},
@@ -208,8 +212,10 @@ void restore_presets(const std::map<std::string, double>& numbers, PresetBrowsin
 }
 }  // namespace
 
-WindowState restored_window(const std::map<std::string, double>& numbers) {
+WindowState restored_window(const std::map<std::string, double>& numbers,
+                            std::vector<PanelKind> panels) {
     WindowState window;
+    window.layout.panels = OpenPanels(std::move(panels));
     restore_geometry(numbers, window.geometry);
     const auto view_width = whole(numbers, "view_width", 1.0, 16384.0);
     const auto view_height = whole(numbers, "view_height", 1.0, 16384.0);
@@ -219,7 +225,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers) {
     restore(numbers, "flashes", window.flashes.shows_meter);
     restore(numbers, "comfort", window.flashes.limit.is_on);
     restore(numbers, "comfort_rate", {FlashLimit::lowest, FlashLimit::highest},
-            window.flashes.limit.most_a_second);
+            window.flashes.limit.max_per_second);
     restore(numbers, "vsync", window.frame_rate.waits_for_display);
     restore(numbers, "frame_cap", {1.0, FrameRate::no_cap}, window.frame_rate.cap);
     restore(numbers, "budget_ms", {0.1, 1000.0}, window.frame_rate.budget_milliseconds);

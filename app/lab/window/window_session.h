@@ -6,7 +6,8 @@
 #include <string>
 
 /// The window layout for the session, as named numbers.
-std::map<std::string, double> remembered(const WindowState& window);
+std::map<std::string, double> serialized_window(const WindowState& window);
 
-/// The stored window layout. Missing or invalid numbers keep their defaults.
-WindowState restored_window(const std::map<std::string, double>& numbers);
+/// The stored layout of a window with these panels. Missing or invalid numbers keep their defaults.
+WindowState restored_window(const std::map<std::string, double>& numbers,
+                            std::vector<PanelKind> panels = {});

@@ -42,16 +42,16 @@ struct ExportRange {
 };
 
 /// The history state to which the history panel was last scrolled.
-struct HistorySeen {
+struct HistoryScroll {
     std::size_t index = 0;
     std::size_t size = 0;
 
-    bool operator==(const HistorySeen&) const = default;
+    bool operator==(const HistoryScroll&) const = default;
 };
 
 /// What the lists were last scrolled to.
 struct ScrolledTo {
-    HistorySeen history;
+    HistoryScroll history;
     std::string pass;  // in the strip
 };
 

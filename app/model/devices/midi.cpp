@@ -11,9 +11,9 @@ constexpr int lower_half =
 
 std::optional<MidiControlChange> parse_midi(std::span<const std::uint8_t> bytes) {
     constexpr unsigned control_change = 0xb0;
-    constexpr unsigned most = 127;
-    if (bytes.size() != 3 || (bytes[0] & 0xf0u) != control_change || bytes[1] > most ||
-        bytes[2] > most)
+    constexpr unsigned maximum = 127;
+    if (bytes.size() != 3 || (bytes[0] & 0xf0u) != control_change || bytes[1] > maximum ||
+        bytes[2] > maximum)
         return std::nullopt;
     return MidiControlChange{static_cast<int>(bytes[0] & 0x0fu) + 1, bytes[1], bytes[2]};
 }
@@ -30,8 +30,8 @@ bool is_lower_half(const MidiControlChange& change, const MidiBinding& binding) 
            change.controller == binding.controller + lower_half;
 }
 
-std::optional<double> MidiPairs::share(const MidiBinding& binding,
-                                       const MidiControlChange& change) const {
+std::optional<double> Midi14BitDecoder::share(const MidiBinding& binding,
+                                              const MidiControlChange& change) const {
     if (!binding.is_fine) {
         const bool is_it =
             change.channel == binding.channel && change.controller == binding.controller;
@@ -43,19 +43,19 @@ std::optional<double> MidiPairs::share(const MidiBinding& binding,
     return (upper->second * 128 + change.value) / 16383.0;
 }
 
-void MidiPairs::note(const MidiControlChange& change) {
+void Midi14BitDecoder::note(const MidiControlChange& change) {
     if (change.controller < lower_half)
         m_upper[{change.channel, change.controller}] = change.value;
 }
 
-bool PickUp::takes(double share, double present) {
+bool SoftTakeover::accepts(double share, double current) {
     constexpr double close = 1.0 / 127.0 + 1e-9;  // a step of a plain controller
     constexpr double same = 1e-9;
-    const bool is_picked_up = m_given && std::abs(*m_given - present) <= same;
-    const bool comes_by = m_last && (*m_last - present) * (share - present) <= 0.0;
-    const bool takes = is_picked_up || comes_by || std::abs(share - present) <= close;
+    const bool is_picked_up = m_given && std::abs(*m_given - current) <= same;
+    const bool comes_by = m_last && (*m_last - current) * (share - current) <= 0.0;
+    const bool accepts = is_picked_up || comes_by || std::abs(share - current) <= close;
     m_last = share;
-    if (!takes)
+    if (!accepts)
         m_given.reset();
-    return takes;
+    return accepts;
 }

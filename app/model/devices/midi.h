@@ -21,16 +21,16 @@ struct MidiControlChange {
 std::optional<MidiControlChange> parse_midi(std::span<const std::uint8_t> bytes);
 
 /// The target of a controller: a parameter, or one component of a vector.
-struct MidiGoal {
+struct MidiTarget {
     std::string parameter;
     std::size_t component = 0;
 
-    bool operator==(const MidiGoal&) const = default;
+    bool operator==(const MidiTarget&) const = default;
 };
 
 /// Binds a controller to a parameter, in every look that has it.
 struct MidiBinding {
-    MidiGoal goal;
+    MidiTarget goal;
     int channel = 1;
     int controller = 0;
     bool is_fine = false;  // 14 bits: controller + 32 has the lower seven
@@ -45,7 +45,7 @@ std::string to_string(const MidiBinding& binding);
 bool is_lower_half(const MidiControlChange& change, const MidiBinding& binding);
 
 /// Combines the two halves of 14-bit controllers.
-class MidiPairs {
+class Midi14BitDecoder {
 public:
     /// The position of the bound controller, 0 .. 1. nullopt if the message does not change it, or
     /// is the upper half: the lower half follows.
@@ -58,12 +58,12 @@ private:
 };
 
 /// Soft takeover: a knob takes effect once it passes the current value, so that nothing jumps.
-class PickUp {
+class SoftTakeover {
 public:
-    /// Whether a knob at `share` changes a parameter at `present`, both 0 .. 1.
-    bool takes(double share, double present);
+    /// Whether a knob at `share` changes a parameter at `current`, both 0 .. 1.
+    bool accepts(double share, double current);
     /// Sets the parameter's position after that change.
-    void gave(double present) { m_given = present; }
+    void record(double current) { m_given = current; }
 
 private:
     std::optional<double> m_last;   // position of the knob

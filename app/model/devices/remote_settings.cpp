@@ -5,6 +5,6 @@ void RemoteSettings::bind(const MidiBinding& binding) {
     midi.push_back(binding);
 }
 
-void RemoteSettings::unbind(const MidiGoal& goal) {
+void RemoteSettings::unbind(const MidiTarget& goal) {
     std::erase_if(midi, [&](const MidiBinding& bound) { return bound.goal == goal; });
 }

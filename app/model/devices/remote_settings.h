@@ -9,11 +9,11 @@ struct RemoteSettings {
     bool listens_to_osc = false;
     int osc_port = 9000;
     bool listens_to_midi = false;
-    bool picks_up = true;  // soft takeover: a knob must first pass the current value
+    bool has_soft_takeover = true;  // soft takeover: a knob must first pass the current value
     std::vector<MidiBinding> midi = {};
 
     bool operator==(const RemoteSettings&) const = default;
     /// A goal has one controller: replaces the previous binding.
     void bind(const MidiBinding& binding);
-    void unbind(const MidiGoal& goal);
+    void unbind(const MidiTarget& goal);
 };

@@ -17,12 +17,12 @@ const std::vector<BuiltInUniform>& own_built_ins() {
     return all;
 }
 
-bool tells_time(BuiltIn says) {
-    switch (says) {
+bool tells_time(BuiltIn kind) {
+    switch (kind) {
         case BuiltIn::time:
         case BuiltIn::time_delta:
         case BuiltIn::frame:
-        case BuiltIn::frame_before:
+        case BuiltIn::frame_index:
         case BuiltIn::microseconds:
         case BuiltIn::time_before:
         case BuiltIn::frame_rate:

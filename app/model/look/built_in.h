@@ -21,7 +21,7 @@ enum class BuiltIn {
     view,           // orbit: the object's rotation, a matrix
     camera,         // orbit: the camera's matrix
     drawn_onto,     // whether passes draw onto its target, or onto one that it reads
-    frame_before,   // from 0, after the pass's modulo
+    frame_index,    // from 0, after the pass's modulo
     microseconds,   // since the previous frame
     source_aspect,  // width / height as displayed
     time_before,    // at the frame's start, s: 0 in the first frame
@@ -43,7 +43,7 @@ enum class BuiltIn {
 /// A uniform that the program sets, not the user, and its value.
 struct BuiltInUniform {
     std::string name;
-    BuiltIn says = BuiltIn::time;
+    BuiltIn kind = BuiltIn::time;
     std::optional<Input> of = std::nullopt;  // for input_extent and input_resolution
 
     bool operator==(const BuiltInUniform&) const = default;
@@ -53,4 +53,4 @@ struct BuiltInUniform {
 const std::vector<BuiltInUniform>& own_built_ins();
 
 /// Whether the value changes from frame to frame.
-bool tells_time(BuiltIn says);
+bool tells_time(BuiltIn kind);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-const std::vector<FormatFacts>& all_formats() {
-    static const std::vector<FormatFacts> formats{
+const std::vector<FormatInfo>& all_formats() {
+    static const std::vector<FormatInfo> formats{
         {Format::r8, "r8", 1, 1, false},
         {Format::rg8, "rg8", 2, 2, false},
         {Format::rgba8, "rgba8", 4, 4, false},
@@ -39,15 +39,15 @@ const std::vector<FormatFacts>& all_formats() {
     return formats;
 }
 
-const FormatFacts& facts_of(Format format) {
+const FormatInfo& info_of(Format format) {
     return all_formats()[static_cast<std::size_t>(format)];
 }
 
 SampleKind sample_kind_of(Format format) {
-    const FormatFacts& facts = facts_of(format);
-    if (!facts.is_integer)
+    const FormatInfo& info = info_of(format);
+    if (!info.is_integer)
         return SampleKind::floating;
-    return facts.is_signed ? SampleKind::integer : SampleKind::natural;
+    return info.is_signed ? SampleKind::integer : SampleKind::unsigned_integer;
 }
 
 std::optional<Format> one_channel_of(Format format) {
@@ -82,7 +82,7 @@ std::optional<Format> half_floats_of(Format format) {
 std::optional<Format> parse_format(std::string_view name) {
     const auto& formats = all_formats();
     const auto found = std::find_if(formats.begin(), formats.end(),
-                                    [&](const FormatFacts& facts) { return facts.name == name; });
+                                    [&](const FormatInfo& info) { return info.name == name; });
     if (found == formats.end())
         return std::nullopt;
     return found->format;

@@ -40,9 +40,9 @@ enum class Format {
 };
 
 /// The type that samplers read and shaders write: float, unsigned integer or signed integer.
-enum class SampleKind { floating, natural, integer };
+enum class SampleKind { floating, unsigned_integer, integer };
 
-struct FormatFacts {
+struct FormatInfo {
     Format format = Format::rgba16f;
     std::string_view name;  // name in look.json
     int channels = 4;
@@ -52,8 +52,8 @@ struct FormatFacts {
     bool is_signed = false;  // for integer formats
 };
 
-const std::vector<FormatFacts>& all_formats();
-const FormatFacts& facts_of(Format format);
+const std::vector<FormatInfo>& all_formats();
+const FormatInfo& info_of(Format format);
 SampleKind sample_kind_of(Format format);
 /// The same type with a red channel only; nullopt if there isn't one.
 std::optional<Format> one_channel_of(Format format);

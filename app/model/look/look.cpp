@@ -23,7 +23,7 @@ bool is_of_beam(Draw draw) {
 
 bool reads_press(const Look& look) {
     return std::ranges::any_of(look.passes, [](const Pass& pass) {
-        return std::ranges::find(pass.built_ins, BuiltIn::press, &BuiltInUniform::says) !=
+        return std::ranges::find(pass.built_ins, BuiltIn::press, &BuiltInUniform::kind) !=
                pass.built_ins.end();
     });
 }
@@ -144,7 +144,7 @@ std::vector<std::string> digest_lines(const Look& look) {
     return lines;
 }
 
-constexpr std::size_t letters_a_parameter = 3;
+constexpr std::size_t letters_per_parameter = 3;
 
 std::string letters_of(const std::string& line) {
     constexpr std::string_view alphabet =
@@ -152,7 +152,7 @@ std::string letters_of(const std::string& line) {
     std::uint64_t digest = digest_of(line);
     digest ^= digest >> 32;
     std::string letters;
-    for (std::size_t i = 0; i < letters_a_parameter; ++i, digest >>= 6)
+    for (std::size_t i = 0; i < letters_per_parameter; ++i, digest >>= 6)
         letters += alphabet[digest & 63U];
     return letters;
 }
@@ -169,11 +169,11 @@ std::string digest_without(const std::vector<std::string>& lines, std::size_t on
 }
 
 bool covers_old_digest(const std::vector<std::string>& lines, std::string_view digest) {
-    constexpr std::size_t most = 200;  // limit for trying pairs of parameters
+    constexpr std::size_t maximum = 200;  // limit for trying pairs of parameters
     const std::size_t none = lines.size();
     if (digest_without(lines, none, none) == digest)
         return true;
-    for (std::size_t one = 0; one < lines.size() && lines.size() <= most; ++one)
+    for (std::size_t one = 0; one < lines.size() && lines.size() <= maximum; ++one)
         for (std::size_t other = one + 1; other <= lines.size(); ++other)
             if (digest_without(lines, one, other) == digest)
                 return true;
@@ -196,14 +196,14 @@ bool covers_digest(const Look& look, std::string_view digest) {
     constexpr std::size_t old_digits = 8;
     if (digest.size() == old_digits)
         return covers_old_digest(digest_lines(look), digest);
-    std::multiset<std::string> present;
+    std::multiset<std::string> current;
     for (const std::string& line : digest_lines(look))
-        present.insert(letters_of(line));
-    for (std::size_t at = 0; at < digest.size(); at += letters_a_parameter) {
-        const auto found = present.find(std::string(digest.substr(at, letters_a_parameter)));
-        if (found == present.end())
+        current.insert(letters_of(line));
+    for (std::size_t at = 0; at < digest.size(); at += letters_per_parameter) {
+        const auto found = current.find(std::string(digest.substr(at, letters_per_parameter)));
+        if (found == current.end())
             return false;
-        present.erase(found);
+        current.erase(found);
     }
     return true;
 }

@@ -123,7 +123,7 @@ struct Heading {
 
 enum class Driver { signal, picture, nothing };
 
-constexpr int most_settle_frames = 100000;
+constexpr int max_settle_frames = 100000;
 
 /// Passes in order, their inputs, images and parameters: a value with everything that drawing
 /// needs.

@@ -48,7 +48,7 @@ const Range& range_of(const Parameter& parameter, std::size_t component) {
     return component < parameter.axes.size() ? parameter.axes[component] : parameter.range;
 }
 
-std::string part_label(const Parameter& parameter, std::size_t component) {
+std::string component_label(const Parameter& parameter, std::size_t component) {
     constexpr const char* axes[] = {"x", "y", "z", "w"};
     if (component < parameter.parts.size())
         return parameter.parts[component];
@@ -66,7 +66,7 @@ double clamped_number(const Parameter& parameter, double number) {
             return number;
         case Scalar::integer:
             return std::clamp(std::round(number), -2147483648.0, 2147483647.0);
-        case Scalar::natural:
+        case Scalar::unsigned_integer:
             return std::clamp(std::round(number), 0.0, 4294967295.0);
         case Scalar::boolean:
             return number != 0.0 ? 1.0 : 0.0;

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-enum class Scalar { floating, integer, natural, boolean };
+enum class Scalar { floating, integer, unsigned_integer, boolean };
 
 /// A GLSL number type: scalar, vector (rows > 1) or matrix (columns > 1).
 struct NumberType {
@@ -103,7 +103,7 @@ std::string type_name(const Parameter& parameter);
 const Range& range_of(const Parameter& parameter, std::size_t component);
 
 /// The label of a vector's component: "Red", or "x".
-std::string part_label(const Parameter& parameter, std::size_t component);
+std::string component_label(const Parameter& parameter, std::size_t component);
 
 /// The nearest valid value: within the limit, with the number of components, rounded for integers.
 Value clamped(const Parameter& parameter, Value value);

@@ -7,7 +7,7 @@
 #include <optional>
 
 namespace {
-constexpr std::size_t least_levels = 3;  // two passes are not a pyramid
+constexpr std::size_t min_levels = 3;  // two passes are not a pyramid
 
 struct StemAndNumber {
     std::string stem;
@@ -46,7 +46,7 @@ int growth_of(Extent from, Extent to) {
 
 // The number of levels that start with the first pass; 1 if it is not a level.
 std::size_t levels_at(std::span<const SizedName> passes) {
-    if (passes.size() < least_levels)
+    if (passes.size() < min_levels)
         return 1;
     const int pace = pace_of(passes[0], passes[1]);
     const int growth = growth_of(passes[0].extent, passes[1].extent);
@@ -56,7 +56,7 @@ std::size_t levels_at(std::span<const SizedName> passes) {
     while (count < passes.size() && pace_of(passes[count - 1], passes[count]) == pace &&
            growth_of(passes[count - 1].extent, passes[count].extent) == growth)
         ++count;
-    return count < least_levels ? 1 : count;
+    return count < min_levels ? 1 : count;
 }
 }  // namespace
 

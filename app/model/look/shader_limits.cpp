@@ -8,7 +8,7 @@
 #include <vector>
 
 Result<void> set_limit(ShaderLimits& limits, std::string_view text) {
-    constexpr double most = 1e12;
+    constexpr double maximum = 1e12;
     const std::size_t equals = std::min(text.find('='), text.size());
     const std::string_view name = text.substr(0, equals);
     const auto limit = std::ranges::find(shader_limits, name, &ShaderLimit::name);
@@ -22,7 +22,7 @@ Result<void> set_limit(ShaderLimits& limits, std::string_view text) {
              fmt::format("unknown limit '{}'; use one of: {}", name, fmt::join(names, ", "))});
     }
     const auto value = parse_number(text.substr(std::min(equals + 1, text.size())));
-    if (!value || *value < 1.0 || *value > most ||
+    if (!value || *value < 1.0 || *value > maximum ||
         *value != static_cast<double>(static_cast<long long>(*value)))
         return fail({{}, 0, fmt::format("'{}' must be a whole number from 1 to 1e12", name)});
     limits.*limit->value = *value;

@@ -21,7 +21,7 @@ bool has_tag(const Stack& stack, const std::string& tag) {
 // The part whose scope is the prefix of a full name.
 std::optional<std::size_t> part_of(const std::string& name, const Stack& stack) {
     for (std::size_t i = 0; i < stack.size(); ++i)
-        if (name.starts_with(scope_of(stack, i)))
+        if (name.starts_with(name_prefix(stack, i)))
             return i;
     return std::nullopt;
 }
@@ -52,7 +52,7 @@ std::vector<std::string> stack_keys(const Stack& stack) {
     return stack_keys(looks_of(stack));
 }
 
-std::string scope_of(const Stack& stack, std::size_t part) {
+std::string name_prefix(const Stack& stack, std::size_t part) {
     return stack.size() < 2 ? std::string() : stack_keys(stack)[part] + '/';
 }
 
@@ -87,11 +87,12 @@ std::optional<std::string> moved_name(const std::string& name, const Stack& from
     if (there == to.end())
         return std::nullopt;
     const auto index = static_cast<std::size_t>(there - to.begin());
-    return scope_of(to, index) + name.substr(scope_of(from, *part).size());
+    return name_prefix(to, index) + name.substr(name_prefix(from, *part).size());
 }
 
-std::optional<std::string> meant_name(const std::vector<std::string>& names, std::string_view text,
-                                      std::vector<std::string>& candidates) {
+std::optional<std::string> resolve_name(const std::vector<std::string>& names,
+                                        std::string_view text,
+                                        std::vector<std::string>& candidates) {
     candidates.clear();
     for (const std::string& name : names) {
         if (name == text)

@@ -31,7 +31,7 @@ std::vector<std::string> stack_keys(const std::vector<std::string>& looks);
 std::vector<std::string> stack_keys(const Stack& stack);
 
 /// The prefix of the names of a part's passes and parameters: "crt/"; "" for a single look.
-std::string scope_of(const Stack& stack, std::size_t part);
+std::string name_prefix(const Stack& stack, std::size_t part);
 
 /// A tag that is not in the stack.
 std::string free_tag(const Stack& stack, const std::string& look);
@@ -57,5 +57,6 @@ std::map<std::string, T> moved(const std::map<std::string, T>& named, const Stac
 
 /// The full name ("crt/exposure") that `text` matches, completely or by its last part. nullopt if
 /// several match; `candidates` then has all of them.
-std::optional<std::string> meant_name(const std::vector<std::string>& names, std::string_view text,
-                                      std::vector<std::string>& candidates);
+std::optional<std::string> resolve_name(const std::vector<std::string>& names,
+                                        std::string_view text,
+                                        std::vector<std::string>& candidates);

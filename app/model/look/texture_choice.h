@@ -16,7 +16,7 @@ struct TextureChoice {
         return from == Input::From::pass && frames_ago == 0 && level == 0;
     }
     /// The same texture of this frame, at its largest level.
-    TextureChoice present() const { return {from, name, 0, 0, sound}; }
+    TextureChoice current() const { return {from, name, 0, 0, sound}; }
     /// "persistence@1", "source", "noise mip 2".
     std::string label() const;
 };

@@ -13,7 +13,7 @@
 
 namespace {
 // The name prefix of the parameter's look.
-std::string scope_of(const Parameter& parameter, const Look& look) {
+std::string name_prefix(const Parameter& parameter, const Look& look) {
     if (parameter.bindings.empty())
         return {};
     return look.passes.at(static_cast<std::size_t>(parameter.bindings.front().pass)).scope;
@@ -40,7 +40,7 @@ public:
     PeriodReader(const Parameter& parameter, const PeriodTerms& terms) : m_parameter(parameter) {
         if (parameter.period.empty())
             return;
-        const std::string scope = scope_of(parameter, terms.look);
+        const std::string scope = name_prefix(parameter, terms.look);
         m_names = names_for(scope, terms.look.parameters, terms);
         m_name = parameter.name.substr(scope.size());
     }
@@ -66,8 +66,8 @@ std::optional<double> period_of(const Parameter& parameter, double value,
     return period > 0.0 ? std::optional(period) : std::nullopt;
 }
 
-std::optional<double> even_value(const Parameter& parameter, double value,
-                                 const PeriodTerms& terms) {
+std::optional<double> whole_period_value(const Parameter& parameter, double value,
+                                         const PeriodTerms& terms) {
     constexpr int halvings = 60;
     PeriodReader reader(parameter, terms);
     const double wanted = std::max(2.0, std::round(reader.at(value)));
@@ -91,7 +91,7 @@ Diagnostics check_periods(const std::vector<Parameter>& parameters, const Look& 
         if (parameter.period.empty())
             continue;
         const auto period =
-            evaluate(parameter.period, names_for(scope_of(parameter, look), parameters, terms));
+            evaluate(parameter.period, names_for(name_prefix(parameter, look), parameters, terms));
         if (!period)
             problems.push_back(
                 {parameter.declared.file, parameter.declared.line,
@@ -112,17 +112,17 @@ double unevenness_of(double period) {
 }
 
 std::optional<double> visible_beat(double period, double length) {
-    constexpr double least_visible = 0.05;
-    if (!(period > 0.0) || unevenness_of(period) < least_visible)
+    constexpr double min_visible = 0.05;
+    if (!(period > 0.0) || unevenness_of(period) < min_visible)
         return std::nullopt;
     const double beat = beat_of(period);
     return beat <= length ? std::optional(beat) : std::nullopt;
 }
 
 std::vector<double> safe_periods(double low, double high) {
-    constexpr double most = 1000.0;
+    constexpr double maximum = 1000.0;
     std::vector<double> periods;
-    for (double p = std::max(2.0, std::ceil(low)); p <= std::min(high, most); p += 1.0)
+    for (double p = std::max(2.0, std::ceil(low)); p <= std::min(high, maximum); p += 1.0)
         periods.push_back(p);
     return periods;
 }

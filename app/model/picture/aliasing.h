@@ -28,8 +28,8 @@ std::optional<double> period_of(const Parameter& parameter, double value, const 
 
 /// The value in the parameter's range, near `value`, whose period is the nearest integer number of
 /// px. nullopt if no value has this period.
-std::optional<double> even_value(const Parameter& parameter, double value,
-                                 const PeriodTerms& terms);
+std::optional<double> whole_period_value(const Parameter& parameter, double value,
+                                         const PeriodTerms& terms);
 
 /// Errors in the period expressions of these parameters at their defaults, with their lines.
 Diagnostics check_periods(const std::vector<Parameter>& parameters, const Look& look);

@@ -24,13 +24,13 @@ std::optional<double> time_to(double share, Samples seconds, Samples light, std:
 }
 
 std::optional<double> fitted_half_life(Samples seconds, Samples light, std::size_t peak) {
-    constexpr double least = 0.01;
+    constexpr double minimum = 0.01;
     double count = 0.0;
     double sum_x = 0.0;
     double sum_y = 0.0;
     double sum_xx = 0.0;
     double sum_xy = 0.0;
-    for (std::size_t i = peak; i < light.size() && light[i] >= least * light[peak]; ++i) {
+    for (std::size_t i = peak; i < light.size() && light[i] >= minimum * light[peak]; ++i) {
         const double x = seconds[i] - seconds[peak];
         const double y = std::log(light[i]);
         count += 1.0;

@@ -78,8 +78,8 @@ Picture difference_picture(const Picture& first, const Picture& second, double g
 }
 
 double gain_to_see(double largest) {
-    constexpr double most_stops = 16.0;
+    constexpr double max_stops = 16.0;
     if (!(largest > 0.0))
         return 1.0;
-    return std::exp2(std::clamp(std::floor(-std::log2(largest)), 0.0, most_stops));
+    return std::exp2(std::clamp(std::floor(-std::log2(largest)), 0.0, max_stops));
 }

@@ -92,9 +92,9 @@ void FlashCounter::Tally::note(double seconds, std::vector<std::uint16_t> cells)
 
 // The largest number of flashes that more than a quarter of the cells of a field have.
 int FlashCounter::Tally::flashes() const {
-    const int most = *std::ranges::max_element(changes) / 2;  // two changes are a flash
+    const int maximum = *std::ranges::max_element(changes) / 2;  // two changes are a flash
     const int width = flash_cells.width;
-    for (int wanted = most; wanted > 0; --wanted) {
+    for (int wanted = maximum; wanted > 0; --wanted) {
         // A summed-area table gives the count of any field with three additions.
         const auto row = static_cast<std::size_t>(width) + 1;
         std::vector<std::size_t> sums(row * (static_cast<std::size_t>(flash_cells.height) + 1));

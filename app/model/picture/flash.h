@@ -22,8 +22,8 @@ struct Flashes {
 
     static constexpr int limit = 3;
     bool operator==(const Flashes&) const = default;
-    int most() const { return general > red ? general : red; }
-    bool is_beyond_limit() const { return most() > limit; }
+    int maximum() const { return general > red ? general : red; }
+    bool is_beyond_limit() const { return maximum() > limit; }
 };
 
 /// Linear light, 0..1.

@@ -86,7 +86,7 @@ std::vector<Light> cells_of(const RawPicture& picture) {
 
 void FlashLog::add(std::span<const Light> cells, double seconds) {
     const Flashes now = m_counter.add(seconds, cells);
-    m_most = {std::max(m_most.general, now.general), std::max(m_most.red, now.red)};
+    m_maximum = {std::max(m_maximum.general, now.general), std::max(m_maximum.red, now.red)};
     if (!now.is_beyond_limit())
         return;
     if (!m_first)
@@ -105,5 +105,5 @@ std::optional<std::string> FlashLog::warning() const {
     return fmt::format(
         "the picture flashes up to {} times a second ({} in red); the limit of WCAG 2.3.1 is {}. "
         "{}",
-        m_most.most(), m_most.red, Flashes::limit, frames);
+        m_maximum.maximum(), m_maximum.red, Flashes::limit, frames);
 }

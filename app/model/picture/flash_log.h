@@ -21,14 +21,14 @@ public:
     void add(std::span<const Light> cells, double seconds);
 
     /// The maximum within any second.
-    const Flashes& most() const { return m_most; }
+    const Flashes& maximum() const { return m_maximum; }
     /// "the picture flashes up to 6 times a second (0 in red); the limit of WCAG 2.3.1 is 3. ...";
     /// nullopt if the limit is not exceeded.
     std::optional<std::string> warning() const;
 
 private:
     FlashCounter m_counter;
-    Flashes m_most;
+    Flashes m_maximum;
     std::optional<double> m_first;  // s, of pictures above the limit
     double m_last = 0.0;
     int m_count = 0;  // pictures

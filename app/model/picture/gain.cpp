@@ -6,15 +6,15 @@
 #include <cmath>
 #include <limits>
 
-Gain gain_of(const Statistics& statistics, std::size_t clipped, double ceiling) {
+TargetLevel target_level_of(const Statistics& statistics, std::size_t clipped, double ceiling) {
     const std::size_t texels = statistics.finite + statistics.infinite + statistics.not_a_number;
-    Gain gain{statistics.maximum, statistics.mean, ceiling, 0.0};
+    TargetLevel gain{statistics.maximum, statistics.mean, ceiling, 0.0};
     if (texels > 0)
         gain.clipped = static_cast<double>(clipped) / static_cast<double>(texels);
     return gain;
 }
 
-std::optional<double> headroom_stops(const Gain& gain) {
+std::optional<double> headroom_stops(const TargetLevel& gain) {
     if (!(gain.peak > 0.0))
         return std::nullopt;
     return std::log2(gain.ceiling / gain.peak);

@@ -6,20 +6,20 @@
 #include <optional>
 
 /// The level of a target, relative to the largest value that it can show.
-struct Gain {
+struct TargetLevel {
     double peak = 0.0;
     double mean = 0.0;
     double ceiling = 1.0;
     double clipped = 0.0;  // fraction of texels at or above the ceiling
 
-    bool operator==(const Gain&) const = default;
+    bool operator==(const TargetLevel&) const = default;
 };
 
 /// `clipped` of the measured texels were at the ceiling.
-Gain gain_of(const Statistics& statistics, std::size_t clipped, double ceiling);
+TargetLevel target_level_of(const Statistics& statistics, std::size_t clipped, double ceiling);
 
 /// How much the peak may still grow, in stops; nullopt without light.
-std::optional<double> headroom_stops(const Gain& gain);
+std::optional<double> headroom_stops(const TargetLevel& gain);
 
 /// The largest finite value of a format.
 double format_limit(Format format);

@@ -6,7 +6,7 @@
 #include <utility>
 
 namespace {
-constexpr int most_side = 16384;
+constexpr int max_side = 16384;
 
 // The mapping from the pixels of a picture to those of the result.
 struct Placing {
@@ -17,7 +17,7 @@ struct Placing {
 };
 
 int side_of(double length) {
-    return std::clamp(static_cast<int>(std::lround(length)), 1, most_side);
+    return std::clamp(static_cast<int>(std::lround(length)), 1, max_side);
 }
 
 // Changes only one side of the picture.
@@ -35,10 +35,10 @@ Extent shrunk(Extent extent, int times) {
 
 // Limits memory: a strip of 16384 x 1 pixels in a square would need a gigabyte of black.
 Placing fitted_in_memory(Extent picture, double shape, bool is_whole) {
-    constexpr double most_pixels = 1 << 25;
+    constexpr double max_pixels = 1 << 25;
     Placing placing = fitted(picture, shape, is_whole);
     const double pixels = static_cast<double>(placing.made.width) * placing.made.height;
-    const int shrink = static_cast<int>(std::ceil(std::sqrt(pixels / most_pixels)));
+    const int shrink = static_cast<int>(std::ceil(std::sqrt(pixels / max_pixels)));
     if (shrink <= 1)
         return placing;
     placing = fitted(shrunk(picture, shrink), shape, is_whole);

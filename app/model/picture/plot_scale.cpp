@@ -16,11 +16,11 @@ double rounded_up(double number) {
     return 10.0 * power;
 }
 
-std::vector<double> even_numbers(const PlotRange& range, int most) {
+std::vector<double> axis_ticks(const PlotRange& range, int maximum) {
     const double width = range.high - range.low;
     if (!(width > 0.0))
         return {range.low};
-    const double finest = width / most;
+    const double finest = width / maximum;
     const double power = std::pow(10.0, std::floor(std::log10(finest)));
     std::vector<double> numbers;
     for (const double step : {1.0, 2.0, 5.0, 10.0, 20.0}) {
@@ -28,7 +28,7 @@ std::vector<double> even_numbers(const PlotRange& range, int most) {
         constexpr double slack = 1e-6;
         const double first = std::ceil(range.low / apart - slack);
         const double last = std::floor(range.high / apart + slack);
-        if (last - first + 1.0 > most)
+        if (last - first + 1.0 > maximum)
             continue;
         for (double i = first; i <= last; i += 1.0)
             numbers.push_back(i * apart + 0.0);  // avoids -0
@@ -37,10 +37,10 @@ std::vector<double> even_numbers(const PlotRange& range, int most) {
     return numbers;
 }
 
-void SteadyRange::cover(double least, double greatest, double seconds) {
+void SteadyRange::cover(double minimum, double greatest, double seconds) {
     constexpr double patience_seconds = 2.0;
     const double high = rounded_up(greatest);
-    PlotRange needed{-rounded_up(-least), high};
+    PlotRange needed{-rounded_up(-minimum), high};
     if (needed.low == 0.0 && needed.high == 0.0)
         needed.high = 1.0;
     const bool is_larger = needed.low < m_range.low || needed.high > m_range.high;

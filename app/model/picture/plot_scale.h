@@ -15,17 +15,17 @@ struct PlotRange {
 /// end of a plot, so that it does not change with each number.
 double rounded_up(double number);
 
-/// Evenly spaced numbers in a range, at most `most` (at least 2). Their distance is 1, 2 or 5 times
-/// a power of ten; 0 is included if in range.
-std::vector<double> even_numbers(const PlotRange& range, int most);
+/// Evenly spaced numbers in a range, at most `maximum` (at least 2). Their distance is 1, 2 or 5
+/// times a power of ten; 0 is included if in range.
+std::vector<double> axis_ticks(const PlotRange& range, int maximum);
 
 /// A range that grows immediately when needed, but shrinks only after a smaller range was
 /// sufficient for a while. Keeps a changing plot readable.
 class SteadyRange {
 public:
     /// From 0 or the smallest number to the largest one, both rounded_up().
-    void cover(double least, double greatest, double seconds);
-    const PlotRange& present() const { return m_range; }
+    void cover(double minimum, double greatest, double seconds);
+    const PlotRange& current() const { return m_range; }
 
 private:
     PlotRange m_range{};

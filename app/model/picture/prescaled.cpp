@@ -46,14 +46,14 @@ Changes changes_along(int length, const IsNew& is_new) {
 
 int found_prescale(const Picture& picture) {
     constexpr int largest = 8;
-    constexpr int least_changes = 8;
+    constexpr int min_changes = 8;
     const Changes rows =
         changes_along(picture.extent.height, [&](int y) { return is_row_new(picture, y); });
-    if (rows.divisor <= 1 || rows.count < least_changes)
+    if (rows.divisor <= 1 || rows.count < min_changes)
         return 1;
     const Changes columns =
         changes_along(picture.extent.width, [&](int x) { return is_column_new(picture, x); });
-    if (columns.count < least_changes)
+    if (columns.count < min_changes)
         return 1;
     const int common = std::gcd(rows.divisor, columns.divisor);
     for (int times = largest; times > 1; --times)

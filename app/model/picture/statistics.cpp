@@ -7,8 +7,8 @@
 
 Statistics statistics_of(const Picture& picture) {
     Statistics all;
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double minimum = std::numeric_limits<double>::infinity();
+    double maximum = -minimum;
     double sum = 0.0;
     const auto channels = static_cast<std::size_t>(picture.channels);
     for (std::size_t i = 0; i + channels <= picture.pixels.size(); i += channels) {
@@ -20,32 +20,32 @@ Statistics statistics_of(const Picture& picture) {
         } else {
             ++all.finite;
             for (const auto number : pixel) {
-                least = std::min(least, static_cast<double>(number));
-                most = std::max(most, static_cast<double>(number));
+                minimum = std::min(minimum, static_cast<double>(number));
+                maximum = std::max(maximum, static_cast<double>(number));
                 sum += static_cast<double>(number);
             }
         }
     }
     if (all.finite > 0) {
-        all.minimum = least;
-        all.maximum = most;
+        all.minimum = minimum;
+        all.maximum = maximum;
         all.mean = sum / static_cast<double>(all.finite * channels);
     }
     return all;
 }
 
 std::uint32_t Histogram::highest() const {
-    std::uint32_t most = 0;
+    std::uint32_t maximum = 0;
     for (const auto& channel : bins)
         for (const std::uint32_t count : channel)
-            most = std::max(most, count);
-    return most;
+            maximum = std::max(maximum, count);
+    return maximum;
 }
 
 Histogram histogram_of(const Picture& picture, double low, double high, std::size_t bins) {
     const auto channels = static_cast<std::size_t>(picture.channels);
     Histogram histogram{std::vector(channels, std::vector<std::uint32_t>(bins))};
-    const double bins_a_unit = static_cast<double>(bins) / (high - low);
+    const double bins_per_unit = static_cast<double>(bins) / (high - low);
     for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
         const auto number = static_cast<double>(picture.pixels[i]);
         if (!std::isfinite(number))
@@ -56,7 +56,7 @@ Histogram histogram_of(const Picture& picture, double low, double high, std::siz
         } else if (number > high) {
             ++histogram.above;
         } else {
-            const auto bin = static_cast<std::size_t>((number - low) * bins_a_unit);
+            const auto bin = static_cast<std::size_t>((number - low) * bins_per_unit);
             ++histogram.bins[i % channels][std::min(bin, bins - 1)];
         }
     }

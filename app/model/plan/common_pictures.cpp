@@ -72,7 +72,7 @@ public:
             if (reading.read == pass && reading.frames_ago == m_plan.targets[pass].slots - 1)
                 span.last = std::max(span.last, m_places[reading.reader]);
         // The search for the origin of non-finite values reads it after the frame.
-        const bool holds_floats = facts_of(m_plan.targets[pass].format).is_float;
+        const bool holds_floats = info_of(m_plan.targets[pass].format).is_float;
         if (holds_floats && !is_ring(pass) && m_makes_ring[pass])
             span.last = m_order.size() - 1;
         return span;
@@ -140,7 +140,7 @@ void drop_lonely(Plan& plan) {
     plan.common = std::move(remaining);
     for (PlannedTarget& target : plan.targets)
         if (!target.common)
-            target.held_until = 0;
+            target.last_reader = 0;
 }
 
 // In drawing order, each pass takes the first free picture of its kind, which minimises their
@@ -163,7 +163,7 @@ Plan with_order_kept(const Look& look, Plan plan, const PlanTerms& terms) {
         }
         busy_until[index] = span.last;
         plan.targets[pass].common = index;
-        plan.targets[pass].held_until = lifetimes.order()[span.last];
+        plan.targets[pass].last_reader = lifetimes.order()[span.last];
     }
     drop_lonely(plan);
     return plan;

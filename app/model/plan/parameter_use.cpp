@@ -27,7 +27,7 @@ bool follows(const Pass& pass, const std::string& name) {
 }
 }  // namespace
 
-bool shapes_target(const Look& look, std::size_t pass, const Parameter& parameter) {
+bool affects_target_size(const Look& look, std::size_t pass, const Parameter& parameter) {
     const Pass& user = look.passes[pass];
     const std::string& name = parameter.name;
     if (user.repeat == Count(name) || user.converge == Count(name))
@@ -41,7 +41,7 @@ bool shapes_target(const Look& look, std::size_t pass, const Parameter& paramete
 bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) {
     const Pass& user = look.passes[pass];
     const std::string& name = parameter.name;
-    if (shapes_target(look, pass, parameter))
+    if (affects_target_size(look, pass, parameter))
         return true;
     if (std::ranges::any_of(parameter.bindings, [&](const Binding& binding) {
             return static_cast<std::size_t>(binding.pass) == pass;
@@ -55,7 +55,7 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter) 
     return is_spot || reads(user.half_floats, own) || (user.onto && reads(user.onto->where, own));
 }
 
-bool decides_sharing(const Look& look, const Parameter& parameter) {
+bool affects_aliasing(const Look& look, const Parameter& parameter) {
     return std::ranges::any_of(look.passes, [&](const Pass& pass) {
         return pass.onto && parameter.name.starts_with(pass.scope) &&
                reads(pass.onto->where, parameter.name.substr(pass.scope.size()));

@@ -8,10 +8,10 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter);
 
 /// Whether a parameter sets a pass's size, repeat count or number of channels. A change discards
 /// its previous pictures.
-bool shapes_target(const Look& look, std::size_t pass, const Parameter& parameter);
+bool affects_target_size(const Look& look, std::size_t pass, const Parameter& parameter);
 
 /// Whether it affects which passes are drawn onto another pass's target.
-bool decides_sharing(const Look& look, const Parameter& parameter);
+bool affects_aliasing(const Look& look, const Parameter& parameter);
 
 /// Whether parameters reduce the pass, of size `extent`, to a single texel. Looks do this with
 /// passes that are currently unused.

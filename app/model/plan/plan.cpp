@@ -97,8 +97,8 @@ Result<Extent> extent_of(const Pass& pass, const Extent& source, const Extent& b
             return fail(
                 {pass.declared.file, pass.declared.line,
                  fmt::format("size of pass '{}': {}", pass.name, length->error().front().message)});
-    const double most = largest_side + 0.5;  // before rounding
-    if (!(*width > 0.0 && *width<most&& * height> 0.0 && *height < most))
+    const double maximum = largest_side + 0.5;  // before rounding
+    if (!(*width > 0.0 && *width<maximum&& * height> 0.0 && *height < maximum))
         return fail({pass.declared.file, pass.declared.line,
                      fmt::format("pass '{}' would be {} x {} px; each side must be 1 to {} px",
                                  pass.name, *width, *height, largest_side)});
@@ -195,7 +195,7 @@ void add_lifetimes(const Look& look, const PlanTerms& terms, Plan& plan) {
                 continue;
             PlannedTarget& target = plan.targets[static_cast<std::size_t>(*read)];
             target.slots = std::max(target.slots, input.frames_ago + 1);
-            const bool has_levels = !facts_of(target.format).is_integer;  // integers have no mean
+            const bool has_levels = !info_of(target.format).is_integer;  // integers have no mean
             target.mipmapped = target.mipmapped || (input.sampler.mipmap && has_levels);
         }
     }
@@ -276,13 +276,13 @@ bool is_drawn_onto(const Look& look, const Plan& plan, std::size_t pass) {
 namespace {
 double bytes_of(Extent extent, Format format, bool is_mipmapped) {
     const double levels = is_mipmapped ? 4.0 / 3.0 : 1.0;
-    return static_cast<double>(extent.width) * extent.height * facts_of(format).bytes * levels;
+    return static_cast<double>(extent.width) * extent.height * info_of(format).bytes * levels;
 }
 }  // namespace
 
 std::size_t memory_of(const PlannedTarget& target) {
     if (target.onto || target.is_unused)
-        return static_cast<std::size_t>(facts_of(target.format).bytes);
+        return static_cast<std::size_t>(info_of(target.format).bytes);
     const int own = target.slots - (target.common ? 1 : 0);
     return static_cast<std::size_t>(bytes_of(target.extent, target.format, target.mipmapped) * own);
 }
@@ -319,7 +319,7 @@ bool is_driven(const Look& look, std::size_t pass,
 }
 }  // namespace
 
-std::vector<bool> reached_from(const Look& look, std::vector<bool> changed) {
+std::vector<bool> dependents_of(const Look& look, std::vector<bool> changed) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         for (const Input& input : look.passes[i].inputs) {
             const auto read = find_pass(look, input.name);
@@ -339,7 +339,7 @@ Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters
 }
 
 Redraw redraw_of(const Look& look, std::vector<bool> changed) {
-    Redraw redraw{reached_from(look, std::move(changed))};
+    Redraw redraw{dependents_of(look, std::move(changed))};
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         redraw.needs_replay =
             redraw.needs_replay || (redraw.passes[i] && look.passes[i].accumulate);
@@ -353,7 +353,7 @@ Redraw redraw_of(const Look& look, std::vector<bool> changed) {
     return redraw;
 }
 
-std::vector<bool> needed_for(const Look& look, int pass) {
+std::vector<bool> dependencies_of(const Look& look, int pass) {
     std::vector<bool> needed(look.passes.size(), false);
     std::vector<int> open{pass};
     while (!open.empty()) {
@@ -370,10 +370,10 @@ std::vector<bool> needed_for(const Look& look, int pass) {
     return needed;
 }
 
-std::vector<bool> carried_passes(const Look& look) {
+std::vector<bool> feedback_passes(const Look& look) {
     std::vector<bool> carried(look.passes.size(), false);
     const auto add = [&](int pass) {
-        const std::vector<bool> needed = needed_for(look, pass);
+        const std::vector<bool> needed = dependencies_of(look, pass);
         for (std::size_t i = 0; i < needed.size(); ++i)
             carried[i] = carried[i] || needed[i];
     };

@@ -33,10 +33,10 @@ struct PlannedTarget {
     // black of its own, which its readers get. Extent and format are those of that target.
     std::optional<std::size_t> onto = std::nullopt;
     // Index in Plan::common of the picture for its newest output, which replaces one of its
-    // `slots`. After the pass `held_until`, others may draw there. If the target keeps previous
+    // `slots`. After the pass `last_reader`, others may draw there. If the target keeps previous
     // pictures, the newest one is then swapped with the oldest.
     std::optional<std::size_t> common = std::nullopt;
-    std::size_t held_until = 0;
+    std::size_t last_reader = 0;
     bool is_drawn_last = false;  // after all others; only later frames read it
     bool is_unused = false;      // neither drawn nor displayed: a single texel
 
@@ -111,7 +111,7 @@ struct Redraw {
 };
 
 /// The passes affected by `changed` passes within a frame, including these.
-std::vector<bool> reached_from(const Look& look, std::vector<bool> changed);
+std::vector<bool> dependents_of(const Look& look, std::vector<bool> changed);
 
 /// For a paused picture: what a change of these passes requires, one flag per pass.
 Redraw redraw_of(const Look& look, std::vector<bool> changed);
@@ -119,7 +119,7 @@ Redraw redraw_of(const Look& look, std::vector<bool> changed);
 Redraw redraw_after(const Look& look, const std::vector<std::string>& parameters);
 
 /// Passes that the picture of `pass` depends on, including itself, over all frames.
-std::vector<bool> needed_for(const Look& look, int pass);
+std::vector<bool> dependencies_of(const Look& look, int pass);
 
 /// Passes that later frames depend on: those to draw in a frame that is not displayed.
-std::vector<bool> carried_passes(const Look& look);
+std::vector<bool> feedback_passes(const Look& look);

@@ -4,7 +4,7 @@ namespace {
 std::uint64_t texel_bytes(Extent extent, Format format, bool is_mipmapped) {
     const std::uint64_t bytes = std::uint64_t{static_cast<std::uint32_t>(extent.width)} *
                                 static_cast<std::uint32_t>(extent.height) *
-                                static_cast<std::uint32_t>(facts_of(format).bytes);
+                                static_cast<std::uint32_t>(info_of(format).bytes);
     return is_mipmapped ? bytes + bytes / 3 : bytes;
 }
 }  // namespace

@@ -10,7 +10,7 @@
 
 namespace {
 constexpr double levels = 255.0;
-constexpr double least_shown_share = 1e-4;
+constexpr double min_shown_share = 1e-4;
 
 // Whether `reader` reads the output of `pass`, in this frame or a later one.
 bool reads(const Look& look, std::size_t reader, std::size_t pass) {
@@ -57,9 +57,9 @@ double change_ratio(const PassChange& change) {
     const double share = change_share(change);
     if (share <= 0.0)
         return 0.0;
-    constexpr double least_seen = 0.02;  // of the bar, for any change
-    const double position = 1.0 - std::log(share) / std::log(least_shown_share);
-    return std::clamp(position, least_seen, 1.0);
+    constexpr double min_seen = 0.02;  // of the bar, for any change
+    const double position = 1.0 - std::log(share) / std::log(min_shown_share);
+    return std::clamp(position, min_seen, 1.0);
 }
 
 StepEffect effect_of(const Look& look, const Parameter& parameter,

@@ -20,7 +20,7 @@ public:
 
     /// Makes `next` the current state. Changes of one gesture (same name, not yet finished) are one
     /// step. An unchanged state is not a step. `is_marked`: stored with the step, see Step.
-    void change(State next, std::string name, bool goes_on = false, bool is_marked = false) {
+    void change(State next, std::string name, bool continues_step = false, bool is_marked = false) {
         if (next == m_current)
             return;
         const bool same_gesture = m_open && !m_past.empty() && m_past.back().name == name;
@@ -28,7 +28,7 @@ public:
             remember(std::move(name), is_marked);
         m_current = std::move(next);
         m_future.clear();
-        m_open = goes_on;
+        m_open = continues_step;
     }
 
     /// Ends the current gesture; the next change is a new step.
@@ -89,11 +89,11 @@ public:
     }
 
 private:
-    static constexpr std::size_t most_steps = 1000;
+    static constexpr std::size_t max_steps = 1000;
 
     void remember(std::string name, bool is_marked) {
         m_past.push_back({m_current, std::move(name), is_marked});
-        if (m_past.size() > most_steps)
+        if (m_past.size() > max_steps)
             m_past.erase(m_past.begin());
     }
 

@@ -92,7 +92,7 @@ double share_of_turn(double turns) {
 
 bool drives_size(const Look& look, const Parameter& parameter) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)
-        if (shapes_target(look, i, parameter))
+        if (affects_target_size(look, i, parameter))
             return true;
     return false;
 }
@@ -161,7 +161,7 @@ std::string summary_of(const Modulation& modulation) {
     return text;
 }
 
-Modulation tidied(const Modulation& modulation) {
+Modulation normalised(const Modulation& modulation) {
     Modulation tidy;
     tidy.kind = modulation.kind;
     if (tidy.kind == ModulationKind::lfo)
@@ -220,7 +220,7 @@ double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) 
     }
     const auto step = static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(turns)));
     constexpr std::uint64_t apart = 0xd1342543de82ef95u;  // odd: gives each step its own seed
-    return 2.0 * RandomNumbers(seed ^ (step * apart)).roll() - 1.0;
+    return 2.0 * RandomNumbers(seed ^ (step * apart)).next() - 1.0;
 }
 
 Values modulated(const Look& look, Values values, const Modulations& modulations, double seconds,

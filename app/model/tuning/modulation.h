@@ -57,7 +57,7 @@ const std::vector<ModulationName<LfoShape>>& lfo_shapes();
 std::string summary_of(const Modulation& modulation);
 
 /// Clamped to the limits of its figures, and without figures of other kinds.
-Modulation tidied(const Modulation& modulation);
+Modulation normalised(const Modulation& modulation);
 
 /// The reason why a parameter can't be modulated, as a sentence; "" if it can. Only numbers can,
 /// except those for the size or repeat count of passes, which would reallocate targets each frame.

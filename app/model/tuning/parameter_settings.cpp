@@ -57,14 +57,14 @@ ParameterSettings settings_in(const Stack& stack, const LookParameterSettings& l
     for (std::size_t i = 0; i < stack.size(); ++i)
         if (const auto own = looks.find(stack[i].look); own != looks.end())
             for (const auto& [name, setting] : own->second)
-                settings.emplace(scope_of(stack, i) + name, setting);
+                settings.emplace(name_prefix(stack, i) + name, setting);
     return settings;
 }
 
 void store_settings(LookParameterSettings& looks, const Stack& stack,
                     const ParameterSettings& settings) {
     for (std::size_t i = stack.size(); i-- > 0;) {
-        const std::string scope = scope_of(stack, i);
+        const std::string scope = name_prefix(stack, i);
         ParameterSettings own;
         for (const auto& [name, setting] : settings)
             if (name.starts_with(scope))

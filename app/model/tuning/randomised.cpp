@@ -20,7 +20,7 @@ double rolled_number(const Parameter& parameter, Range range, double origin,
     const auto steps = steps_in(range, origin);
     if (steps && parameter.scale == Scale::linear)
         return steps->value(random_numbers.choose(steps->count));
-    const double value = value_at(range, parameter.scale, random_numbers.roll());
+    const double value = value_at(range, parameter.scale, random_numbers.next());
     return steps ? steps->nearest(value) : readable(range, parameter.scale, value);
 }
 
@@ -29,7 +29,7 @@ Value rolled_color(const Parameter& parameter, Value value, RandomNumbers& rando
     const Range& range = parameter.range;
     for (std::size_t i = 0; i < std::min(value.numbers.size(), alpha); ++i)
         value.numbers[i] =
-            range.low + (range.high - range.low) * srgb_decode(random_numbers.roll());
+            range.low + (range.high - range.low) * srgb_decode(random_numbers.next());
     return value;
 }
 

@@ -38,10 +38,10 @@ bool is_gradual(const Parameter& parameter) {
     return !is_switch(parameter) && parameter.control != Control::list;
 }
 
-Value value_at_share(const SliderNumber& at, Value present, double share) {
-    if (at.component < present.numbers.size())
-        present.numbers[at.component] = number_at(at, std::clamp(share, 0.0, 1.0));
-    return clamped(at.parameter, std::move(present));
+Value value_at_share(const SliderNumber& at, Value current, double share) {
+    if (at.component < current.numbers.size())
+        current.numbers[at.component] = number_at(at, std::clamp(share, 0.0, 1.0));
+    return clamped(at.parameter, std::move(current));
 }
 
 double share_at(const SliderNumber& at, const Value& value) {

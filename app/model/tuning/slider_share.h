@@ -21,7 +21,7 @@ struct SliderNumber {
 
 /// The value with this number at `share` of the slider, 0 low .. 1 high, rounded to a step if it
 /// has steps. Items of a list have equal parts; a switch is on from the middle.
-Value value_at_share(const SliderNumber& at, Value present, double share);
+Value value_at_share(const SliderNumber& at, Value current, double share);
 
 /// The position on the slider, 0 .. 1; for a list the middle of its item's part.
 double share_at(const SliderNumber& at, const Value& value);

@@ -21,7 +21,7 @@ SoundChannels channels_of(const Settings& settings) {
     return settings.is("channel", "left") ? SoundChannels::left : SoundChannels::right;
 }
 
-SoundPlug plug_of(const Settings& settings, const ScopeControls& controls) {
+SoundInputSettings plug_of(const Settings& settings, const ScopeControls& controls) {
     return {.channels = channels_of(settings),
             .is_swapped = controls.is_swapped,
             .coupling = {controls.channels[0].coupling, controls.channels[1].coupling},
@@ -51,11 +51,11 @@ Result<std::unique_ptr<Signal>> make_spectrum(const Settings& settings,
         return fail({{}, 0, "'high' must be above 'low'"});
     if (controls.floor_decibels >= controls.ceiling_decibels)
         return fail({{}, 0, "'ceiling' must be above 'floor'"});
-    SoundPlug plug{.channels = channels_of(settings),
-                   .is_swapped = settings.is("channel", "right"),
-                   .level = settings.number("level"),
-                   .has_auto_gain = settings.is("auto_gain", "on"),
-                   .upsample = 1};
+    SoundInputSettings plug{.channels = channels_of(settings),
+                            .is_swapped = settings.is("channel", "right"),
+                            .level = settings.number("level"),
+                            .has_auto_gain = settings.is("auto_gain", "on"),
+                            .upsample = 1};
     if (settings.is("channel", "both"))
         plug.channels = SoundChannels::mean;
     return std::make_unique<SoundSpectrum>(std::move(sound), plug, controls);
@@ -71,7 +71,7 @@ Result<std::unique_ptr<Signal>> make_mapped(const Settings& settings, const Open
     if (auto good = check_channels(map, channels); !good)
         return fail(good.error());
     const ScopeControls controls = scope_controls(settings);
-    const SoundPlug plug = plug_of(settings, controls);
+    const SoundInputSettings plug = plug_of(settings, controls);
     auto scope = std::make_unique<SoundScope>(open({map.x, map.y}), plug, controls);
     if (map.is_plain())
         return scope;
@@ -127,7 +127,7 @@ Result<std::unique_ptr<Signal>> make_microphone(const Settings& settings,
     return make_shown(settings, open, media.live->channels());
 }
 
-std::vector<SettingFacts> settings_of_all_modes() {
+std::vector<SettingInfo> settings_of_all_modes() {
     return {choice_setting(
                 "mode", "Mode",
                 "xy: left channel horizontal, right channel vertical, unfiltered. A mono sound "
@@ -154,7 +154,7 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .step = 1,
              .initial = 4,
              .limit = {1, 16},
-             .used_while = {"mode", {"xy", "waveform"}}},
+             .condition = {"mode", {"xy", "waveform"}}},
             {.key = "channel",
              .label = "Channel",
              .help = "Sound channel to draw. both: in a waveform, left as channel 1 and right as "
@@ -162,10 +162,10 @@ std::vector<SettingFacts> settings_of_all_modes() {
              .type = SettingType::word,
              .words = {"mean", "left", "right", "both"},
              .initial_word = "mean",
-             .used_while = {"mode", {"waveform", "spectrum", "radial"}}}};
+             .condition = {"mode", {"waveform", "spectrum", "radial"}}}};
 }
 
-std::vector<SettingFacts> file_settings() {
+std::vector<SettingInfo> file_settings() {
     return {{.key = "file",
              .label = "File",
              .help = "A sound file: WAV, FLAC, OGG or MP3.",
@@ -180,8 +180,8 @@ std::vector<SettingFacts> file_settings() {
              .limit = {0, 86400}}};
 }
 
-std::vector<SettingFacts> spectrum_settings() {
-    SettingFacts size = choice_setting(
+std::vector<SettingInfo> spectrum_settings() {
+    SettingInfo size = choice_setting(
         "fft", "FFT size", "Samples per spectrum. More separate close tones, fewer react faster.",
         {"256", "512", "1024", "2048", "4096", "8192", "16384", "32768"});
     size.initial_word = "2048";
@@ -230,7 +230,7 @@ std::vector<SettingFacts> spectrum_settings() {
                       .limit = {1, 100000}}});
 }
 
-std::vector<SettingFacts> ring_settings() {
+std::vector<SettingInfo> ring_settings() {
     return in_group(
         "Ring", {"mode", {"radial"}},
         {{.key = "radius",
@@ -263,8 +263,8 @@ std::vector<SettingFacts> ring_settings() {
           .limit = {0.001, 10}}});
 }
 
-std::vector<SettingFacts> shown_settings() {
-    std::vector<SettingFacts> settings = settings_of_all_modes();
+std::vector<SettingInfo> shown_settings() {
+    std::vector<SettingInfo> settings = settings_of_all_modes();
     settings.push_back(fit_setting({"mode", {"xy"}}));
     for (auto part : {scope_settings({.yt_modes = {"waveform"},
                      .scope_modes = {"xy", "waveform"},
@@ -277,8 +277,8 @@ std::vector<SettingFacts> shown_settings() {
 }  // namespace
 
 SignalKind audio_kind() {
-    std::vector<SettingFacts> settings = file_settings();
-    for (SettingFacts& setting : shown_settings())
+    std::vector<SettingInfo> settings = file_settings();
+    for (SettingInfo& setting : shown_settings())
         settings.push_back(std::move(setting));
     return {.kind = "audio",
             .label = "Sound file",

@@ -4,21 +4,21 @@
 #include <cmath>
 
 namespace {
-constexpr int blocks_a_second = 10;
-constexpr float least_peak = 0.01f;
+constexpr int blocks_per_second = 10;
+constexpr float min_peak = 0.01f;
 constexpr double live_delay = 2.0;  // blocks, so that all blocks read are complete
 }  // namespace
 
 AutoGain::AutoGain(const SampleStream& sound)
     : m_sound(sound),
-      m_block(std::max(sound.rate() / blocks_a_second, 1)),
+      m_block(std::max(sound.rate() / blocks_per_second, 1)),
       m_count((sound.length() + m_block - 1) / m_block) {}
 
 float AutoGain::peak_of(std::int64_t block) const {
     Peak& known = m_peaks[static_cast<std::size_t>(block) % m_peaks.size()];
     if (known.block == block)
         return known.value;
-    known = {block, least_peak};
+    known = {block, min_peak};
     std::array<StereoSample, 256> samples;
     const std::int64_t end = std::min((block + 1) * m_block, m_sound.length());
     for (std::int64_t i = block * m_block; i < end;) {
@@ -35,8 +35,8 @@ float AutoGain::peak_of(std::int64_t block) const {
 // The gain at the start of a block. Includes the peak of that block, so that nothing exceeds full
 // scale while the gain is interpolated.
 float AutoGain::gain_at(std::int64_t block) const {
-    float peak = least_peak;
-    for (std::int64_t i = block - blocks_a_second; i <= block; ++i) {
+    float peak = min_peak;
+    for (std::int64_t i = block - blocks_per_second; i <= block; ++i) {
         const std::int64_t wrapped = ((i % m_count) + m_count) % m_count;
         if (m_sound.loops() || wrapped == i)
             peak = std::max(peak, peak_of(wrapped));

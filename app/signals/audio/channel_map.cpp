@@ -10,19 +10,20 @@ int ChannelMap::last() const {
     return std::max({x, y, intensity, r, g, b});
 }
 
-std::vector<SettingFacts> channel_settings(const ChannelMap& initial, const UsedWhile& used_while) {
+std::vector<SettingInfo> channel_settings(const ChannelMap& initial,
+                                          const SettingCondition& condition) {
     const auto setting = [](const char* key, const char* label, const char* help, int channel) {
-        return SettingFacts{.key = key,
-                            .label = label,
-                            .help = help,
-                            .low = 0,
-                            .high = 8,
-                            .step = 1,
-                            .initial = static_cast<double>(channel),
-                            .limit = {0, 64}};
+        return SettingInfo{.key = key,
+                           .label = label,
+                           .help = help,
+                           .low = 0,
+                           .high = 8,
+                           .step = 1,
+                           .initial = static_cast<double>(channel),
+                           .limit = {0, 64}};
     };
     return in_group(
-        "Channel map", used_while,
+        "Channel map", condition,
         {setting("x", "X",
                  "Channel that moves the beam horizontally. 0: none, it stays in the middle.",
                  initial.x),

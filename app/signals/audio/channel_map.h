@@ -24,7 +24,8 @@ struct ChannelMap {
 };
 
 /// The settings of a map in their own group, with the defaults of `initial`.
-std::vector<SettingFacts> channel_settings(const ChannelMap& initial, const UsedWhile& used_while);
+std::vector<SettingInfo> channel_settings(const ChannelMap& initial,
+                                          const SettingCondition& condition);
 ChannelMap channel_map(const Settings& settings);
 
 /// Fails for channels that the sound does not have. The same channel may be both x and y.

@@ -11,7 +11,7 @@
 /// depends on previous peaks only, not on the division into frames.
 class Envelopes {
 public:
-    static constexpr double stretches_a_second = 100.0;
+    static constexpr double blocks_per_second = 100.0;
     /// The peak of the stretch [n, n + 1) / 100 s, n >= 0. Called after the stretch has ended.
     using Peak = std::function<double(std::int64_t stretch)>;
 

@@ -9,7 +9,7 @@
 namespace {
 double sound_peak(const SampleStream& sound, std::int64_t stretch) {
     const auto sample_at = [&](std::int64_t number) {
-        const double seconds = static_cast<double>(number) / Envelopes::stretches_a_second;
+        const double seconds = static_cast<double>(number) / Envelopes::blocks_per_second;
         return static_cast<std::int64_t>(std::floor(seconds * sound.rate() + 1e-6));
     };
     std::array<StereoSample, 512> block;
@@ -28,8 +28,8 @@ double sound_peak(const SampleStream& sound, std::int64_t stretch) {
 
 double beam_peak(const Signal& signal, std::int64_t stretch) {
     Beam beam;
-    signal.trace({static_cast<double>(stretch) / Envelopes::stretches_a_second,
-                  static_cast<double>(stretch + 1) / Envelopes::stretches_a_second},
+    signal.trace({static_cast<double>(stretch) / Envelopes::blocks_per_second,
+                  static_cast<double>(stretch + 1) / Envelopes::blocks_per_second},
                  beam);
     float peak = 0.0f;
     for (const BeamPoint& point : beam)
@@ -45,8 +45,8 @@ SoundLoudness::SoundLoudness(std::shared_ptr<const SampleStream> sound)
       m_envelopes([this](std::int64_t stretch) { return sound_peak(*m_sound, stretch); }) {}
 
 std::optional<double> SoundLoudness::seconds_since_beat(double seconds, double threshold) const {
-    constexpr std::size_t most = 8;  // limit while the user changes a threshold
-    if (!m_beats.contains(threshold) && m_beats.size() >= most)
+    constexpr std::size_t maximum = 8;  // limit while the user changes a threshold
+    if (!m_beats.contains(threshold) && m_beats.size() >= maximum)
         m_beats.clear();
     const auto& [same, finder] = *m_beats.try_emplace(threshold, m_input, threshold).first;
     const auto beat = finder.last_beat(seconds);

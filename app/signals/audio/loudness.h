@@ -1,7 +1,7 @@
 #pragma once
 
 #include "model/tuning/modulation.h"
-#include "signals/audio/beat_finder.h"
+#include "signals/audio/beat_detector.h"
 #include "signals/audio/envelope.h"
 #include "signals/audio/sound_input.h"
 
@@ -19,7 +19,7 @@ private:
     std::shared_ptr<const SampleStream> m_sound;
     SoundInput m_input;
     Envelopes m_envelopes;
-    mutable std::map<double, BeatFinder> m_beats;  // by threshold
+    mutable std::map<double, BeatDetector> m_beats;  // by threshold
 };
 
 class Signal;

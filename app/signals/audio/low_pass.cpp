@@ -21,7 +21,7 @@ void LowPass::follow(StereoSample sample) const {
 }
 
 // Computes the state before `sample`, from the start of its block and m_memory before that.
-void LowPass::specialize(std::int64_t sample) const {
+void LowPass::prime(std::int64_t sample) const {
     const std::int64_t block = sample - ((sample % m_block) + m_block) % m_block;
     m_state = {};
     std::array<StereoSample, 512> samples;
@@ -39,7 +39,7 @@ void LowPass::read(std::int64_t first, std::span<StereoSample> slow) const {
     m_read(first, slow);
     for (StereoSample& sample : slow) {
         if (first != m_next || first % m_block == 0)
-            specialize(first);
+            prime(first);
         follow(sample);
         sample = m_state;
         m_next = ++first;

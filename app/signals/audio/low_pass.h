@@ -19,7 +19,7 @@ public:
     void read(std::int64_t first, std::span<StereoSample> slow) const;
 
 private:
-    void specialize(std::int64_t sample) const;
+    void prime(std::int64_t sample) const;
     void follow(StereoSample sample) const;
 
     Read m_read;

@@ -26,7 +26,7 @@ void MappedSound::trace(const TimeSpan& span, Beam& beam) const {
     m_signal->trace(span, beam);
     const std::size_t count = beam.size() - begin;
     const double rate = static_cast<double>(m_streams.current_and_red->rate()) * m_factor;
-    const std::int64_t first = instants_in(span, rate).first;
+    const std::int64_t first = samples_in(span, rate).first;
     const auto reds = samples_around(*m_streams.current_and_red, first, count, m_factor);
     const auto blues = samples_around(*m_streams.green_and_blue, first, count, m_factor);
     if (m_map.has_tint())

@@ -8,7 +8,7 @@ namespace {
 constexpr double coupling_hertz = 5.0;  // scope inputs: 10 Hz or less
 }  // namespace
 
-SoundInput::SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug)
+SoundInput::SoundInput(std::shared_ptr<const SampleStream> sound, const SoundInputSettings& plug)
     : m_plug(plug),
       m_samples(std::move(sound), plug.upsample),
       m_rate(static_cast<double>(m_samples.sound().rate()) * plug.upsample),
@@ -22,7 +22,7 @@ SoundInput::SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlu
 LowPass SoundInput::low_pass() const {
     return LowPass(m_samples.sound().rate(), coupling_hertz,
                    [this](std::int64_t first, std::span<StereoSample> samples) {
-                       read_plugged(first, samples);
+                       read_routed(first, samples);
                    });
 }
 
@@ -38,16 +38,16 @@ double SoundInput::seconds() const {
     return static_cast<double>(sound.length()) / sound.rate();
 }
 
-StereoSample SoundInput::plugged(StereoSample sample) const {
+StereoSample SoundInput::routed(StereoSample sample) const {
     if (m_plug.channels == SoundChannels::mean)
         sample.left = 0.5f * (sample.left + sample.right);
     return m_plug.is_swapped ? StereoSample{sample.right, sample.left} : sample;
 }
 
-void SoundInput::read_plugged(std::int64_t first, std::span<StereoSample> samples) const {
+void SoundInput::read_routed(std::int64_t first, std::span<StereoSample> samples) const {
     m_samples.sound().read(first, samples);
     for (StereoSample& sample : samples)
-        sample = plugged(sample);
+        sample = routed(sample);
 }
 
 float SoundInput::gain_at(double position) const {
@@ -85,7 +85,7 @@ void SoundInput::read(std::int64_t first, std::span<StereoSample> volts) const {
             away = {std::lerp(slow[at].left, slow[at + 1].left, part),
                     std::lerp(slow[at].right, slow[at + 1].right, part)};
         }
-        sample = plugged(sample);
+        sample = routed(sample);
         couple(sample, away);
         const float gain =
             gain_at(static_cast<double>(original % m_samples.sound().length()) + between);
@@ -100,7 +100,7 @@ void SoundInput::read_originals(std::int64_t first, std::span<StereoSample> volt
         slow.resize(volts.size());
         m_slow_originals.read(first, slow);
     }
-    read_plugged(first, volts);
+    read_routed(first, volts);
     const std::int64_t length = m_samples.sound().length();
     for (std::size_t i = 0; i < volts.size(); ++i, ++first) {
         couple(volts[i], m_is_ac ? slow[i] : StereoSample{});

@@ -11,7 +11,7 @@
 /// Which channels of a sound go to the scope's two channels.
 enum class SoundChannels { both, mean, left, right };
 
-struct SoundPlug {
+struct SoundInputSettings {
     SoundChannels channels = SoundChannels::both;
     bool is_swapped = false;
     std::array<Coupling, 2> coupling{};
@@ -28,7 +28,7 @@ struct SoundPlug {
 /// A sound as the two inputs of a scope, in volts after gain and coupling.
 class SoundInput {
 public:
-    SoundInput(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug);
+    SoundInput(std::shared_ptr<const SampleStream> sound, const SoundInputSettings& plug);
     SoundInput(const SoundInput&) = delete;
     SoundInput& operator=(const SoundInput&) = delete;
 
@@ -44,13 +44,13 @@ public:
     void read_originals(std::int64_t first, std::span<StereoSample> volts) const;
 
 private:
-    StereoSample plugged(StereoSample sample) const;
-    void read_plugged(std::int64_t first, std::span<StereoSample> samples) const;
+    StereoSample routed(StereoSample sample) const;
+    void read_routed(std::int64_t first, std::span<StereoSample> samples) const;
     float gain_at(double position) const;  // position in samples of the sound
     void couple(StereoSample& sample, StereoSample slow) const;
     LowPass low_pass() const;
 
-    SoundPlug m_plug;
+    SoundInputSettings m_plug;
     Upsampler m_samples;
     double m_rate;
     bool m_is_ac;

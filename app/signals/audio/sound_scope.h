@@ -7,7 +7,7 @@
 /// A sound on a scope: traces over time, or one channel against the other. Draws each sample once.
 class SoundScope : public Signal {
 public:
-    SoundScope(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+    SoundScope(std::shared_ptr<const SampleStream> sound, const SoundInputSettings& plug,
                const ScopeControls& controls);
 
     void trace(const TimeSpan& span, Beam& beam) const override;

@@ -5,13 +5,13 @@
 
 #include <cmath>
 
-SoundSpectrum::SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
-                             const SpectrumControls& controls)
+SoundSpectrum::SoundSpectrum(std::shared_ptr<const SampleStream> sound,
+                             const SoundInputSettings& plug, const SpectrumControls& controls)
     : m_input(std::move(sound), plug),
       m_controls(controls),
       m_spectrum(m_input, controls.size, controls.smoothing_seconds),
       m_beats(m_input, controls.beat_threshold),
-      m_charge(charge_of_point(points * Spectrum::hops_a_second)),
+      m_charge(charge_of_point(points * Spectrum::hops_per_second)),
       m_levels(static_cast<std::size_t>(points)) {
     const double octaves = std::log2(controls.high_hertz / controls.low_hertz);
     const auto bin_at = [&](std::int64_t column) {
@@ -50,7 +50,7 @@ void SoundSpectrum::show_hop(std::int64_t hop) const {
     }
     if (!m_controls.is_radial)
         return;
-    const double now = static_cast<double>(hop) / Spectrum::hops_a_second;
+    const double now = static_cast<double>(hop) / Spectrum::hops_per_second;
     const auto beat = m_beats.last_beat(now);
     const double push =
         beat ? m_controls.pulse * std::exp((*beat - now) / m_controls.beat_decay_seconds) : 0.0;
@@ -73,7 +73,7 @@ BeamPoint SoundSpectrum::on_ring(std::int64_t index) const {
 }
 
 void SoundSpectrum::trace(const TimeSpan& span, Beam& beam) const {
-    PointStream stream{.rate = points * Spectrum::hops_a_second};
+    PointStream stream{.rate = points * Spectrum::hops_per_second};
     if (std::isfinite(seconds()))
         stream.count = static_cast<std::int64_t>(seconds() * stream.rate);
     trace_points(span, stream, beam, [this](std::int64_t point) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "signals/audio/beat_finder.h"
+#include "signals/audio/beat_detector.h"
 #include "signals/audio/spectrum.h"
 #include "signals/signal/signal.h"
 
@@ -24,7 +24,7 @@ struct SpectrumControls {
 /// logarithmic.
 class SoundSpectrum : public Signal {
 public:
-    SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundPlug& plug,
+    SoundSpectrum(std::shared_ptr<const SampleStream> sound, const SoundInputSettings& plug,
                   const SpectrumControls& controls);
 
     void trace(const TimeSpan& span, Beam& beam) const override;
@@ -46,7 +46,7 @@ private:
     SoundInput m_input;
     SpectrumControls m_controls;
     Spectrum m_spectrum;
-    BeatFinder m_beats;
+    BeatDetector m_beats;
     double m_charge;
     std::vector<Column> m_columns;
     mutable std::int64_t m_hop = INT64_MIN;  // of m_levels and m_ring

@@ -14,12 +14,12 @@ constexpr double analyser_floor = -100.0;
 constexpr double analyser_ceiling = -30.0;
 constexpr double analyser_full_scale = 0.5 * 0.42;
 
-SoundPlug plug_of(SoundChannels channels) {
+SoundInputSettings plug_of(SoundChannels channels) {
     return {.channels = channels, .upsample = 1};
 }
 
 double analyser_smoothing_seconds() {
-    return -1.0 / (Spectrum::hops_a_second * std::log(analyser_keeps));
+    return -1.0 / (Spectrum::hops_per_second * std::log(analyser_keeps));
 }
 
 float wave_level(float sample) {
@@ -27,10 +27,10 @@ float wave_level(float sample) {
 }
 
 float largest(std::span<const StereoSample> samples, float StereoSample::*side) {
-    float most = 0.0f;
+    float maximum = 0.0f;
     for (const StereoSample& sample : samples)
-        most = std::max(most, std::abs(sample.*side));
-    return most;
+        maximum = std::max(maximum, std::abs(sample.*side));
+    return maximum;
 }
 
 float analyser_level(float amplitude) {
@@ -93,7 +93,7 @@ void SoundStreamTexels::read(const SoundTexture& texture, double seconds,
                              std::span<float> levels) const {
     const auto end = static_cast<std::int64_t>(std::floor(seconds * m_sound->rate() + 1e-6));
     const auto hop =
-        static_cast<std::int64_t>(std::floor(seconds * Spectrum::hops_a_second + 1e-6));
+        static_cast<std::int64_t>(std::floor(seconds * Spectrum::hops_per_second + 1e-6));
     const std::size_t row = levels.size() / 2;
     switch (texture.holds) {
         case SoundTexture::Holds::wave:

@@ -58,9 +58,10 @@ Spectrum::Spectrum(const SoundInput& input, int size, double smoothing_seconds,
     : m_input(input),
       m_rate(input.rate() / input.factor()),
       m_hertz_per_bin(m_rate / size),
-      m_kept(smoothing_seconds > 0.0 ? std::exp(-1.0 / (hops_a_second * smoothing_seconds)) : 0.0),
+      m_kept(smoothing_seconds > 0.0 ? std::exp(-1.0 / (hops_per_second * smoothing_seconds))
+                                     : 0.0),
       // Older hops contribute less than e^-10, 87 dB down.
-      m_memory(static_cast<std::int64_t>(std::ceil(10.0 * smoothing_seconds * hops_a_second))),
+      m_memory(static_cast<std::int64_t>(std::ceil(10.0 * smoothing_seconds * hops_per_second))),
       m_full_scale(2.0 / (weights_of(window).mean * size)),
       m_transform(std::make_unique<Transform>(static_cast<std::size_t>(size), weights_of(window))),
       m_amplitudes(m_transform->bins.size()) {}
@@ -68,7 +69,7 @@ Spectrum::Spectrum(const SoundInput& input, int size, double smoothing_seconds,
 Spectrum::~Spectrum() = default;
 
 void Spectrum::smooth(std::int64_t hop) const {
-    const double end = std::floor(static_cast<double>(hop) / hops_a_second * m_rate + 1e-6);
+    const double end = std::floor(static_cast<double>(hop) / hops_per_second * m_rate + 1e-6);
     m_transform->run(m_input, static_cast<std::int64_t>(end));
     for (std::size_t i = 0; i < m_amplitudes.size(); ++i) {
         const kiss_fft_cpx& bin = m_transform->bins[i];

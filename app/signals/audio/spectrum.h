@@ -18,7 +18,7 @@ public:
     Spectrum(const Spectrum&) = delete;
     Spectrum& operator=(const Spectrum&) = delete;
 
-    static constexpr double hops_a_second = 60.0;
+    static constexpr double hops_per_second = 60.0;
 
     double hertz_per_bin() const { return m_hertz_per_bin; }
     /// From the samples up to hop / 60 s: size / 2 + 1 bins, starting at 0 Hz.

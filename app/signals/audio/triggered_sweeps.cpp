@@ -7,8 +7,8 @@
 
 namespace {
 constexpr double patience_seconds = 0.1;
-constexpr double least_epoch_seconds = 4.0;
-constexpr double sweeps_an_epoch = 16.0;
+constexpr double min_epoch_seconds = 4.0;
+constexpr double sweeps_per_epoch = 16.0;
 }  // namespace
 
 TriggeredSweeps::TriggeredSweeps(const SoundInput& input, const Trigger& trigger,
@@ -23,7 +23,7 @@ TriggeredSweeps::TriggeredSweeps(const SoundInput& input, const Trigger& trigger
       m_epoch_length(std::numeric_limits<std::int64_t>::max() / 64) {
     if (trigger.mode == Trigger::Mode::single)
         return;  // one search from time 0
-    const double epoch = std::max(least_epoch_seconds * input.rate(), sweeps_an_epoch * m_busy);
+    const double epoch = std::max(min_epoch_seconds * input.rate(), sweeps_per_epoch * m_busy);
     m_epoch_length = static_cast<std::int64_t>(std::ceil(epoch / input.factor()));
 }
 

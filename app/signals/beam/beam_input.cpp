@@ -7,21 +7,21 @@
 #include <cmath>
 
 namespace {
-constexpr double end_slack = 1e-9;   // s: tolerance for span ends computed in two ways
-constexpr double most_ahead = 0.25;  // s: how far a sender may be ahead
+constexpr double end_slack = 1e-9;  // s: tolerance for span ends computed in two ways
+constexpr double max_ahead = 0.25;  // s: how far a sender may be ahead
 constexpr double cushion = 0.03;  // s: delay added for a late sender, so that its next point is not
                                   // late
 constexpr double kept_seconds = 2.0;  // s: history that is kept for replays
-constexpr std::size_t most_legs = 1000000;
+constexpr std::size_t max_legs = 1000000;
 constexpr double finest_rate = 4096.0 * 60.0;
 }  // namespace
 
 void BeamInput::append(std::span<const BeamInputPoint> points) {
     std::unique_lock lock(m_mutex);
     for (const BeamInputPoint& point : points) {
-        if (m_end >= m_now + most_ahead)
+        if (m_end >= m_now + max_ahead)
             m_changed.notify_all();
-        m_changed.wait(lock, [&] { return m_is_closed || m_end < m_now + most_ahead; });
+        m_changed.wait(lock, [&] { return m_is_closed || m_end < m_now + max_ahead; });
         if (m_is_closed)
             return;
         append_one(point);
@@ -48,7 +48,7 @@ void BeamInput::append_one(const BeamInputPoint& point) {
 
 void BeamInput::forget_old() {
     while (!m_legs.empty() && (m_legs.front().end() < m_now - kept_seconds ||
-                               (m_legs.size() > most_legs && m_legs.front().end() < m_now)))
+                               (m_legs.size() > max_legs && m_legs.front().end() < m_now)))
         m_legs.pop_front();
 }
 
@@ -78,10 +78,10 @@ void BeamInput::wait_for_points(std::unique_lock<std::mutex>& lock, double until
         m_changed.wait(lock, is_done);
         return;
     }
-    const std::chrono::duration<double> patience(m_patience_seconds);
+    const std::chrono::duration<double> timeout(m_patience_seconds);
     while (!is_done()) {
         const double before = m_end;
-        if (m_changed.wait_for(lock, patience, [&] { return is_done() || m_end > before; }))
+        if (m_changed.wait_for(lock, timeout, [&] { return is_done() || m_end > before; }))
             continue;
         m_has_timed_out = m_has_ended = true;
     }

@@ -23,9 +23,9 @@ Result<std::unique_ptr<Signal>> make_beam_input(const Settings&, const SignalMed
 
 constexpr ChannelMap usual_map{.x = 1, .y = 2, .intensity = 3, .r = 4, .g = 5, .b = 6};
 
-std::vector<SettingFacts> format_settings() {
-    const UsedWhile is_raw{"format", {"f32le"}};
-    std::vector<SettingFacts> settings{
+std::vector<SettingInfo> format_settings() {
+    const SettingCondition is_raw{"format", {"f32le"}};
+    std::vector<SettingInfo> settings{
         choice_setting("format", "Format",
                        "text: one point per line, x y intensity [seconds [red green blue]]. f32le: "
                        "raw little-endian 32-bit floats.",
@@ -49,8 +49,8 @@ std::vector<SettingFacts> format_settings() {
          .step = 1,
          .initial = 2,
          .limit = {1, 64},
-         .used_while = is_raw}};
-    for (SettingFacts& setting : channel_settings(usual_map, is_raw)) {
+         .condition = is_raw}};
+    for (SettingInfo& setting : channel_settings(usual_map, is_raw)) {
         setting.help += " A channel that points don't have counts as none.";
         settings.push_back(std::move(setting));
     }
@@ -76,7 +76,7 @@ SignalKind stdin_kind() {
 }
 
 SignalKind socket_kind() {
-    std::vector<SettingFacts> settings = format_settings();
+    std::vector<SettingInfo> settings = format_settings();
     settings.insert(settings.begin(),
                     {.key = "path",
                      .label = "Socket",

@@ -50,11 +50,11 @@ std::vector<std::string_view> words_of(std::string_view line) {
 
 // A line can hold any bytes. The excerpt in a message stays on one line of a terminal.
 std::string shown(std::string_view word) {
-    constexpr std::size_t most = 40;
-    std::string text(word.substr(0, most));
+    constexpr std::size_t maximum = 40;
+    std::string text(word.substr(0, maximum));
     std::replace_if(
         text.begin(), text.end(), [](char letter) { return letter < 32 || letter > 126; }, '?');
-    return word.size() > most ? text + "..." : text;
+    return word.size() > maximum ? text + "..." : text;
 }
 
 Result<double> number_of(std::string_view word, const Range& range) {

@@ -11,16 +11,16 @@ class BeamStream : public SampleStream {
 public:
     explicit BeamStream(std::shared_ptr<const Signal> signal) : m_signal(std::move(signal)) {}
 
-    int rate() const override { return samples_a_second; }
+    int rate() const override { return samples_per_second; }
     std::int64_t length() const override { return endless; }
     bool loops() const override { return false; }
     bool is_live() const override { return false; }
     void read(std::int64_t first, std::span<StereoSample> samples) const override;
 
 private:
-    static constexpr int samples_a_second = 48000;
-    static constexpr std::int64_t blocks_a_second = 60;
-    static constexpr std::int64_t samples_a_block = samples_a_second / blocks_a_second;
+    static constexpr int samples_per_second = 48000;
+    static constexpr std::int64_t blocks_per_second = 60;
+    static constexpr std::int64_t samples_per_block = samples_per_second / blocks_per_second;
 
     const std::vector<float>& block(std::int64_t number) const;
 

@@ -137,9 +137,9 @@ Result<Drawing> parse_drawing(std::string_view text) {
     }
     if (drawing.keyframes.empty())
         return fail({{}, 0, "expected at least one keyframe, such as the empty one []"});
-    if (drawing.keyframes.size() > most_keyframes)
-        return fail({{}, 0, fmt::format("too many keyframes; the limit is {}", most_keyframes)});
-    if (point_count(drawing) > most_drawing_points)
-        return fail({{}, 0, fmt::format("too many points; the limit is {}", most_drawing_points)});
+    if (drawing.keyframes.size() > max_keyframes)
+        return fail({{}, 0, fmt::format("too many keyframes; the limit is {}", max_keyframes)});
+    if (point_count(drawing) > max_drawing_points)
+        return fail({{}, 0, fmt::format("too many points; the limit is {}", max_drawing_points)});
     return drawing;
 }

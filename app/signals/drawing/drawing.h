@@ -32,8 +32,8 @@ struct Drawing {
 };
 
 /// Limits of a drawing by hand.
-constexpr std::size_t most_drawing_points = 20000;
-constexpr std::size_t most_keyframes = 100;
+constexpr std::size_t max_drawing_points = 20000;
+constexpr std::size_t max_keyframes = 100;
 
 std::size_t point_count(const Drawing& drawing);
 bool has_strokes(const Drawing& drawing);

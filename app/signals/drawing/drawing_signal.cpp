@@ -46,11 +46,11 @@ public:
         return longest;
     }
 
-    std::size_t most_points() const {
-        std::size_t most = 0;
+    std::size_t max_points() const {
+        std::size_t maximum = 0;
         for (const auto& morphs : m_steps)
-            most = std::max(most, point_count(scene_of(morphs, 0.0)));
-        return most;
+            maximum = std::max(maximum, point_count(scene_of(morphs, 0.0)));
+        return maximum;
     }
 
 private:
@@ -120,27 +120,27 @@ Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const Sig
     if (!drawing)
         return fail(drawing.error());
     const MovingDrawing moving(*drawing, settings);
-    if (moving.most_points() > most_scene_points)
+    if (moving.max_points() > max_scene_points)
         return fail({{},
                      0,
                      fmt::format("drawing: too many points ({}); the limit is {}",
-                                 moving.most_points(), most_scene_points)});
+                                 moving.max_points(), max_scene_points)});
     const double seconds = moving.seconds();
     return make_changing_scene_signal({[moving](double time) { return moving.at(time); }, seconds},
                                       rate_of(settings));
 }
 
-std::vector<SettingFacts> keyframe_settings() {
-    SettingFacts play = choice_setting(
+std::vector<SettingInfo> keyframe_settings() {
+    SettingInfo play = choice_setting(
         "play", "Play",
         "Order of the keyframes. loop: restarts after the last. pingpong: back and forth. once: "
         "stays at the last. still: shows one keyframe.",
         {"loop", "pingpong", "once", "still"});
-    SettingFacts ease =
+    SettingInfo ease =
         choice_setting("ease", "Ease", "smooth: morphs start and end slowly. even: constant speed.",
                        {"smooth", "even"});
-    const UsedWhile moves{"play", {"loop", "pingpong", "once"}};
-    ease.used_while = moves;
+    const SettingCondition moves{"play", {"loop", "pingpong", "once"}};
+    ease.condition = moves;
     return in_group("Keyframes", {},
                     {std::move(play),
                      {.key = "keyframe",
@@ -150,8 +150,8 @@ std::vector<SettingFacts> keyframe_settings() {
                       .high = 10,
                       .step = 1,
                       .initial = 1,
-                      .limit = {1, static_cast<double>(most_keyframes)},
-                      .used_while = {"play", {"still"}}},
+                      .limit = {1, static_cast<double>(max_keyframes)},
+                      .condition = {"play", {"still"}}},
                      {.key = "hold",
                       .label = "Hold",
                       .unit = "s",
@@ -160,7 +160,7 @@ std::vector<SettingFacts> keyframe_settings() {
                       .high = 5,
                       .initial = 0.5,
                       .limit = {0, 3600},
-                      .used_while = moves},
+                      .condition = moves},
                      {.key = "morph",
                       .label = "Morph",
                       .unit = "s",
@@ -169,11 +169,11 @@ std::vector<SettingFacts> keyframe_settings() {
                       .high = 5,
                       .initial = 1,
                       .limit = {0, 3600},
-                      .used_while = moves},
+                      .condition = moves},
                      std::move(ease)});
 }
 
-std::vector<SettingFacts> beam_settings() {
+std::vector<SettingInfo> beam_settings() {
     return in_group("Beam", {},
                     {spin_setting(),
                      speed_setting(),
@@ -188,17 +188,17 @@ std::vector<SettingFacts> beam_settings() {
                      points_setting()});
 }
 
-std::vector<SettingFacts> drawing_settings() {
-    const UsedWhile has_file{"strokes", {""}};
-    SettingFacts size =
+std::vector<SettingInfo> drawing_settings() {
+    const SettingCondition has_file{"strokes", {""}};
+    SettingInfo size =
         size_setting(1.6, "Length of the longer side, for SVG files from other programs.");
-    size.used_while = has_file;
-    std::vector<SettingFacts> settings{
+    size.condition = has_file;
+    std::vector<SettingInfo> settings{
         {.key = "file",
          .label = "File",
          .help = "An SVG file. The beam follows its paths, lines and shapes.",
          .type = SettingType::text,
-         .used_while = has_file,
+         .condition = has_file,
          .may_be_empty = true},
         std::move(size),
         fit_setting(),

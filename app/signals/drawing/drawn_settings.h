@@ -5,7 +5,7 @@
 
 // Settings shared by the signals that draw paths.
 
-inline SettingFacts size_setting(double initial, std::string help) {
+inline SettingInfo size_setting(double initial, std::string help) {
     return {.key = "size",
             .label = "Size",
             .unit = "half screens",
@@ -16,7 +16,7 @@ inline SettingFacts size_setting(double initial, std::string help) {
             .limit = {0.001, 100}};
 }
 
-inline SettingFacts spin_setting() {
+inline SettingInfo spin_setting() {
     return {.key = "spin",
             .label = "Spin",
             .unit = "°/s",
@@ -26,7 +26,7 @@ inline SettingFacts spin_setting() {
             .limit = {-100000, 100000}};
 }
 
-inline SettingFacts speed_setting() {
+inline SettingInfo speed_setting() {
     return {.key = "beam_speed",
             .label = "Beam speed",
             .unit = "half screens/s",

@@ -5,7 +5,7 @@
 #include <numeric>
 
 std::size_t KeyframeOrder::steps() const {
-    return std::max<std::size_t>(1, keyframes.size() - (comes_round ? 0 : 1));
+    return std::max<std::size_t>(1, keyframes.size() - (loops ? 0 : 1));
 }
 
 KeyframeOrder::Moment KeyframeOrder::at(double seconds) const {
@@ -15,7 +15,7 @@ KeyframeOrder::Moment KeyframeOrder::at(double seconds) const {
     const double gone = std::max(seconds, 0.0);
     const double step = std::floor(gone / step_seconds);
     const auto count = static_cast<double>(steps());
-    if (!comes_round && step >= count)
+    if (!loops && step >= count)
         return {steps() - 1, 1.0};
     const double within = gone - step * step_seconds - hold_seconds;
     const double even = within > 0.0 ? std::min(within / morph_seconds, 1.0) : 0.0;
@@ -31,7 +31,7 @@ KeyframeOrder order_of(KeyframePlay play, std::size_t count, std::size_t still_a
     }
     order.keyframes.resize(count);
     std::iota(order.keyframes.begin(), order.keyframes.end(), std::size_t{0});
-    order.comes_round = play != KeyframePlay::once;
+    order.loops = play != KeyframePlay::once;
     if (play == KeyframePlay::back_and_forth)
         for (std::size_t i = count - 1; i-- > 1;)
             order.keyframes.push_back(i);

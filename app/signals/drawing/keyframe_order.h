@@ -14,7 +14,7 @@ enum class KeyframePlay {
 /// The timing of keyframes: each is held, then morphs into the next.
 struct KeyframeOrder {
     std::vector<std::size_t> keyframes;  // in playback order; never empty
-    bool comes_round = false;            // the first follows the last
+    bool loops = false;                  // the first follows the last
     double hold_seconds = 0.0;
     double morph_seconds = 0.0;
     bool is_eased = true;  // smoothstep, 3 x^2 - 2 x^3

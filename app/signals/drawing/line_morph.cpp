@@ -65,19 +65,19 @@ Line begun_at(const Line& line, std::size_t corner) {
 // Rotates the closed line `to`, reversed if needed, for the smallest distance to `from`.
 Line aligned(const Line& from, const Line& to) {
     constexpr std::size_t samples = 48;
-    constexpr std::size_t most_tries = 64;
+    constexpr std::size_t max_tries = 64;
     constexpr double clearly = 1.0 - 1e-9;  // as drawn, unless another is better
     const Line positions = positions_at(from, even_shares(samples));
-    const std::size_t stride = std::max<std::size_t>(1, (to.size() - 1) / most_tries);
+    const std::size_t stride = std::max<std::size_t>(1, (to.size() - 1) / max_tries);
     Line best = to;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const bool is_backwards : {false, true}) {
         const Line line = is_backwards ? Line(to.rbegin(), to.rend()) : to;
         for (std::size_t corner = 0; corner + 1 < line.size(); corner += stride) {
             Line rotated = begun_at(line, corner);
             const double way = way_between(positions, positions_at(rotated, even_shares(samples)));
-            if (way < least * clearly) {
-                least = way;
+            if (way < minimum * clearly) {
+                minimum = way;
                 best = std::move(rotated);
             }
         }
@@ -123,24 +123,24 @@ using Partners = std::vector<std::optional<std::size_t>>;
 // least[i][j] is that distance for the first i of `fewer` and the first j of `more`.
 Partners nearest_partners(const std::vector<Line>& fewer, const std::vector<Line>& more) {
     constexpr double never = std::numeric_limits<double>::infinity();
-    std::vector<std::vector<double>> least(fewer.size() + 1,
-                                           std::vector<double>(more.size() + 1, never));
-    least[0].assign(more.size() + 1, 0.0);
+    std::vector<std::vector<double>> minimum(fewer.size() + 1,
+                                             std::vector<double>(more.size() + 1, never));
+    minimum[0].assign(more.size() + 1, 0.0);
     for (std::size_t i = 1; i <= fewer.size(); ++i)
         for (std::size_t j = i; j <= more.size(); ++j)
-            least[i][j] = std::min(least[i][j - 1],
-                                   least[i - 1][j - 1] + way_apart(fewer[i - 1], more[j - 1]));
+            minimum[i][j] = std::min(minimum[i][j - 1],
+                                     minimum[i - 1][j - 1] + way_apart(fewer[i - 1], more[j - 1]));
     Partners partners(more.size());
     std::size_t i = fewer.size();
     for (std::size_t j = more.size(); j > 0 && i > 0; --j)
-        if (least[i][j] < least[i][j - 1])
+        if (minimum[i][j] < minimum[i][j - 1])
             partners[j - 1] = --i;
     return partners;
 }
 
 Partners partners_of(const Keyframe& fewer, const Keyframe& more) {
-    constexpr std::size_t most_tries = 100000;  // limits the delay
-    if (fewer.size() < more.size() && fewer.size() * more.size() <= most_tries)
+    constexpr std::size_t max_tries = 100000;  // limits the delay
+    if (fewer.size() < more.size() && fewer.size() * more.size() <= max_tries)
         return nearest_partners(sampled(fewer), sampled(more));
     Partners partners(more.size());
     for (std::size_t i = 0; i < fewer.size(); ++i)

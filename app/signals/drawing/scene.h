@@ -55,7 +55,7 @@ struct BeamScene {
 };
 
 /// More points than a beam could draw at a visible refresh rate.
-constexpr std::size_t most_scene_points = 400000;
+constexpr std::size_t max_scene_points = 400000;
 
 std::size_t point_count(const BeamScene& scene);
 

@@ -248,11 +248,11 @@ std::size_t point_count(const BeamScene& scene) {
 
 Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScene> scene,
                                                   double rate) {
-    if (point_count(*scene) > most_scene_points)
+    if (point_count(*scene) > max_scene_points)
         return fail({{},
                      0,
                      fmt::format("too many points ({}); the limit is {}", point_count(*scene),
-                                 most_scene_points)});
+                                 max_scene_points)});
     auto signal = std::make_unique<SceneSignal>(std::move(scene), rate);
     const auto& legs = signal->table().legs();
     const bool draws =

@@ -43,9 +43,9 @@ std::array<int, 2> box(int index, int count, int length) {
 }  // namespace
 
 ScenePath arc_path(double radius, double from_degrees, double to_degrees) {
-    constexpr double degrees_a_step = 3.0;
+    constexpr double degrees_per_step = 3.0;
     const int steps = std::max(
-        1, static_cast<int>(std::ceil(std::abs(to_degrees - from_degrees) / degrees_a_step)));
+        1, static_cast<int>(std::ceil(std::abs(to_degrees - from_degrees) / degrees_per_step)));
     ScenePath path{{}, true};
     for (int i = 0; i <= steps; ++i)
         path.points.push_back(

@@ -1,7 +1,7 @@
 #include "signals/drawing/stroke_font.h"
 
 #include "base/text.h"
-#include "signals/drawing/marked_letters.h"
+#include "signals/drawing/accented_letters.h"
 
 #include <algorithm>
 #include <array>
@@ -165,7 +165,7 @@ void add_letter(char32_t character, double x, double y, double unit,
     constexpr double mark_room_below = 2.0;
     if (character == ' ')
         return;
-    const auto marked = find_marked_letter(character);
+    const auto marked = find_accented_letter(character);
     const char32_t plain = marked && marked->base != 0
                                ? static_cast<char32_t>(static_cast<unsigned char>(marked->base))
                                : character;
@@ -221,7 +221,7 @@ std::string missing_letters(std::string_view text) {
     for (const char32_t character : characters_of(text)) {
         const char32_t capital = is_small(character) ? character - 'a' + 'A' : character;
         const bool is_known = character == ' ' || character == '\n' || find_glyph(capital) ||
-                              find_marked_letter(character);
+                              find_accented_letter(character);
         if (is_known || std::find(reported.begin(), reported.end(), character) != reported.end())
             continue;
         reported.push_back(character);

@@ -99,7 +99,7 @@ std::vector<CurveSpan> curve_of(const Stroke& stroke) {
 
 std::vector<BeamPosition> line_of(const Stroke& stroke) {
     constexpr double step = 0.015;  // half screens: corners of the curve are not visible
-    constexpr double most_steps = 32.0;
+    constexpr double max_steps = 32.0;
     std::vector<BeamPosition> line = without_repeats(stroke);
     if (!stroke.is_smooth) {
         if (stroke.is_closed && line.size() > 1)
@@ -109,7 +109,7 @@ std::vector<BeamPosition> line_of(const Stroke& stroke) {
     line.resize(std::min<std::size_t>(line.size(), 1));
     for (const CurveSpan& span : curve_of(stroke)) {
         const double steps =
-            std::clamp(std::ceil(distance(span[0], span[3]) / step), 2.0, most_steps);
+            std::clamp(std::ceil(distance(span[0], span[3]) / step), 2.0, max_steps);
         for (double i = 1.0; i < steps; i += 1.0)
             line.push_back(position_on(span, i / steps));
         line.push_back(span[3]);
@@ -127,11 +127,11 @@ std::vector<BeamPosition> simplified(const std::vector<BeamPosition>& points, do
         const auto [first, last] = open.back();
         open.pop_back();
         std::size_t farthest = first;
-        double most = tolerance;
+        double maximum = tolerance;
         for (std::size_t i = first + 1; i < last; ++i) {
             const double away = distance_to_piece(points[i], points[first], points[last]);
-            if (away > most) {
-                most = away;
+            if (away > maximum) {
+                maximum = away;
                 farthest = i;
             }
         }

@@ -20,5 +20,5 @@ std::vector<BeamPosition> simplified(const std::vector<BeamPosition>& points, do
 
 double distance(const BeamPosition& a, const BeamPosition& b);
 double length_of(const std::vector<BeamPosition>& line);
-/// The distance of a place from the nearest point of a line.
+/// The distance of a position from the nearest point of a line.
 double distance_to_line(const BeamPosition& position, const std::vector<BeamPosition>& line);

@@ -60,7 +60,7 @@ private:
     double m_fastest;
 };
 
-SettingFacts frequency_setting(std::string key, std::string label, double initial) {
+SettingInfo frequency_setting(std::string key, std::string label, double initial) {
     return {.key = std::move(key),
             .label = std::move(label),
             .unit = "per 1/60 s",

@@ -37,12 +37,12 @@ struct FrequencyModulation : Carrier {
     double turns;
 };
 
-SettingFacts modulator_setting(double initial) {
+SettingInfo modulator_setting(double initial) {
     return periods_setting("modulator", "Modulator", "Periods of the slow wave across the screen.",
                            initial);
 }
 
-SettingFacts carrier_setting(double initial) {
+SettingInfo carrier_setting(double initial) {
     return periods_setting("carrier", "Carrier", "Periods of the fast wave across the screen.",
                            initial);
 }

@@ -1,6 +1,6 @@
 #include "signals/generators/one_channel.h"
 
-SettingFacts periods_setting(std::string key, std::string label, std::string help, double initial) {
+SettingInfo periods_setting(std::string key, std::string label, std::string help, double initial) {
     return {.key = std::move(key),
             .label = std::move(label),
             .unit = "per 1/60 s",
@@ -12,7 +12,7 @@ SettingFacts periods_setting(std::string key, std::string label, std::string hel
             .limit = {0.001, 10000}};
 }
 
-std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own) {
+std::vector<SettingInfo> one_channel_settings(std::vector<SettingInfo> own) {
     own.push_back(amplitude_setting(0.8));
     own.push_back({.key = "speed",
                    .label = "Scroll",
@@ -21,7 +21,7 @@ std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own) {
                    .low = -1,
                    .high = 1,
                    .limit = {-1000, 1000},
-                   .used_while = {"mode", {"yt"}}});
+                   .condition = {"mode", {"yt"}}});
     own.push_back(
         {.key = "mode",
          .label = "Mode",

@@ -52,7 +52,7 @@ Result<std::unique_ptr<Signal>> make_one_channel(const Settings& settings, const
 }
 
 /// A frequency in periods across the screen.
-SettingFacts periods_setting(std::string key, std::string label, std::string help, double initial);
+SettingInfo periods_setting(std::string key, std::string label, std::string help, double initial);
 
 /// The kind's own settings, then the settings that OneChannel reads.
-std::vector<SettingFacts> one_channel_settings(std::vector<SettingFacts> own);
+std::vector<SettingInfo> one_channel_settings(std::vector<SettingInfo> own);

@@ -61,22 +61,22 @@ std::unique_ptr<Sweeps> sweeps_of(const ScopeControls& controls,
     const double sweep = controls.sweep_seconds();
     const double busy = sweep + trigger.holdoff_seconds;
     if (trigger.mode == Trigger::Mode::off)
-        return std::make_unique<EvenSweeps>(0.0, sweep * rate, sweep * rate);
+        return std::make_unique<PeriodicSweeps>(0.0, sweep * rate, sweep * rate);
     const std::size_t shown = inputs[0].is_on() ? 0 : 1;
     const std::size_t watched =
         trigger.source == 0 ? shown : static_cast<std::size_t>(trigger.source - 1);
     const Generator& source = inputs[watched];
     const auto first = first_trigger(source, controls.channels[watched], trigger);
     if (!first && trigger.mode == Trigger::Mode::automatic)
-        return std::make_unique<EvenSweeps>(0.0, busy * rate, sweep * rate);
+        return std::make_unique<PeriodicSweeps>(0.0, busy * rate, sweep * rate);
     if (!first)
         return std::make_unique<NoSweeps>();
     double period = busy;
     if (source.shape != Shape::noise)
         period = std::ceil(busy * source.hertz - 1e-6) / source.hertz;
     if (trigger.mode == Trigger::Mode::single)
-        period = EvenSweeps::once;
-    return std::make_unique<EvenSweeps>(*first * rate, period * rate, sweep * rate);
+        period = PeriodicSweeps::once;
+    return std::make_unique<PeriodicSweeps>(*first * rate, period * rate, sweep * rate);
 }
 
 class Waveform : public Signal {
@@ -98,15 +98,15 @@ public:
 private:
     Waveform(const Settings& settings, const ScopeControls& controls,
              std::array<Generator, 2> inputs)
-        : m_inputs(plugged(controls, inputs)),
+        : m_inputs(routed(controls, inputs)),
           m_scope(controls, {m_inputs[0].is_on(), m_inputs[1].is_on()},
                   settings.number("points") * 60.0 / traces(controls, m_inputs)),
           m_sweeps(sweeps_of(controls, m_inputs, m_scope.rate())),
           m_scroll(settings.number("speed")),
           m_is_xy(controls.is_xy) {}
 
-    static std::array<Generator, 2> plugged(const ScopeControls& controls,
-                                            std::array<Generator, 2> inputs) {
+    static std::array<Generator, 2> routed(const ScopeControls& controls,
+                                           std::array<Generator, 2> inputs) {
         if (controls.is_swapped)
             std::swap(inputs[0], inputs[1]);
         for (std::size_t i = 0; i < 2; ++i)
@@ -124,9 +124,9 @@ private:
     bool m_is_xy;
 };
 
-std::vector<SettingFacts> generator_settings(const std::string& number, const std::string& shape,
-                                             double frequency) {
-    SettingFacts shapes =
+std::vector<SettingInfo> generator_settings(const std::string& number, const std::string& shape,
+                                            double frequency) {
+    SettingInfo shapes =
         choice_setting("ch" + number, "Shape", "Shape of the wave.", shape_names());
     shapes.initial_word = shape;
     return {shapes,
@@ -156,7 +156,7 @@ std::vector<SettingFacts> generator_settings(const std::string& number, const st
              .limit = {-1000, 1000}}};
 }
 
-std::vector<SettingFacts> shared_settings() {
+std::vector<SettingInfo> shared_settings() {
     return {choice_setting("per", "Frequency unit",
                            "frame: periods per 1/60 s, so whole numbers stand still. second: Hz.",
                            {"frame", "second"}),
@@ -178,8 +178,8 @@ std::vector<SettingFacts> shared_settings() {
             points_setting()};
 }
 
-std::vector<SettingFacts> all_settings() {
-    std::vector<SettingFacts> settings{choice_setting(
+std::vector<SettingInfo> all_settings() {
+    std::vector<SettingInfo> settings{choice_setting(
         "mode", "Mode", "yt: traces over time. xy: channel 1 horizontal, channel 2 vertical.",
         {"yt", "xy"})};
     for (auto part : {in_group("Wave 1", {}, generator_settings("1", "sine", 2)),

@@ -14,7 +14,7 @@ constexpr int cell_width = 8;    // dots
 constexpr int cell_height = 10;  // dots
 constexpr Color head_color{0.65f, 1.0f, 0.75f};
 constexpr Color trail_color{0.10f, 0.85f, 0.24f};
-constexpr int drops_in_a_column = 2;
+constexpr int drops_per_column = 2;
 
 /// A run of glyphs that falls down a column repeatedly.
 struct Drop {
@@ -26,7 +26,7 @@ struct Drop {
 };
 
 Drop drop_of(std::uint32_t column, std::uint32_t index, int rows) {
-    const auto share = [&](std::uint32_t which) { return share_of(column, index, which); };
+    const auto share = [&](std::uint32_t which) { return hash_to_unit(column, index, which); };
     Drop drop;
     drop.speed = 5.0 + 11.0 * share(0) * share(0);
     drop.length = rows * (0.25 + 0.55 * share(1));
@@ -42,7 +42,7 @@ struct Glow {
     float head = 0.0f;
 };
 
-Glow glow_at(const std::array<Drop, drops_in_a_column>& drops, int row, double seconds) {
+Glow glow_at(const std::array<Drop, drops_per_column>& drops, int row, double seconds) {
     Glow glow;
     for (const Drop& drop : drops) {
         const double head = std::fmod(drop.begin + drop.speed * seconds, drop.way);
@@ -60,8 +60,8 @@ Glow glow_at(const std::array<Drop, drops_in_a_column>& drops, int row, double s
 
 // The glyph of a cell changes about once per second, at times that differ between cells.
 char glyph_at(std::uint32_t column, std::uint32_t row, double seconds) {
-    const double pace = 0.4 + 1.6 * share_of(column, row, 11);
-    const double turn = std::floor(seconds * pace + share_of(column, row, 12));
+    const double pace = 0.4 + 1.6 * hash_to_unit(column, row, 11);
+    const double turn = std::floor(seconds * pace + hash_to_unit(column, row, 12));
     constexpr int glyphs = 60;  // from '!' on: punctuation, digits, capitals
     return static_cast<char>('!' +
                              hash_of(column, row, 100 + static_cast<std::uint32_t>(turn)) % glyphs);
@@ -99,8 +99,8 @@ void draw_rain(Picture& picture, double seconds) {
     const Layout layout = layout_of(picture.extent);
     for (int column = 0; column < layout.columns; ++column) {
         const auto key = static_cast<std::uint32_t>(column);
-        std::array<Drop, drops_in_a_column> drops;
-        for (std::uint32_t i = 0; i < drops_in_a_column; ++i)
+        std::array<Drop, drops_per_column> drops;
+        for (std::uint32_t i = 0; i < drops_per_column; ++i)
             drops[i] = drop_of(key, i, layout.rows);
         for (int row = 0; row < layout.rows; ++row) {
             const Glow glow = glow_at(drops, row, seconds);

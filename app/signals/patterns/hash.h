@@ -16,6 +16,6 @@ inline std::uint32_t hash_of(std::uint32_t a, std::uint32_t b = 0, std::uint32_t
 }
 
 /// hash_of() scaled to 0 <= n < 1.
-inline double share_of(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
+inline double hash_to_unit(std::uint32_t a, std::uint32_t b = 0, std::uint32_t c = 0) {
     return hash_of(a, b, c) / 4294967296.0;
 }

@@ -28,13 +28,14 @@ float in_bytes(double share) {
 
 Picture draw_noise(Extent extent, double) {
     return pattern_of_texels(extent, 4, [](int x, int y, int channel) {
-        return in_bytes(share_of(number(x), number(y), number(channel)));
+        return in_bytes(hash_to_unit(number(x), number(y), number(channel)));
     });
 }
 
 Picture draw_grey_noise(Extent extent, double) {
-    return pattern_of_texels(
-        extent, 3, [](int x, int y, int) { return in_bytes(share_of(number(x), number(y), 4)); });
+    return pattern_of_texels(extent, 3, [](int x, int y, int) {
+        return in_bytes(hash_to_unit(number(x), number(y), 4));
+    });
 }
 
 // Two fractal noise fields; one distorts the other.

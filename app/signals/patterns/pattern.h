@@ -5,7 +5,7 @@
 
 /// A pattern and its draw function.
 struct Pattern {
-    PatternFacts facts;
+    PatternInfo info;
     Extent initial;  // default size
     /// `seconds` since the start; only moving patterns read it. Deterministic.
     Picture (*draw)(Extent extent, double seconds);

@@ -28,7 +28,7 @@ const std::vector<Pattern>& patterns() {
 
 const Pattern* find_pattern(std::string_view name) {
     const auto found = std::ranges::find_if(
-        patterns(), [&](const Pattern& pattern) { return pattern.facts.name == name; });
+        patterns(), [&](const Pattern& pattern) { return pattern.info.name == name; });
     return found == patterns().end() ? nullptr : &*found;
 }
 
@@ -56,7 +56,7 @@ Picture woven(const Pattern& pattern, Extent extent, double seconds) {
         return pattern.draw(extent, static_cast<double>(number) / fields);
     };
     Picture picture = drawn(field);
-    if (!pattern.facts.moves || field <= 0)
+    if (!pattern.info.moves || field <= 0)
         return picture;
     const Picture before = drawn(field - 1);
     const std::size_t row = picture.index(0, 1);
@@ -67,14 +67,14 @@ Picture woven(const Pattern& pattern, Extent extent, double seconds) {
 }
 }  // namespace
 
-const std::vector<PatternFacts>& all_patterns() {
-    static const std::vector<PatternFacts> facts = [] {
-        std::vector<PatternFacts> list;
+const std::vector<PatternInfo>& all_patterns() {
+    static const std::vector<PatternInfo> info = [] {
+        std::vector<PatternInfo> list;
         for (const Pattern& pattern : patterns())
-            list.push_back(pattern.facts);
+            list.push_back(pattern.info);
         return list;
     }();
-    return facts;
+    return info;
 }
 
 std::string_view pattern_name(std::string_view text) {
@@ -99,7 +99,7 @@ Result<Picture> make_pattern(std::string_view text, double seconds) {
     if (!pattern) {
         std::vector<std::string> names;
         for (const Pattern& known : patterns())
-            names.push_back(known.facts.name);
+            names.push_back(known.info.name);
         const std::string guess = did_you_mean(name, names);
         return fail({{},
                      0,
@@ -121,5 +121,5 @@ Result<Picture> make_pattern(std::string_view text, double seconds) {
 
 bool is_moving_pattern(std::string_view text) {
     const Pattern* pattern = find_pattern(pattern_name(text));
-    return pattern && pattern->facts.moves;
+    return pattern && pattern->info.moves;
 }

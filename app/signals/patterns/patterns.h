@@ -11,14 +11,14 @@
 #include <vector>
 
 /// A generated test picture.
-struct PatternFacts {
+struct PatternInfo {
     std::string name;
     std::string label;
     std::string help;
     bool moves = false;  // depends on time
 };
 
-const std::vector<PatternFacts>& all_patterns();
+const std::vector<PatternInfo>& all_patterns();
 
 /// Size of a picture and whether it is interlaced: 60 fields per second, each replacing every other
 /// row, upper field first, as consoles output it.

@@ -53,8 +53,8 @@ void draw_sky(PixelCanvas& canvas, int tick) {
             canvas.dithered(x, y, steps[step], steps[step + 1], down - static_cast<double>(step));
         }
     for (std::uint32_t i = 0; i < 70; ++i) {
-        const int x = static_cast<int>(320.0 * share_of(i, 1));
-        const int y = static_cast<int>(72.0 * share_of(i, 2) * share_of(i, 3));
+        const int x = static_cast<int>(320.0 * hash_to_unit(i, 1));
+        const int y = static_cast<int>(72.0 * hash_to_unit(i, 2) * hash_to_unit(i, 3));
         const bool twinkles = (tick / 2 + static_cast<int>(hash_of(i, 4) % 11)) % 11 == 0;
         canvas.set(x, y, twinkles ? plum : i % 3 == 0 ? cream : foam);
     }
@@ -94,8 +94,8 @@ double ridge(double x, std::uint32_t key) {
         const double position = x / step;
         const auto left = static_cast<std::uint32_t>(position);
         const double part = position - left;
-        const double low = share_of(left, key, static_cast<std::uint32_t>(step));
-        const double high = share_of(left + 1, key, static_cast<std::uint32_t>(step));
+        const double low = hash_to_unit(left, key, static_cast<std::uint32_t>(step));
+        const double high = hash_to_unit(left + 1, key, static_cast<std::uint32_t>(step));
         height += scale * (low + (high - low) * part);
     }
     return height;
@@ -124,9 +124,9 @@ void draw_sea(PixelCanvas& canvas, int tick) {
         const int length = 3 + static_cast<int>(9.0 * down);
         for (int i = 0; i < 11; ++i) {
             const auto key = static_cast<std::uint32_t>(y * 16 + i);
-            if (share_of(key, static_cast<std::uint32_t>(tick / 3)) > 0.34)
+            if (hash_to_unit(key, static_cast<std::uint32_t>(tick / 3)) > 0.34)
                 continue;
-            const int x = static_cast<int>(340.0 * share_of(key, 5)) - 10 + tick / 3 % 2;
+            const int x = static_cast<int>(340.0 * hash_to_unit(key, 5)) - 10 + tick / 3 % 2;
             for (int column = 0; column < length; ++column)
                 canvas.set(x + column, y, i % 4 == 0 ? plum : sea);
         }
@@ -135,8 +135,8 @@ void draw_sea(PixelCanvas& canvas, int tick) {
         for (int i = 0; i < 9; ++i) {
             const auto key = static_cast<std::uint32_t>(y * 32 + i);
             const auto now = static_cast<std::uint32_t>(tick / 2);
-            const double off = share_of(key, now) + share_of(key, now, 1) - 1.0;
-            if (share_of(key, now, 2) < 0.25 + 0.4 * down)
+            const double off = hash_to_unit(key, now) + hash_to_unit(key, now, 1) - 1.0;
+            if (hash_to_unit(key, now, 2) < 0.25 + 0.4 * down)
                 continue;
             const int x = 118 + static_cast<int>(spread * off);
             for (int column = 0; column < length; ++column)
@@ -281,12 +281,12 @@ void draw_quay(PixelCanvas& canvas) {
             if (is_joint)
                 canvas.set(x, y, night);
             else
-                canvas.dithered(x, y, share_of(brick) < 0.5 ? shade : stone, shade,
+                canvas.dithered(x, y, hash_to_unit(brick) < 0.5 ? shade : stone, shade,
                                 0.35 + 0.016 * (y - quay));
         }
     canvas.rectangle(0, quay, canvas.width(), 1, rose);  // light on the edge
     for (int x = 0; x < canvas.width(); ++x)
-        if (share_of(static_cast<std::uint32_t>(x), 77) < 0.3)
+        if (hash_to_unit(static_cast<std::uint32_t>(x), 77) < 0.3)
             canvas.set(x, quay + 1, orange);
 }
 

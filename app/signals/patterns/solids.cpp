@@ -60,7 +60,7 @@ Picture make_volume(bool is_grey) {
     for (std::uint32_t texel = 0; texel < texels; ++texel)
         for (std::uint32_t channel = 0; channel < 4; ++channel)
             picture.pixels.push_back(static_cast<float>(
-                std::floor(share_of(texel, is_grey ? 0 : channel, 3) * 256.0) / 255.0));
+                std::floor(hash_to_unit(texel, is_grey ? 0 : channel, 3) * 256.0) / 255.0));
     return picture;
 }
 }  // namespace

@@ -25,7 +25,7 @@ double tiled_noise(const std::array<double, 3>& position, int cells, std::uint32
     const Along y = cell_along(position[1], cells);
     const Along z = cell_along(position[2], cells);
     const auto corner = [&](std::uint32_t cx, std::uint32_t cy, std::uint32_t cz) {
-        return share_of(cx, cy, hash_of(cz, seed));
+        return hash_to_unit(cx, cy, hash_of(cz, seed));
     };
     const auto row = [&](std::uint32_t cy, std::uint32_t cz) {
         return std::lerp(corner(x.before, cy, cz), corner(x.after, cy, cz), x.share);

@@ -32,7 +32,7 @@ int trigger_source(std::string_view word) {
     return word == "1" ? 1 : 2;
 }
 
-std::vector<SettingFacts> channel_settings(const std::string& number) {
+std::vector<SettingInfo> channel_settings(const std::string& number) {
     return {
         {.key = "v" + number,
          .label = "Vertical scale",
@@ -57,34 +57,34 @@ std::vector<SettingFacts> channel_settings(const std::string& number) {
         choice_setting("invert" + number, "Invert", "on: inverts the channel.", {"off", "on"})};
 }
 
-std::vector<SettingFacts> vertical_settings(const UsedWhile& on_a_scope) {
-    std::vector<SettingFacts> settings = in_group("Channel 1", on_a_scope, channel_settings("1"));
-    std::vector<SettingFacts> second = channel_settings("2");
+std::vector<SettingInfo> vertical_settings(const SettingCondition& on_a_scope) {
+    std::vector<SettingInfo> settings = in_group("Channel 1", on_a_scope, channel_settings("1"));
+    std::vector<SettingInfo> second = channel_settings("2");
     second.push_back(choice_setting(
         "swap", "Swap inputs", "on: exchanges the inputs of channels 1 and 2.", {"off", "on"}));
-    for (SettingFacts& setting : in_group("Channel 2", on_a_scope, std::move(second)))
+    for (SettingInfo& setting : in_group("Channel 2", on_a_scope, std::move(second)))
         settings.push_back(std::move(setting));
     return settings;
 }
 
-std::vector<SettingFacts> horizontal_settings(const ScopeFacts& facts) {
+std::vector<SettingInfo> horizontal_settings(const ScopeInfo& info) {
     return {{.key = "sdiv",
              .label = "Time base",
              .unit = "s/div",
              .help = "Seconds per division. A sweep is 10 divisions long.",
-             .low = std::max(1e-5, facts.shortest_division),
+             .low = std::max(1e-5, info.shortest_division),
              .high = 1,
-             .initial = facts.seconds_per_division,
+             .initial = info.seconds_per_division,
              .logarithmic = true,
-             .limit = {facts.shortest_division, 100}},
+             .limit = {info.shortest_division, 100}},
             choice_setting("layout", "Trace layout",
                            "split: each trace gets half of the screen, so a graticule division "
                            "counts double. overlaid: both traces share the whole screen.",
                            {"split", "overlaid"})};
 }
 
-std::vector<SettingFacts> trigger_settings(const ScopeFacts& facts) {
-    std::vector<SettingFacts> settings{
+std::vector<SettingInfo> trigger_settings(const ScopeInfo& info) {
+    std::vector<SettingInfo> settings{
         choice_setting(
             "trigger", "Trigger",
             "auto: sweeps on each trigger, or without one after 0.1 s. normal: waits for a "
@@ -110,7 +110,7 @@ std::vector<SettingFacts> trigger_settings(const ScopeFacts& facts) {
          .low = 0,
          .high = 0.5,
          .limit = {0, 100}}};
-    settings.front().initial_word = facts.first_trigger;
+    settings.front().initial_word = info.first_trigger;
     return settings;
 }
 }  // namespace
@@ -128,13 +128,13 @@ ScopeControls scope_controls(const Settings& settings) {
                         .holdoff_seconds = settings.number("holdoff")}};
 }
 
-std::vector<SettingFacts> scope_settings(const ScopeFacts& facts) {
-    const UsedWhile on_a_scope{"mode", facts.scope_modes};
-    const UsedWhile over_time{"mode", facts.yt_modes};
-    std::vector<SettingFacts> all = vertical_settings(on_a_scope);
-    for (SettingFacts& setting : in_group("Horizontal", over_time, horizontal_settings(facts)))
+std::vector<SettingInfo> scope_settings(const ScopeInfo& info) {
+    const SettingCondition on_a_scope{"mode", info.scope_modes};
+    const SettingCondition over_time{"mode", info.yt_modes};
+    std::vector<SettingInfo> all = vertical_settings(on_a_scope);
+    for (SettingInfo& setting : in_group("Horizontal", over_time, horizontal_settings(info)))
         all.push_back(std::move(setting));
-    for (SettingFacts& setting : in_group("Trigger", over_time, trigger_settings(facts)))
+    for (SettingInfo& setting : in_group("Trigger", over_time, trigger_settings(info)))
         all.push_back(std::move(setting));
     return all;
 }

@@ -50,7 +50,7 @@ struct ScopeControls {
 ScopeControls scope_controls(const Settings& settings);
 
 /// Differences between the scopes of the kinds of signal.
-struct ScopeFacts {
+struct ScopeInfo {
     std::vector<std::string> yt_modes;          // values of `mode` that show traces over time
     std::vector<std::string> scope_modes;       // values of `mode` that use the scope
     double seconds_per_division = 1.0 / 600.0;  // default
@@ -59,4 +59,4 @@ struct ScopeFacts {
 };
 
 /// The settings of a scope: vertical, horizontal, trigger.
-std::vector<SettingFacts> scope_settings(const ScopeFacts& facts);
+std::vector<SettingInfo> scope_settings(const ScopeInfo& info);

@@ -15,7 +15,7 @@ std::int64_t Sweep::end() const {
     return std::min(sample_after(start + length), cut);
 }
 
-std::optional<Sweep> EvenSweeps::latest(std::int64_t sample) const {
+std::optional<Sweep> PeriodicSweeps::latest(std::int64_t sample) const {
     const double before = static_cast<double>(sample + 1) - rounding - m_start;
     if (before <= 0.0)
         return std::nullopt;

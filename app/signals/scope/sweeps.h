@@ -30,11 +30,11 @@ public:
 };
 
 /// Sweeps with a constant period.
-class EvenSweeps : public Sweeps {
+class PeriodicSweeps : public Sweeps {
 public:
     static constexpr double once = 0.0;  // as a period: a single sweep
 
-    EvenSweeps(double start, double period, double length)
+    PeriodicSweeps(double start, double period, double length)
         : m_start(start), m_period(period), m_length(length) {}
 
     std::optional<Sweep> latest(std::int64_t sample) const override;

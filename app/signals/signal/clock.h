@@ -15,7 +15,7 @@ struct TimeSpan {
 TimeSpan frame_span(std::int64_t frame, double fps);
 
 /// A range of sample numbers from 0: first .. end - 1.
-struct Instants {
+struct SampleRange {
     std::int64_t first = 0;
     std::int64_t end = 0;
 
@@ -25,4 +25,4 @@ struct Instants {
 /// The samples of a stream whose instants lie in the span. Sample k has the instant (k + 1) / rate.
 /// Adjoining spans share no sample and skip none, even when their common end was computed in two
 /// ways that differ by rounding.
-Instants instants_in(const TimeSpan& span, double rate);
+SampleRange samples_in(const TimeSpan& span, double rate);

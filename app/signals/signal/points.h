@@ -25,14 +25,14 @@ struct PointStream {
 template <class PointAt>
 void trace_points(const TimeSpan& span, const PointStream& stream, Beam& beam,
                   const PointAt& point_at) {
-    const Instants instants = instants_in(span, stream.rate);
-    const std::int64_t end = std::min(instants.end, stream.count);
-    if (end <= instants.first)
+    const SampleRange samples = samples_in(span, stream.rate);
+    const std::int64_t end = std::min(samples.end, stream.count);
+    if (end <= samples.first)
         return;
     const double seconds_per_point = 1.0 / stream.rate;
     std::size_t index = beam.size();
-    beam.resize(index + static_cast<std::size_t>(end - instants.first));
-    for (std::int64_t k = instants.first; k < end; ++k) {
+    beam.resize(index + static_cast<std::size_t>(end - samples.first));
+    for (std::int64_t k = samples.first; k < end; ++k) {
         BeamPoint point = point_at(k);
         const double age = span.end - static_cast<double>(k + 1) * seconds_per_point;
         point.age_seconds = static_cast<float>(std::max(age, 0.0));
@@ -56,7 +56,7 @@ inline SweepPoint sweep_point(std::int64_t index, std::int64_t length, double ch
 }
 
 /// The setting for the number of points along a generator's path.
-inline SettingFacts points_setting() {
+inline SettingInfo points_setting() {
     return {.key = "points",
             .label = "Points",
             .unit = "per 1/60 s",
@@ -69,7 +69,7 @@ inline SettingFacts points_setting() {
             .limit = {16, 262144}};
 }
 
-inline SettingFacts amplitude_setting(double initial) {
+inline SettingInfo amplitude_setting(double initial) {
     return {.key = "amplitude",
             .label = "Amplitude",
             .unit = "half screens",

@@ -4,22 +4,22 @@
 
 #include <algorithm>
 
-const SettingFacts* find_setting(const SignalKind& kind, std::string_view key) {
+const SettingInfo* find_setting(const SignalKind& kind, std::string_view key) {
     const auto found = std::find_if(kind.settings.begin(), kind.settings.end(),
-                                    [&](const SettingFacts& known) { return known.key == key; });
+                                    [&](const SettingInfo& known) { return known.key == key; });
     return found == kind.settings.end() ? nullptr : &*found;
 }
 
-bool is_used(const SettingFacts& setting, const Spec& completed_spec) {
-    const UsedWhile& condition = setting.used_while;
+bool is_used(const SettingInfo& setting, const Spec& completed_spec) {
+    const SettingCondition& condition = setting.condition;
     if (condition.key.empty())
         return true;
     const std::string_view word = Settings(completed_spec).word(condition.key);
     return std::find(condition.words.begin(), condition.words.end(), word) != condition.words.end();
 }
 
-SettingFacts choice_setting(std::string key, std::string label, std::string help,
-                            std::vector<std::string> words) {
+SettingInfo choice_setting(std::string key, std::string label, std::string help,
+                           std::vector<std::string> words) {
     const std::string first = words.front();
     return {.key = std::move(key),
             .label = std::move(label),
@@ -29,23 +29,23 @@ SettingFacts choice_setting(std::string key, std::string label, std::string help
             .initial_word = first};
 }
 
-SettingFacts fit_setting(UsedWhile used_while) {
-    SettingFacts fit = choice_setting(
+SettingInfo fit_setting(SettingCondition condition) {
+    SettingInfo fit = choice_setting(
         "fit", "Fit",
         "whole: fits the picture, circles stay round. stretch: fills the picture, circles may "
         "become ellipses. crop: fills the picture, circles stay round and edges are cut off. look: "
         "uses the look's own Fit setting.",
         {"look", "whole", "stretch", "crop"});
-    fit.used_while = std::move(used_while);
+    fit.condition = std::move(condition);
     return fit;
 }
 
-std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
-                                   std::vector<SettingFacts> settings) {
-    for (SettingFacts& setting : settings) {
+std::vector<SettingInfo> in_group(const std::string& group, const SettingCondition& condition,
+                                  std::vector<SettingInfo> settings) {
+    for (SettingInfo& setting : settings) {
         setting.group = group;
-        if (setting.used_while.key.empty())
-            setting.used_while = used_while;
+        if (setting.condition.key.empty())
+            setting.condition = condition;
     }
     return settings;
 }

@@ -15,13 +15,13 @@ class Settings;
 enum class SettingType { number, word, text };
 
 /// When a setting has an effect: while the word of another setting is one of these. No key: always.
-struct UsedWhile {
+struct SettingCondition {
     std::string key = {};
     std::vector<std::string> words = {};
 };
 
 /// One setting of a kind of signal, as shown in lists, controls and the manual.
-struct SettingFacts {
+struct SettingInfo {
     std::string key = {};
     std::string label = {};
     std::string unit = {};
@@ -36,19 +36,19 @@ struct SettingFacts {
     std::vector<std::string> words = {};  // for type word: all allowed words
     std::string initial_word = {};        // for word and text; "" where a text is required
     std::string group = {};               // heading in the form; "": no heading
-    UsedWhile used_while = {};
+    SettingCondition condition = {};
     bool may_be_empty = false;  // for type text
     bool is_hidden = false;     // has no control of its own in a form
 };
 
 /// A setting with a few words to choose from. The first word is the default.
-SettingFacts choice_setting(std::string key, std::string label, std::string help,
-                            std::vector<std::string> words);
+SettingInfo choice_setting(std::string key, std::string label, std::string help,
+                           std::vector<std::string> words);
 /// How a signal that draws in x and y fits into the picture: "look", "whole", "stretch" or "crop".
-SettingFacts fit_setting(UsedWhile used_while = {});
-/// Puts the settings under a heading. They are used only while `used_while` holds.
-std::vector<SettingFacts> in_group(const std::string& group, const UsedWhile& used_while,
-                                   std::vector<SettingFacts> settings);
+SettingInfo fit_setting(SettingCondition condition = {});
+/// Puts the settings under a heading. They are used only while `condition` holds.
+std::vector<SettingInfo> in_group(const std::string& group, const SettingCondition& condition,
+                                  std::vector<SettingInfo> settings);
 
 /// A kind of signal: its description, settings and factory.
 struct SignalKind {
@@ -58,7 +58,7 @@ struct SignalKind {
     std::string kind = {};
     std::string label = {};
     std::string help = {};
-    std::vector<SettingFacts> settings = {};
+    std::vector<SettingInfo> settings = {};
     std::string file_setting = {};  // key of the setting that names a file; "": no file
     std::string bare_setting = {};  // key that a bare first word stands for; "": not allowed
     bool is_live = false;           // needs a live sound from an audio device
@@ -66,6 +66,6 @@ struct SignalKind {
     Make make = nullptr;
 };
 
-const SettingFacts* find_setting(const SignalKind& kind, std::string_view key);
+const SettingInfo* find_setting(const SignalKind& kind, std::string_view key);
 /// Whether the setting has an effect in a completed spec.
-bool is_used(const SettingFacts& setting, const Spec& completed_spec);
+bool is_used(const SettingInfo& setting, const Spec& completed_spec);

@@ -26,17 +26,18 @@ void toggle(const Scene& scene, Edits& edits) {
     set_compare_mode(is_seen<mode>(scene) ? CompareMode::off : mode, edits);
 }
 
-bool is_flashing(const Scene& scene) {
-    return scene.lab.frames.comparison().selection().is_flashing();
+bool is_reference_shown(const Scene& scene) {
+    return scene.lab.frames.comparison().selection().is_reference_shown();
 }
 
-void flash(const Scene& scene, Edits& edits) {
-    edits.change(
-        [next = !is_flashing(scene)](ComparisonView& comparison) { comparison.flash(next); });
+void show_reference(const Scene& scene, Edits& edits) {
+    edits.change([next = !is_reference_shown(scene)](ComparisonView& comparison) {
+        comparison.show_reference(next);
+    });
 }
 
 void end_flash(const Scene&, Edits& edits) {
-    edits.change([](ComparisonView& comparison) { comparison.flash(false); });
+    edits.change([](ComparisonView& comparison) { comparison.show_reference(false); });
 }
 
 void next_measure(const Scene&, Edits& edits) {
@@ -139,7 +140,8 @@ std::vector<Action> seeing_actions() {
     using Mode = CompareMode;
     using Id = ActionId;
     std::vector<Action> actions{
-        action(Id::flash, "Show reference (hold)", {'O'}, flash, is_flashing),
+        action(Id::show_reference, "Show reference (hold)", {'O'}, show_reference,
+               is_reference_shown),
         action(Id::wipe, "Wipe", {'W'}, toggle<Mode::wipe>, is_seen<Mode::wipe>),
         action(Id::side_by_side, "Side by side", {'W', false, true}, toggle<Mode::side_by_side>,
                is_seen<Mode::side_by_side>),
@@ -165,11 +167,11 @@ std::vector<Action> compare_actions::list() {
     using Id = ActionId;
     std::vector<Action> actions = seeing_actions();
     for (const auto& slot :
-         {slot_actions<0>({Id::keep_a, Id::recall_a, Id::with_a},
+         {slot_actions<0>({Id::store_a, Id::recall_a, Id::with_a},
                           {"Store in slot A", "Recall slot A", "Compare with slot A"}),
-          slot_actions<1>({Id::keep_b, Id::recall_b, Id::with_b},
+          slot_actions<1>({Id::store_b, Id::recall_b, Id::with_b},
                           {"Store in slot B", "Recall slot B", "Compare with slot B"}),
-          slot_actions<2>({Id::keep_c, Id::recall_c, Id::with_c},
+          slot_actions<2>({Id::store_c, Id::recall_c, Id::with_c},
                           {"Store in slot C", "Recall slot C", "Compare with slot C"})})
         actions.insert(actions.end(), slot.begin(), slot.end());
     return actions;

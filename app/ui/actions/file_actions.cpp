@@ -77,7 +77,7 @@ void paste_line(const Scene&, Edits& edits) {
     });
 }
 
-void take_up_unsaved(const Scene& scene, Edits& edits) {
+void restore_unsaved(const Scene& scene, Edits& edits) {
     edits.open_unsaved(scene.lab.looks.stash().files().front());
 }
 
@@ -201,12 +201,12 @@ std::vector<Action> file_actions::list() {
     using Kind = Dialog::Kind;
     std::vector<Action> actions{
         {ActionId::open, Menu::file, "Open…", {'O', true}, false, show<Kind::open_file>},
-        {ActionId::take_up_unsaved,
+        {ActionId::restore_unsaved,
          Menu::file,
          "Restore unsaved changes",
          {'O', true, true},
          false,
-         take_up_unsaved,
+         restore_unsaved,
          has_stashed_session},
         {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
         {ActionId::duplicate_look,

@@ -30,7 +30,7 @@ void go(const Scene& scene, Edits& edits) {
     if (!next)
         return;
     edits.arrange([next](WindowState& window) {
-        window.layout.reveal(PanelId::parameters);
+        window.layout.reveal(panel_id::parameters);
         window.parameters.revealed = {
             .parameter = next->parameter, .is_new = true, .component = next->component};
     });
@@ -67,7 +67,7 @@ void end_step(const Scene& scene, Edits& edits) {
 }
 
 void type(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.parameters.revealed.is_to_be_typed = true; });
+    edits.arrange([](WindowState& window) { window.parameters.revealed.wants_focus = true; });
 }
 
 void reset(const Scene& scene, Edits& edits) {

@@ -28,12 +28,12 @@ template <int by>
 void choose_next(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer->executor();
     const Look& look = executor.look();
-    const auto present =
+    const auto current =
         static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
-    const std::size_t next = next_used_pass(look, executor.plan(), present, by);
+    const std::size_t next = next_used_pass(look, executor.plan(), current, by);
     edits.arrange([name = look.passes[next].name](WindowState& window) {
-        window.views.inspected.look_into(name);
-        window.layout.panels.show(PanelId::inspector);
+        window.views.inspected.inspect(name);
+        window.layout.panels.show(panel_id::inspector);
     });
 }
 
@@ -62,7 +62,7 @@ void expose(const Scene&, Edits& edits) {
 // The levels are fitted later: the histogram may still be pending after a change of channels.
 void fit_levels(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.layout.panels.show(PanelId::inspector);
+        window.layout.panels.show(panel_id::inspector);
         window.views.pending.levels = true;
     });
 }

@@ -48,14 +48,14 @@ void escape(const Scene& scene, Edits& edits) {
         edits.change([](FrameLoop& frames) { frames.cancel_replay(); });
     else if (scene.lab.remote.midi().learning())
         edits.change([](RemoteControl& remote) { remote.end_midi_learning(); });
-    else if (scene.lab.frames.previews().probe().question())
+    else if (scene.lab.frames.previews().probe().request())
         edits.change([](Previews& previews) { previews.probe().stop(); });
     else if (scene.lab.presets.navigation().morphing())
         edits.change([](PresetCommands& presets) { presets.navigation().end_morph(); });
     else if (scene.lab.frames.previews().sheet().is_running())
         edits.change([](Previews& previews) { previews.sheet().cancel(); });
-    else if (scene.lab.frames.comparison().selection().is_flashing())
-        edits.change([](ComparisonView& comparison) { comparison.flash(false); });
+    else if (scene.lab.frames.comparison().selection().is_reference_shown())
+        edits.change([](ComparisonView& comparison) { comparison.show_reference(false); });
     else if (shows_errors(scene))
         edits.change([](LookCommands& looks) { looks.dismiss_problems(); });
     else if (scene.window.views.shows_pass_large)

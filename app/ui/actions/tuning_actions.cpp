@@ -25,7 +25,7 @@ void toggle_filter(const Scene& scene, Edits& edits) {
     const ParameterFilter next = is_filtered<filter>(scene) ? ParameterFilter::all : filter;
     edits.arrange([next](WindowState& window) {
         window.parameters.filter = next;
-        window.layout.panels.show(PanelId::parameters);
+        window.layout.panels.show(panel_id::parameters);
     });
 }
 

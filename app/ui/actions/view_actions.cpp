@@ -37,17 +37,17 @@ void zoom_one(const Scene&, Edits& edits) {
 }
 
 void zoom_fit(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) { window.views.large() = {PictureView::Fit::all}; });
+    edits.arrange([](WindowState& window) { window.views.large() = {PictureView::Fit::whole}; });
 }
 
 template <bool is_in>
 void zoom(const Scene& scene, Edits& edits) {
     const Extent picture = large_extent(scene);
-    const Extent room = large_room(scene);
+    const Extent room = main_pane_size(scene);
     edits.arrange([picture, room](WindowState& window) {
         PictureView& view = window.views.large();
-        const double present = view.zoom_for(picture, room);
-        view.zoom_about(view.x, view.y, present, next_zoom(present, is_in));
+        const double current = view.zoom_for(picture, room);
+        view.zoom_about(view.x, view.y, current, next_zoom(current, is_in));
     });
 }
 
@@ -70,7 +70,7 @@ void scale_text(const Scene&, Edits& edits) {
 
 void view_actions::search(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
-        window.layout.reveal(PanelId::parameters);
+        window.layout.reveal(panel_id::parameters);
         window.parameters.is_searching = true;
     });
 }
@@ -79,7 +79,7 @@ void view_actions::toggle_changed(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
         const bool is_on = window.parameters.filter == ParameterFilter::changed;
         window.parameters.filter = is_on ? ParameterFilter::all : ParameterFilter::changed;
-        window.layout.panels.show(PanelId::parameters);
+        window.layout.panels.show(panel_id::parameters);
     });
 }
 
@@ -113,7 +113,7 @@ std::vector<Action> view_actions::list() {
          toggle_flashes,
          nullptr,
          shows_flashes},
-        {ActionId::comfort,
+        {ActionId::limit_flashes,
          Menu::view,
          "Flash limiter",
          {},

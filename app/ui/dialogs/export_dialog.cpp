@@ -14,7 +14,7 @@ double export_seconds(const Scene& scene) {
     return sound > 0.0 ? sound : film_seconds_without_sound;
 }
 
-void draw_exported(const Exported& exported, Edits& edits) {
+void draw_exported(const ExportResult& exported, Edits& edits) {
     const std::string size = size_text(exported.size);
     const std::string file = exported.file.string();
     const std::string text =
@@ -29,7 +29,7 @@ void draw_exported(const Exported& exported, Edits& edits) {
 }  // namespace
 
 void export_frames(const std::filesystem::path& file, const Scene& scene, Edits& edits) {
-    ExportWishes wishes{file, scene.window.exporting.fps, scene.window.exporting.seconds};
+    ExportSettings wishes{file, scene.window.exporting.fps, scene.window.exporting.seconds};
     if (!file.has_extension())
         wishes.file += ".mp4";
     edits.change([wishes](BackgroundJobs& jobs) { jobs.export_frames(wishes); });
@@ -58,7 +58,7 @@ void draw_export_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame("Export video or image sequence", 44.0f, scene, edits);
     if (!frame.is_open())
         return;
-    const auto draw = [&](const Exported& exported) { draw_exported(exported, edits); };
+    const auto draw = [&](const ExportResult& exported) { draw_exported(exported, edits); };
     draw_work(
         scene.lab.jobs.frame_export(), "Rendering from the start…", draw,
         [](BackgroundJobs& jobs) { jobs.cancel_export(); }, edits);

@@ -187,11 +187,11 @@ void follow_arrows(const Dialog& dialog, Edits& edits) {
     const int count = static_cast<int>(dialog.entries.size());
     if (by == 0 || count == 0)
         return;
-    const auto present = std::ranges::find(dialog.entries, dialog.text, &FolderEntry::name);
+    const auto current = std::ranges::find(dialog.entries, dialog.text, &FolderEntry::name);
     const int at =
-        present == dialog.entries.end()
+        current == dialog.entries.end()
             ? (by > 0 ? 0 : count - 1)
-            : std::clamp(static_cast<int>(present - dialog.entries.begin()) + by, 0, count - 1);
+            : std::clamp(static_cast<int>(current - dialog.entries.begin()) + by, 0, count - 1);
     ImGui::ClearActiveID();  // otherwise the active field would keep its text
     edits.arrange([name = dialog.entries[static_cast<std::size_t>(at)].name](WindowState& window) {
         window.dialog.text = name;

@@ -63,11 +63,11 @@ std::vector<KeyGroup> key_groups(const Scene& scene) {
 // Distributes whole groups over at most `count` columns. Keeps their order and minimises the
 // longest column.
 std::vector<std::vector<KeyGroup>> in_columns(std::vector<KeyGroup> groups, std::size_t count) {
-    const auto filled = [&](std::size_t most) {
+    const auto filled = [&](std::size_t maximum) {
         std::vector<std::vector<KeyGroup>> columns(1);
         std::size_t lines = 0;
         for (const KeyGroup& group : groups) {
-            if (lines > 0 && lines + group.lines() > most) {
+            if (lines > 0 && lines + group.lines() > maximum) {
                 columns.emplace_back();
                 lines = 0;
             }
@@ -76,10 +76,10 @@ std::vector<std::vector<KeyGroup>> in_columns(std::vector<KeyGroup> groups, std:
         }
         return columns;
     };
-    std::size_t most = 1;
-    while (filled(most).size() > count)
-        ++most;
-    return filled(most);
+    std::size_t maximum = 1;
+    while (filled(maximum).size() > count)
+        ++maximum;
+    return filled(maximum);
 }
 
 template <class Lines>
@@ -95,11 +95,11 @@ void draw_table(const char* id, float keys_width, const Lines& lines) {
 // Sizes the area to its content, limited by the window height. Longer content scrolls.
 void draw_in_room(const char* id, const std::function<void()>& draw) {
     const float around = 5.0f * ImGui::GetFrameHeightWithSpacing();  // title, close button, padding
-    const float most = ImGui::GetIO().DisplaySize.y - around;
-    float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id), most);
+    const float maximum = ImGui::GetIO().DisplaySize.y - around;
+    float& wanted = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID(id), maximum);
     {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild(id, {0.0f, std::min(wanted, most)});
+        ImGui::BeginChild(id, {0.0f, std::min(wanted, maximum)});
     }
     draw();
     wanted = ImGui::GetCursorPosY();

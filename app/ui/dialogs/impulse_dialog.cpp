@@ -23,7 +23,7 @@ constexpr std::array<theme::Color, 8> hues{{{0.95f, 0.75f, 0.35f, 1.0f},
                                             {0.95f, 0.60f, 0.85f, 1.0f},
                                             {0.60f, 0.75f, 0.65f, 1.0f},
                                             {0.60f, 0.60f, 1.00f, 1.0f}}};
-constexpr double least = 0.001;  // floor of the plot, relative to the peak
+constexpr double minimum = 0.001;  // floor of the plot, relative to the peak
 
 const theme::Color& hue_of(std::size_t pass) {
     return hues[pass % hues.size()];
@@ -45,8 +45,8 @@ double shown_seconds(const ImpulseResponse& response) {
             return response.seconds.back();
         longest = std::max(longest, pass.decay.peak_seconds + *pass.decay.to_thousandth);
     }
-    const double least_seconds = 4.0 / response.question.fps;
-    return std::min(std::max(longest * 1.1, least_seconds), response.seconds.back());
+    const double min_seconds = 4.0 / response.request.fps;
+    return std::min(std::max(longest * 1.1, min_seconds), response.seconds.back());
 }
 
 struct ImpulsePlot {
@@ -56,7 +56,7 @@ struct ImpulsePlot {
 
     ImVec2 at(double time, double share) const {
         const double down =
-            std::clamp(std::log10(std::max(share, least)) / std::log10(least), 0.0, 1.0);
+            std::clamp(std::log10(std::max(share, minimum)) / std::log10(minimum), 0.0, 1.0);
         return {low.x + size.x * static_cast<float>(time / seconds),
                 low.y + size.y * static_cast<float>(down)};
     }
@@ -69,7 +69,7 @@ void draw_grid(const ImpulsePlot& plot, ImDrawList& list) {
                                        std::pair{0.01, "1 %"}, std::pair{0.001, "0.1 %"}}) {
         const ImVec2 left = plot.at(0.0, share);
         list.AddLine(left, {left.x + plot.size.x, left.y}, line);
-        const float up = share <= least ? ImGui::GetFontSize() : 0.0f;
+        const float up = share <= minimum ? ImGui::GetFontSize() : 0.0f;
         const float width = ImGui::CalcTextSize(label).x;
         list.AddText({left.x + plot.size.x - width - 2.0f, left.y - up}, color, label);
     }
@@ -92,7 +92,7 @@ Curve curve_of(const PassImpulse& impulse, const std::vector<double>& seconds,
         if (seconds[i] > plot.seconds)
             break;
         curve.push_back(plot.at(seconds[i], impulse.light[i] / impulse.decay.peak));
-        if (impulse.light[i] < least * impulse.decay.peak)
+        if (impulse.light[i] < minimum * impulse.decay.peak)
             break;
     }
     return curve;
@@ -216,14 +216,14 @@ void draw_response(const ImpulseResponse& response, const Scene& scene, Edits& e
     draw_plot(response, edits);
     draw_times(response, scene, edits);
     ImGui::Spacing();
-    const Pin& pin = response.question.pin;
+    const Pin& pin = response.request.pin;
     wrapped_dim_text(fmt::format(
         "A one-frame flash in the dark at {:.1f} %, {:.1f} % of the picture, rendered at {} and "
         "{:g} Hz. Values are linear light of the brightest channel, minus the level before the "
         "flash. Times count from the peak. A dash means longer than {:g} s. Half-lives come from "
         "an exponential fitted down to 1 %.",
-        pin.x * 100.0, pin.y * 100.0, size_text(response.size), response.question.fps,
-        response.question.seconds));
+        pin.x * 100.0, pin.y * 100.0, size_text(response.size), response.request.fps,
+        response.request.seconds));
 }
 }  // namespace
 

@@ -57,7 +57,7 @@ struct PaletteRow {
 // Draws a label with its matched letters in the accent colour. Returns the x at its end.
 float draw_label(const PaletteRow& row, ImVec2 at) {
     const std::string& label = row.entry.label;
-    const theme::Color plain = row.entry.why_not.empty() ? theme::text : theme::faint;
+    const theme::Color plain = row.entry.disabled_reason.empty() ? theme::text : theme::faint;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto fits = [&row](std::size_t index) {
         return std::binary_search(row.positions.begin(), row.positions.end(), index);
@@ -68,7 +68,7 @@ float draw_label(const PaletteRow& row, ImVec2 at) {
             ++end;
         const char* first = label.data() + start;
         const char* last = label.data() + end;
-        const bool is_lit = is_fit && row.entry.why_not.empty();
+        const bool is_lit = is_fit && row.entry.disabled_reason.empty();
         list.AddText(at, theme::packed(is_lit ? theme::accent : plain), first, last);
         at.x += ImGui::CalcTextSize(first, last).x;
     }
@@ -83,12 +83,12 @@ bool draw_palette_row(const PaletteRow& row) {
     const float end = draw_label(row, at) + ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::string& keys = row.entry.keys;
-    const bool is_off = !row.entry.why_not.empty();
+    const bool is_off = !row.entry.disabled_reason.empty();
     const float keys_at = low.x + row.width - pad - ImGui::CalcTextSize(keys.c_str()).x;
     list.AddText({keys_at, at.y}, theme::packed(is_off ? theme::faint : theme::label),
                  keys.c_str());
-    const std::string& beside = is_off ? row.entry.why_not : row.entry.detail;
-    const std::string cut = cut_to_fit(beside, keys_at - end - ImGui::GetFontSize());
+    const std::string& beside = is_off ? row.entry.disabled_reason : row.entry.detail;
+    const std::string cut = elided_to_width(beside, keys_at - end - ImGui::GetFontSize());
     list.AddText({end, at.y}, theme::packed(theme::dim), cut.c_str());
     return is_clicked;
 }
@@ -143,7 +143,7 @@ void draw_palette(const Scene& scene, float width, Edits& edits) {
     if (asked < 0 || asked >= static_cast<int>(matches.size()))
         return;
     const PaletteEntry& entry = entries[matches[static_cast<std::size_t>(asked)].entry];
-    if (!entry.why_not.empty())
+    if (!entry.disabled_reason.empty())
         return;
     close_dialog(edits);
     run(entry, scene, edits);

@@ -36,7 +36,7 @@ const char* menu_name(Menu menu) {
 constexpr const char* no_unsaved = "no unsaved changes";
 constexpr const char* no_parameter = "no parameter is selected (use the Up and Down keys)";
 
-const char* why_not(const Action& action, const Scene& scene) {
+const char* disabled_reason(const Action& action, const Scene& scene) {
     if (!action.is_enabled || action.is_enabled(scene))
         return "";
     if (action.id == ActionId::next_output)
@@ -44,9 +44,9 @@ const char* why_not(const Action& action, const Scene& scene) {
     if (action.id == ActionId::blackout)
         return "the output window is closed";
     if (!scene.lab.document)
-        return action.id == ActionId::take_up_unsaved ? no_unsaved : "no look is open";
+        return action.id == ActionId::restore_unsaved ? no_unsaved : "no look is open";
     switch (action.id) {
-        case ActionId::take_up_unsaved:
+        case ActionId::restore_unsaved:
             return no_unsaved;
         case ActionId::save_slangp:
             return "the open look isn't a RetroArch slang preset";
@@ -98,7 +98,7 @@ const char* why_not(const Action& action, const Scene& scene) {
 
 void reveal(const std::string& parameter, Edits& edits) {
     edits.arrange([parameter](WindowState& window) {
-        window.layout.reveal(PanelId::parameters);
+        window.layout.reveal(panel_id::parameters);
         window.parameters.filter = ParameterFilter::all;
         window.parameters.search.clear();
         window.parameters.revealed = {parameter, true};
@@ -107,8 +107,8 @@ void reveal(const std::string& parameter, Edits& edits) {
 
 void inspect(const std::string& pass, Edits& edits) {
     edits.arrange([pass](WindowState& window) {
-        window.views.inspected.look_into(pass);
-        window.layout.reveal(PanelId::inspector);
+        window.views.inspected.inspect(pass);
+        window.layout.reveal(panel_id::inspector);
     });
 }
 
@@ -140,7 +140,7 @@ std::vector<PaletteEntry> palette_list(const Scene& scene) {
                                menu_name(action.menu),
                                {},
                                chord_text(action.chord),
-                               why_not(action, scene)});
+                               disabled_reason(action, scene)});
     const Document* document = scene.lab.document;
     const std::vector<ListedLook>& looks = scene.library_view.looks();
     add(section_entries(menu_sections(scene.lab, scene.window, looks)), entries);

@@ -17,7 +17,7 @@ void compare_rates(Edits& edits) {
 }
 
 namespace {
-constexpr double most_levels = 255.0;
+constexpr double max_levels = 255.0;
 
 void draw_pair(const RatePair& pair, std::size_t index, bool is_shown, Edits& edits) {
     const Difference& apart = pair.difference;
@@ -28,11 +28,11 @@ void draw_pair(const RatePair& pair, std::size_t index, bool is_shown, Edits& ed
         edits.change([index](BackgroundJobs& jobs) { jobs.show_rate_pair(index); });
     edits.mark(fmt::format("rates:{:.0f}-{:.0f}", pair.first, pair.second));
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * most_levels).c_str());
+    ImGui::TextUnformatted(fmt::format("{:.4g}", apart.largest * max_levels).c_str());
     ImGui::TableNextColumn();
     ImGui::TextUnformatted(fmt::format("{}, {}", apart.largest_x, apart.largest_y).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextUnformatted(fmt::format("{:.3f}", apart.mean * most_levels).c_str());
+    ImGui::TextUnformatted(fmt::format("{:.3f}", apart.mean * max_levels).c_str());
 }
 
 void draw_pairs(const RateComparison& comparison, const Scene& scene, Edits& edits) {
@@ -80,7 +80,7 @@ void draw_comparison(const RateComparison& comparison, const Scene& scene, Edits
     ImGui::TextUnformatted(
         wrapped(fmt::format("The largest difference is {:.4g} of 255 levels, between {:.0f} Hz and "
                             "{:.0f} Hz at pixel ({}, {}).",
-                            worst.difference.largest * most_levels, worst.first, worst.second,
+                            worst.difference.largest * max_levels, worst.first, worst.second,
                             worst.difference.largest_x, worst.difference.largest_y),
                 ImGui::GetContentRegionAvail().x)
             .c_str());

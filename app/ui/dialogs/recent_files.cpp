@@ -9,7 +9,7 @@
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> recent_files(const Scene& scene, const std::vector<std::string>& endings) {
+std::vector<fs::path> recent_files(const Scene& scene, const std::vector<std::string>& extensions) {
     std::vector<fs::path> files;
     for (const std::string& name : scene.window.recent.files) {
         const fs::path file(name);
@@ -18,7 +18,7 @@ std::vector<fs::path> recent_files(const Scene& scene, const std::vector<std::st
             return static_cast<char>(std::tolower(letter));
         });
         std::error_code ignored;
-        const bool fits = endings.empty() || std::ranges::count(endings, ending) > 0;
+        const bool fits = extensions.empty() || std::ranges::count(extensions, ending) > 0;
         if (fits && fs::is_regular_file(file, ignored))
             files.push_back(file);
     }
@@ -30,7 +30,7 @@ std::optional<fs::path> draw_recent_files(const std::vector<fs::path>& files, Ed
     for (const fs::path& file : files) {
         ImGui::PushID(file.c_str());
         const float width = ImGui::GetContentRegionAvail().x;
-        if (ImGui::Selectable(cut_to_fit(display_name(file), width).c_str(), false,
+        if (ImGui::Selectable(elided_to_width(display_name(file), width).c_str(), false,
                               ImGuiSelectableFlags_DontClosePopups))
             clicked = file;
         edits.mark("recent:" + file.filename().string());

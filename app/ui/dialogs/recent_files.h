@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-/// The recently opened files with these endings that still exist. Empty `endings`: all files.
+/// The recently opened files with these endings that still exist. Empty `extensions`: all files.
 std::vector<std::filesystem::path> recent_files(const Scene& scene,
-                                                const std::vector<std::string>& endings);
+                                                const std::vector<std::string>& extensions);
 
 /// Draws the list in the available width; returns the clicked file.
 std::optional<std::filesystem::path> draw_recent_files(

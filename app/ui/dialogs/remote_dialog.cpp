@@ -20,8 +20,8 @@ void draw_port(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     const ScopedFont font(scene.fonts.numbers);
     double port = settings.osc_port;
-    const NumberFacts facts{.limit = Limit{1.0, 65535.0}, .is_whole = true};
-    if (draw_number("##port", port, ImGui::GetFontSize() * 4.4f, facts).is_changed) {
+    const NumberInfo info{.limit = Limit{1.0, 65535.0}, .is_whole = true};
+    if (draw_number("##port", port, ImGui::GetFontSize() * 4.4f, info).is_changed) {
         settings.osc_port = static_cast<int>(std::lround(port));
         edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     }

@@ -14,7 +14,7 @@ struct Scene;
 /// A command of a menu, a key or a button. All panels share an id.
 enum class ActionId {
     open,
-    take_up_unsaved,
+    restore_unsaved,
     new_look,
     duplicate_look,
     save_preset,
@@ -52,7 +52,7 @@ enum class ActionId {
     passes_as_usual,
     show_changed,
     picture_only,
-    flash,
+    show_reference,
     wipe,
     side_by_side,
     difference,
@@ -61,9 +61,9 @@ enum class ActionId {
     fit_gain,
     with_article,
     with_file,
-    keep_a,
-    keep_b,
-    keep_c,
+    store_a,
+    store_b,
+    store_c,
     recall_a,
     recall_b,
     recall_c,
@@ -109,7 +109,7 @@ enum class ActionId {
     compare_rates,
     impulse,
     show_flashes,
-    comfort,
+    limit_flashes,
     palette,
     randomise,
     step_up,
@@ -125,9 +125,10 @@ enum class ActionId {
     copy_parameter_name,
     keys,
     about,
+    count,  // the number of ids
 };
 
-constexpr ActionId last_action = ActionId::about;
+constexpr int action_count = static_cast<int>(ActionId::count);
 
 enum class Menu { file, edit, parameter, view, output, frame_rate, compare, pass, playback, help };
 

@@ -5,7 +5,7 @@
 #include "lab/lab_parts.h"
 #include "lab/library/library_view.h"
 #include "lab/rendering/pace.h"
-#include "lab/views/list_pictures.h"
+#include "lab/views/list_thumbnails.h"
 #include "lab/views/views.h"
 #include "lab/window/window_state.h"
 #include "ui/frame/action.h"
@@ -24,7 +24,7 @@ struct Scene {
     const LabParts& lab;
     const WindowState& window;
     const Views& views;
-    const ListPictures& pictures;
+    const ListThumbnails& pictures;
     const LibraryView& library_view;
     const Roots& roots;
     const Pace& pace;

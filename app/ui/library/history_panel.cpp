@@ -52,9 +52,9 @@ bool draw_history_row(const HistoryRow& row) {
     const float line = ImGui::GetFontSize() * 1.15f;
     const float text = row.step.change.empty() ? line : 2.0f * line;
     ImVec2 at(low.x + start + pad, (low.y + high.y - text) * 0.5f);
-    list.AddText(at, theme::packed(name_color(row)), cut_to_fit(row.step.name, width).c_str());
+    list.AddText(at, theme::packed(name_color(row)), elided_to_width(row.step.name, width).c_str());
     at.y += line;
-    list.AddText(at, theme::packed(theme::dim), cut_to_fit(row.step.change, width).c_str());
+    list.AddText(at, theme::packed(theme::dim), elided_to_width(row.step.change, width).c_str());
     const float left = ImGui::GetWindowPos().x;
     if (row.is_present)
         list.AddRectFilled({left, low.y}, {left + pad * 0.35f, high.y},
@@ -67,7 +67,7 @@ void draw_head(Edits& edits) {
     same_line_right(ImGui::GetFrameHeight());
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y * 0.5f);
     if (icon_button("##close", Icon::close, "Close", theme::dim))
-        edits.arrange([](WindowState& window) { window.layout.panels.hide(PanelId::history); });
+        edits.arrange([](WindowState& window) { window.layout.panels.hide(panel_id::history); });
     edits.mark("history_close");
     ImGui::SetCursorPosY(ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeight());
 }
@@ -75,7 +75,7 @@ void draw_head(Edits& edits) {
 // Scrolls to the current step when the panel opens, and after an edit, undo or redo. Otherwise
 // keeps the scroll position.
 void follow(const Document& document, const WindowState& window, float height, Edits& edits) {
-    const HistorySeen seen{history_index(document), history_size(document)};
+    const HistoryScroll seen{history_index(document), history_size(document)};
     if (seen == window.scrolled.history && !ImGui::IsWindowAppearing())
         return;
     const float top = height * static_cast<float>(seen.index);

@@ -24,7 +24,7 @@ bool draw_line(const Line& line) {
     const bool is_clicked = ImGui::Selectable("##line", line.is_open);
     tooltip(line.about);
     const float mark = line.is_modified ? ImGui::CalcTextSize(" •").x : 0.0f;
-    const std::string text = cut_to_fit(line.label, width - mark - 4.0f);
+    const std::string text = elided_to_width(line.label, width - mark - 4.0f);
     ImGui::SetCursorPos({at.x + 4.0f, at.y});
     const ScopedColor color(ImGuiCol_Text, line.is_open ? theme::accent : theme::text);
     ImGui::TextUnformatted((text + (line.is_modified ? " •" : "")).c_str());

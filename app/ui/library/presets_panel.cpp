@@ -26,14 +26,14 @@ struct PresetCell {
 };
 
 PresetCell preset_cell() {
-    const float least = ImGui::GetFontSize() * 10.0f;
+    const float minimum = ImGui::GetFontSize() * 10.0f;
     PresetCell cell{.gap = ImGui::GetFontSize() * 0.6f,
                     .caption = ImGui::GetTextLineHeightWithSpacing() + 2.0f};
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize;
-    cell.columns = std::max(1, static_cast<int>((room + cell.gap) / (least + cell.gap)));
+    cell.columns = std::max(1, static_cast<int>((room + cell.gap) / (minimum + cell.gap)));
     const auto columns = static_cast<float>(cell.columns);
     cell.width = std::floor((room + cell.gap) / columns - cell.gap);
-    cell.width = std::min(cell.width, least * 1.3f);
+    cell.width = std::min(cell.width, minimum * 1.3f);
     cell.height = std::floor(cell.width * 9.0f / 16.0f);
     return cell;
 }
@@ -63,8 +63,8 @@ void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
     ImGui::AlignTextToFramePadding();
     dim_text("Morph in");
     ImGui::SameLine();
-    const std::string present = fmt::format("{:g} s", wanted.morph_seconds);
-    if (begin_combo("##morph_seconds", present, ImGui::GetFontSize() * 4.4f)) {
+    const std::string current = fmt::format("{:g} s", wanted.morph_seconds);
+    if (begin_combo("##morph_seconds", current, ImGui::GetFontSize() * 4.4f)) {
         for (const double seconds : morph_lengths) {
             if (ImGui::Selectable(fmt::format("{:g} s", seconds).c_str(),
                                   seconds == wanted.morph_seconds))
@@ -160,7 +160,7 @@ void draw_picture(const ListedPreset& preset, const Scene& scene, const ImVec2& 
     const ImVec2 high(low.x + cell.width, low.y + cell.height);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::packed(theme::surround));
-    const PresetPictures::Shown shown = scene.pictures.presets.of(preset.preset.entry.file);
+    const PresetThumbnails::Shown shown = scene.pictures.presets.of(preset.preset.entry.file);
     if (shown.image.handle != 0)
         draw_image(shown.image, low, cell);
     else
@@ -169,7 +169,7 @@ void draw_picture(const ListedPreset& preset, const Scene& scene, const ImVec2& 
         list.AddRect(low, high, theme::packed(preset.is_open ? theme::accent : theme::faint), 0.0f,
                      0, preset.is_open ? 2.0f : 1.0f);
     const float mark = preset.is_modified ? ImGui::CalcTextSize(" •").x : 0.0f;
-    const std::string name = cut_to_fit(preset.preset.name, cell.width - mark);
+    const std::string name = elided_to_width(preset.preset.name, cell.width - mark);
     list.AddText({low.x, high.y + 3.0f},
                  theme::packed(preset.is_open ? theme::accent : theme::text),
                  (name + (preset.is_modified ? " •" : "")).c_str());

@@ -79,7 +79,7 @@ void draw_stack_panel(const Scene& scene, Edits& edits) {
     heading("Stack");
     const Stack& stack = document->state().stack;
     const std::vector<std::string> names = part_names(stack, scene.library_view.looks());
-    for (std::size_t i = 0; is_worth_listing(stack) && i < stack.size(); ++i)
+    for (std::size_t i = 0; has_stack_menu(stack) && i < stack.size(); ++i)
         draw_part(stack, i, names[i], edits);
     draw_add(scene, edits);
     ImGui::Spacing();

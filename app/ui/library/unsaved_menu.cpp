@@ -1,7 +1,7 @@
 #include "ui/library/unsaved_menu.h"
 
 #include "lab/commands/look_commands.h"
-#include "lab/views/kept_pictures.h"
+#include "lab/views/stash_thumbnails.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -55,7 +55,7 @@ void draw_entry(const StashedSession& kept, const Scene& scene, Edits& edits) {
     const std::string title = fmt::format("{} – {}", look_name(kept.look, scene),
                                           kept.preset.empty() ? "Default" : kept.preset);
     list.AddText({left, low.y + 1.0f}, theme::packed(theme::text),
-                 cut_to_fit(title, low.x + size.x - left).c_str());
+                 elided_to_width(title, low.x + size.x - left).c_str());
     list.AddText({left, low.y + line + 1.0f}, theme::packed(theme::dim),
                  changes_text(kept).c_str());
 }

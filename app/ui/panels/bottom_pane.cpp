@@ -11,22 +11,22 @@
 void draw_bottom_pane(const Scene& scene, Edits& edits) {
     std::vector<const Panel*> tabs;
     std::vector<const char*> labels;
-    int present = 0;
+    int current = 0;
     for (const Panel& panel : panels()) {
-        if (place_of(panel.id) != PanelPlace::bottom)
+        if (panel.place != PanelPlace::bottom)
             continue;
         if (scene.window.layout.panels.shows(panel.id))
-            present = static_cast<int>(tabs.size());
+            current = static_cast<int>(tabs.size());
         tabs.push_back(&panel);
         labels.push_back(panel.tab);
     }
     const int chosen =
-        choice("bottom", labels.data(), static_cast<int>(labels.size()), present, edits);
-    if (chosen != present)
+        choice("bottom", labels.data(), static_cast<int>(labels.size()), current, edits);
+    if (chosen != current)
         edits.arrange([id = tabs[static_cast<std::size_t>(chosen)]->id](WindowState& window) {
             window.layout.panels.show(id);
         });
-    const Panel& shown = *tabs[static_cast<std::size_t>(present)];
+    const Panel& shown = *tabs[static_cast<std::size_t>(current)];
     same_line_right(ImGui::GetFrameHeight());
     if (icon_button("##close", Icon::close, "Close", theme::dim))
         edits.arrange([id = shown.id](WindowState& window) { window.layout.panels.hide(id); });

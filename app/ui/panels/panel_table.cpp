@@ -21,37 +21,54 @@
 namespace {
 constexpr float picture_height = 250.0f;
 
+// The session stores the position of a bottom panel, so new ones are added last.
 constexpr std::array table{
-    Panel{.id = PanelId::library,
+    Panel{.id = panel_id::library,
           .title = "Looks and signal",
           .chord = {'1', true},
           .draw = draw_library_column,
+          .place = PanelPlace::left,
+          .is_open = true,
           .frame = PanelFrame::own},
-    Panel{.id = PanelId::history,
+    Panel{.id = panel_id::history,
           .title = "History",
           .chord = {'H', true},
           .draw = draw_history_panel,
+          .place = PanelPlace::left,
+          .covers = true,
           .menu = Menu::edit,
           .frame = PanelFrame::fixed,
           .leaves_full_screen = true},
-    Panel{PanelId::parameters, "Parameters", {'2', true}, draw_parameters_panel},
-    Panel{PanelId::inspector, "Inspector", {'3', true}, draw_inspector_panel},
-    Panel{PanelId::strip, "Pass strip", {'4', true}, draw_pass_strip},
-    Panel{PanelId::problems, "Problems", {'5', true}, draw_problems_panel, "Problems"},
-    Panel{PanelId::timings, "Timings", {'6', true}, draw_timings_panel, "Timings"},
-    Panel{PanelId::pins, "Pinned pixels", {'7', true}, draw_pins_panel, "Pins"},
-    Panel{PanelId::inputs, "Inputs and uniforms", {'8', true}, draw_pass_inputs, "Inputs"},
-    Panel{PanelId::text, "Compiled source", {'9', true}, draw_pass_text, "Compiled"},
-    Panel{PanelId::graph, "Pass graph", {'G'}, draw_pass_graph, "Graph"},
+    Panel{panel_id::parameters,
+          "Parameters",
+          {'2', true},
+          draw_parameters_panel,
+          "",
+          PanelPlace::right,
+          true},
+    Panel{panel_id::inspector,
+          "Inspector",
+          {'3', true},
+          draw_inspector_panel,
+          "",
+          PanelPlace::lower_right,
+          true},
+    Panel{panel_id::strip, "Pass strip", {'4', true}, draw_pass_strip, "", PanelPlace::strip, true},
+    Panel{panel_id::problems, "Problems", {'5', true}, draw_problems_panel, "Problems"},
+    Panel{panel_id::timings, "Timings", {'6', true}, draw_timings_panel, "Timings"},
+    Panel{panel_id::pins, "Pinned pixels", {'7', true}, draw_pins_panel, "Pins"},
+    Panel{"inputs", "Inputs and uniforms", {'8', true}, draw_pass_inputs, "Inputs"},
+    Panel{"text", "Compiled source", {'9', true}, draw_pass_text, "Compiled"},
+    Panel{"graph", "Pass graph", {'G'}, draw_pass_graph, "Graph"},
     Panel{
-        PanelId::sheet, "Filmstrip and contact sheet", {'0', true}, draw_sheet_panel, "Filmstrip"},
-    Panel{PanelId::waveform, "Waveform along a line", {'L'}, draw_waveform_panel, "Waveform"},
-    Panel{.id = PanelId::presets,
+        panel_id::sheet, "Filmstrip and contact sheet", {'0', true}, draw_sheet_panel, "Filmstrip"},
+    Panel{panel_id::waveform, "Waveform along a line", {'L'}, draw_waveform_panel, "Waveform"},
+    Panel{.id = panel_id::presets,
           .title = "Preset browser",
           .chord = {'L', true},
           .draw = draw_presets_panel,
           .tab = "Presets",
-          .least_height = picture_height,
+          .min_height = picture_height,
           .leaves_full_screen = true,
           .needs_look = true},
 };
@@ -59,6 +76,13 @@ constexpr std::array table{
 
 std::span<const Panel> panels() {
     return table;
+}
+
+std::vector<PanelKind> panel_kinds() {
+    std::vector<PanelKind> kinds;
+    for (const Panel& panel : table)
+        kinds.push_back({panel.id, panel.place, panel.is_open, panel.covers});
+    return kinds;
 }
 
 const Panel& panel_of(PanelId id) {
@@ -77,5 +101,5 @@ void toggle(const Panel& panel, WindowState& window) {
     if (is_shown)
         return window.layout.panels.hide(panel.id);
     window.layout.panels.show(panel.id);
-    window.layout.sizes.bottom = std::max(window.layout.sizes.bottom, panel.least_height);
+    window.layout.sizes.bottom = std::max(window.layout.sizes.bottom, panel.min_height);
 }

@@ -14,7 +14,7 @@
 #include <algorithm>
 
 namespace {
-void unbind(const MidiGoal& goal, Edits& edits) {
+void unbind(const MidiTarget& goal, Edits& edits) {
     edits.change([goal](RemoteControl& remote) {
         RemoteSettings settings = remote.settings();
         settings.unbind(goal);
@@ -22,23 +22,23 @@ void unbind(const MidiGoal& goal, Edits& edits) {
     });
 }
 
-void draw_learn_item(const char* label, const MidiGoal& goal, Edits& edits) {
+void draw_learn_item(const char* label, const MidiTarget& goal, Edits& edits) {
     if (ImGui::MenuItem(label))
         edits.change([goal](RemoteControl& remote) { remote.learn_midi(goal); });
     edits.mark(fmt::format("midi_learn:{}", goal.component));
 }
 
-const Parameter* meant_here(const MidiGoal& goal, const Document* document) {
+const Parameter* meant_here(const MidiTarget& goal, const Document* document) {
     if (!document)
         return nullptr;
-    const auto meant = meant_parameter(goal.parameter, document->look());
+    const auto meant = resolve_parameter(goal.parameter, document->look());
     return meant ? *meant : nullptr;
 }
 
 // "Decay", "Centre · y".
-std::string label_of(const Parameter& parameter, const MidiGoal& goal) {
+std::string label_of(const Parameter& parameter, const MidiTarget& goal) {
     return parameter.type.size() > 1
-               ? fmt::format("{} · {}", parameter.label, part_label(parameter, goal.component))
+               ? fmt::format("{} · {}", parameter.label, component_label(parameter, goal.component))
                : parameter.label;
 }
 
@@ -91,15 +91,16 @@ void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
         draw_learn_item("MIDI learn", {parameter.name}, edits);
     } else if (ImGui::BeginMenu("MIDI learn")) {
         for (std::size_t i = 0; i < count; ++i)
-            draw_learn_item(part_label(parameter, i).c_str(), {parameter.name, i}, edits);
+            draw_learn_item(component_label(parameter, i).c_str(), {parameter.name, i}, edits);
         ImGui::EndMenu();
     }
     edits.mark("midi_learn");
     for (const MidiBinding& binding : entry.midi) {
         const std::string label =
-            count > 1 ? fmt::format("Unmap {} ({})", part_label(parameter, binding.goal.component),
-                                    to_string(binding))
-                      : fmt::format("Unmap {}", to_string(binding));
+            count > 1
+                ? fmt::format("Unmap {} ({})", component_label(parameter, binding.goal.component),
+                              to_string(binding))
+                : fmt::format("Unmap {}", to_string(binding));
         if (ImGui::MenuItem(label.c_str()))
             unbind(binding.goal, edits);
         edits.mark("midi_let_go");
@@ -117,14 +118,14 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     bool is_changed = ImGui::Checkbox("Listen to MIDI", &settings.listens_to_midi);
     edits.mark("midi_listen");
     ImGui::SameLine(0.0f, ImGui::GetFontSize() * 1.5f);
-    is_changed |= ImGui::Checkbox("Soft takeover", &settings.picks_up);
+    is_changed |= ImGui::Checkbox("Soft takeover", &settings.has_soft_takeover);
     tooltip("A knob takes effect once it passes the current value, so that nothing jumps.");
     edits.mark("midi_picks_up");
     if (is_changed)
         edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     draw_devices(midi, edits);
-    constexpr std::size_t most_rows = 8;
-    const std::size_t rows = std::min(settings.midi.size(), most_rows);
+    constexpr std::size_t max_rows = 8;
+    const std::size_t rows = std::min(settings.midi.size(), max_rows);
     if (rows == 0)
         return;
     ImGui::BeginChild("##bindings",

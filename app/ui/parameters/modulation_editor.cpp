@@ -7,11 +7,11 @@
 #include "ui/widgets/widgets.h"
 
 namespace {
-// Changes the modulation. With `goes_on` the change joins the current undo step.
-void turn(const ParameterEntry& entry, const std::optional<Modulation>& next, bool goes_on,
+// Changes the modulation. With `continues_step` the change joins the current undo step.
+void turn(const ParameterEntry& entry, const std::optional<Modulation>& next, bool continues_step,
           Edits& edits) {
-    edits.change([name = entry.parameter.name, next, goes_on](Document& document) {
-        set_modulation(document, name, next, goes_on);
+    edits.change([name = entry.parameter.name, next, continues_step](Document& document) {
+        set_modulation(document, name, next, continues_step);
     });
 }
 
@@ -41,10 +41,10 @@ void draw_kinds(const ParameterEntry& entry, const FormColumns& columns, Edits& 
                                  &ModulationName<ModulationKind>::value)
             ->label;
     };
-    const std::string present = entry.modulation ? kind_of() : "None";
+    const std::string current = entry.modulation ? kind_of() : "None";
     form_label("Modulation", columns, false);
     form_control(columns);
-    const bool is_open = begin_combo("##moves", present.c_str(), columns.control_and_number());
+    const bool is_open = begin_combo("##moves", current.c_str(), columns.control_and_number());
     edits.mark("modulation");
     if (!is_open)
         return;
@@ -52,7 +52,7 @@ void draw_kinds(const ParameterEntry& entry, const FormColumns& columns, Edits& 
         turn(entry, std::nullopt, false, edits);
     edits.mark("modulation:rests");
     for (const auto& kind : kinds) {
-        if (ImGui::Selectable(kind.label.c_str(), present == kind.label) && present != kind.label) {
+        if (ImGui::Selectable(kind.label.c_str(), current == kind.label) && current != kind.label) {
             const double depth = entry.modulation ? entry.modulation->depth : Modulation{}.depth;
             turn(entry, Modulation{.kind = kind.value, .depth = depth}, false, edits);
         }
@@ -87,13 +87,13 @@ void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
     tooltip(figure.help);
     form_control(columns);
     double number = entry.modulation->*figure.number;
-    const SliderFacts facts{.low = figure.range.low,
-                            .high = figure.range.high,
-                            .is_logarithmic = figure.scale == Scale::logarithmic,
-                            .initial = Modulation{}.*figure.number,
-                            .unit = figure.unit,
-                            .limit = figure.limit};
-    const ValueEdit edited = form_slider("figure", number, facts, columns, fonts);
+    const SliderInfo info{.low = figure.range.low,
+                          .high = figure.range.high,
+                          .is_logarithmic = figure.scale == Scale::logarithmic,
+                          .initial = Modulation{}.*figure.number,
+                          .unit = figure.unit,
+                          .limit = figure.limit};
+    const ValueEdit edited = form_slider("figure", number, info, columns, fonts);
     edits.mark("modulation_" + figure.key);
     if (edited.is_changed) {
         Modulation next = *entry.modulation;

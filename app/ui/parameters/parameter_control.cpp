@@ -20,9 +20,9 @@
 #include <cmath>
 
 namespace {
-SliderFacts facts_for(const ParameterEntry& entry, std::size_t component) {
+SliderInfo info_for(const ParameterEntry& entry, std::size_t component) {
     const Parameter& parameter = entry.parameter;
-    SliderFacts facts{
+    SliderInfo info{
         .low = parameter.range.low,
         .high = parameter.range.high,
         .step = step_of(parameter),
@@ -33,47 +33,47 @@ SliderFacts facts_for(const ParameterEntry& entry, std::size_t component) {
         .is_whole = parameter.type.scalar != Scalar::floating,
         .is_decay = is_decay(parameter),
         .steps_from = entry.declared.low,
-        .is_to_be_typed = entry.typed == component};
+        .wants_focus = entry.typed == component};
     if (component < parameter.initial.numbers.size())
-        facts.initial = parameter.initial.numbers[component];
-    return facts;
+        info.initial = parameter.initial.numbers[component];
+    return info;
 }
 
-void tell_period(const ParameterEntry& entry, SliderFacts& facts) {
+void tell_period(const ParameterEntry& entry, SliderInfo& info) {
     if (!entry.period.period)
         return;
     if (is_period(entry.parameter))
-        facts.safe = safe_periods(facts.low, facts.high);
-    facts.warning = moire_warning(entry);
+        info.safe = safe_periods(info.low, info.high);
+    info.warning = moire_warning(entry);
     if (entry.period.is_too_fine)
-        facts.note = "below 2 px";
+        info.note = "below 2 px";
     if (entry.period.beat)
-        facts.note = fmt::format("moiré {} px", short_number(std::round(*entry.period.beat)));
+        info.note = fmt::format("moiré {} px", short_number(std::round(*entry.period.beat)));
 }
 
 ValueEdit draw_component(const ParameterEntry& entry, std::size_t component, Value& value,
                          const FormColumns& columns, const Fonts& fonts, Edits& edits) {
-    SliderFacts facts = facts_for(entry, component);
+    SliderInfo info = info_for(entry, component);
     const double factor = shown_factor(entry.parameter);
-    facts.low *= factor;
-    facts.high *= factor;
-    facts.step *= factor;
-    facts.steps_from = entry.declared.low * factor;
-    if (facts.initial)
-        *facts.initial *= factor;
+    info.low *= factor;
+    info.high *= factor;
+    info.step *= factor;
+    info.steps_from = entry.declared.low * factor;
+    if (info.initial)
+        *info.initial *= factor;
     if (entry.now && component < entry.now->numbers.size())
-        facts.now = entry.now->numbers[component] * factor;
-    if (facts.limit)
-        facts.limit = Limit{facts.limit->low * factor, facts.limit->high * factor};
+        info.now = entry.now->numbers[component] * factor;
+    if (info.limit)
+        info.limit = Limit{info.limit->low * factor, info.limit->high * factor};
     double shown = value.numbers[component] * factor;
     if (is_decay(entry.parameter))
-        facts.note = fmt::format("½ {}", duration_text(half_life(shown)));
-    tell_period(entry, facts);
+        info.note = fmt::format("½ {}", duration_text(half_life(shown)));
+    tell_period(entry, info);
     const std::string id = std::to_string(component);
-    const ValueEdit edited = form_slider(id.c_str(), shown, facts, columns, fonts);
+    const ValueEdit edited = form_slider(id.c_str(), shown, info, columns, fonts);
     if (component == 0)
         edits.mark("number:" + entry.parameter.name);
-    if (!facts.warning.empty())
+    if (!info.warning.empty())
         edits.mark("moire:" + entry.parameter.name);
     if (edited.is_changed)
         value.numbers[component] = shown / factor;
@@ -89,7 +89,7 @@ ValueEdit draw_parts(const ParameterEntry& entry, Value& value, const FormColumn
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         const ScopedId id(std::to_string(i));
         ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMin().x + indent);
-        form_label(part_label(entry.parameter, i), indented, false);
+        form_label(component_label(entry.parameter, i), indented, false);
         form_control(columns);
         edited |= draw_component(entry, i, value, columns, fonts, edits);
     }
@@ -111,7 +111,7 @@ ValueEdit draw_check_boxes(const Parameter& parameter, Value& value) {
             edited = {true, true};
         }
         if (value.numbers.size() > 1)
-            tooltip(part_label(parameter, i));
+            tooltip(component_label(parameter, i));
     }
     return edited;
 }
@@ -145,7 +145,7 @@ ValueEdit draw_matrix(const ParameterEntry& entry, Value& value, const FormColum
                 ImGui::SameLine(0.0f, 2.0f);
             const std::size_t index = column * rows + row;
             edited |= draw_number(fmt::format("##{}", index).c_str(), value.numbers[index], width,
-                                  number_facts(facts_for(entry, index)));
+                                  number_info(info_for(entry, index)));
         }
     }
     return edited;
@@ -179,8 +179,8 @@ ValueEdit draw_control(const ParameterEntry& entry, Value& value, const FormColu
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
-            return draw_point(parameter, value, entry.now, number_facts(facts_for(entry, 0)),
-                              columns, fonts);
+            return draw_point(parameter, value, entry.now, number_info(info_for(entry, 0)), columns,
+                              fonts);
         case Control::event:
             return draw_trigger(value, columns);
         case Control::image:

@@ -17,7 +17,7 @@ struct ParameterEntry {
     const Look& look;
     const Modulation* modulation = nullptr;  // null: not modulated
     const Value* now = nullptr;              // the modulated value of this frame
-    PeriodFacts period = {};                 // of a pattern of pixels
+    PeriodInfo period = {};                  // of a pattern of pixels
     std::optional<std::size_t> typed = {};   // number to focus for typing
     std::vector<MidiBinding> midi = {};      // its controllers
 };

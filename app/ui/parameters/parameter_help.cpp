@@ -51,19 +51,19 @@ std::string short_value(const Parameter& parameter, const Value& value) {
 }
 
 std::string moire_warning(const ParameterEntry& entry) {
-    const PeriodFacts& facts = entry.period;
-    if (!facts.beat && !facts.is_too_fine)
+    const PeriodInfo& info = entry.period;
+    if (!info.beat && !info.is_too_fine)
         return {};
-    const std::string period = short_number(*facts.period);
+    const std::string period = short_number(*info.period);
     const std::string problem =
-        facts.is_too_fine
+        info.is_too_fine
             ? fmt::format("A period of {} px is too fine. Below 2 px the pattern fades out.",
                           period)
             : fmt::format("A period of {} px causes moiré bands every {} px.", period,
-                          short_number(std::round(*facts.beat)));
-    return facts.even ? fmt::format("{}\nThe nearest clean value is {}.", problem,
-                                    short_number(*facts.even))
-                      : problem;
+                          short_number(std::round(*info.beat)));
+    return info.even ? fmt::format("{}\nThe nearest clean value is {}.", problem,
+                                   short_number(*info.even))
+                     : problem;
 }
 
 void reset_parameter(const std::string& name, Edits& edits) {
@@ -86,13 +86,13 @@ std::string range_text(const Parameter& parameter) {
         parameter.control == Control::image || parameter.control == Control::sound)
         return {};
     const double factor = shown_factor(parameter);
-    SliderFacts facts{
+    SliderInfo info{
         .low = parameter.range.low * factor,
         .high = parameter.range.high * factor,
         .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter))};
     if (parameter.limit)
-        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
-    return range_text(facts);
+        info.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+    return range_text(info);
 }
 
 // The control of a colour shows display values. This text therefore adds "linear light".
@@ -107,7 +107,7 @@ std::string location_text(const Location& location) {
     return fmt::format("{}:{}", location.file.filename().string(), location.line);
 }
 
-void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
+void draw_info(const ParameterEntry& entry, const Fonts& fonts) {
     const Parameter& parameter = entry.parameter;
     {
         const ScopedFont strong(fonts.strong);
@@ -141,36 +141,36 @@ void draw_facts(const ParameterEntry& entry, const Fonts& fonts) {
     fact("Declared", location_text(parameter.declared));
 }
 // An editable number on its own background, so that it looks editable.
-bool draw_end(const char* id, double& end, const NumberFacts& facts) {
+bool draw_end(const char* id, double& end, const NumberInfo& info) {
     const float width = ImGui::GetFontSize() * 4.6f;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + width, low.y + ImGui::GetFrameHeight()},
                                               theme::packed(theme::field_active),
                                               ImGui::GetStyle().FrameRounding);
-    return draw_number(id, end, width, facts).is_changed;
+    return draw_number(id, end, width, info).is_changed;
 }
 
 // Two editable numbers, aligned with the facts above; returns whether one changed.
 bool draw_two_ends(const ParameterEntry& entry, Limit& ends, const Fonts& fonts, Edits& edits) {
     const Parameter& parameter = entry.parameter;
     const double factor = shown_factor(parameter);
-    NumberFacts facts{
+    NumberInfo info{
         .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
         .is_whole = parameter.type.scalar != Scalar::floating};
     if (parameter.limit)
-        facts.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
+        info.limit = Limit{parameter.limit->low * factor, parameter.limit->high * factor};
     ImGui::AlignTextToFramePadding();
     dim_text("Slider");
     ImGui::SameLine(ImGui::GetFontSize() * fact_column);
     const ScopedFont numbers(fonts.numbers);
-    facts.is_changed = parameter.range.low != entry.declared.low;
-    bool is_changed = draw_end("##low", ends.low, facts);
+    info.is_changed = parameter.range.low != entry.declared.low;
+    bool is_changed = draw_end("##low", ends.low, info);
     edits.mark("slider_low");
     ImGui::SameLine();
     dim_text("to");
     ImGui::SameLine();
-    facts.is_changed = parameter.range.high != entry.declared.high;
-    is_changed |= draw_end("##high", ends.high, facts);
+    info.is_changed = parameter.range.high != entry.declared.high;
+    is_changed |= draw_end("##high", ends.high, info);
     edits.mark("slider_high");
     return is_changed;
 }
@@ -190,8 +190,8 @@ void draw_slider_ends(const ParameterEntry& entry, const Fonts& fonts, Edits& ed
     if (!entry.setting.ends)
         return;
     ImGui::SameLine();
-    const SliderFacts declared{.low = entry.declared.low * factor,
-                               .high = entry.declared.high * factor};
+    const SliderInfo declared{.low = entry.declared.low * factor,
+                              .high = entry.declared.high * factor};
     if (icon_button("##ends", Icon::reset, fmt::format("Reset to {}", range_text(declared)),
                     theme::dim))
         edits.change([name](ParameterSettingsStore& parameters) {
@@ -204,15 +204,15 @@ void draw_slider_ends(const ParameterEntry& entry, const Fonts& fonts, Edits& ed
 void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits& edits) {
     const Fonts& fonts = scene.fonts;
     const Parameter& parameter = entry.parameter;
-    if (is_lingered_on() && !ImGui::IsPopupOpen("about")) {
+    if (is_hover_delayed() && !ImGui::IsPopupOpen("about")) {
         ImGui::BeginTooltip();
-        draw_facts(entry, fonts);
+        draw_info(entry, fonts);
         edits.mark("help:" + parameter.name);
         ImGui::EndTooltip();
     }
     if (!ImGui::BeginPopup("about"))
         return;
-    draw_facts(entry, fonts);
+    draw_info(entry, fonts);
     draw_slider_ends(entry, fonts, edits);
     draw_modulation_editor(entry, fonts, edits);
     ImGui::Separator();

@@ -47,13 +47,13 @@ float filter_width() {
 }
 
 void draw_filter(const WindowState& window, Edits& edits) {
-    const auto& present =
+    const auto& current =
         *std::ranges::find(filters, window.parameters.filter, &FilterChoice::filter);
     const bool is_all = window.parameters.filter == ParameterFilter::all;
     bool is_open = false;
     {
         const ScopedColor text(ImGuiCol_Text, is_all ? theme::dim : theme::accent);
-        is_open = begin_combo("##filter", present.name, filter_width());
+        is_open = begin_combo("##filter", current.name, filter_width());
     }
     if (!is_open) {
         tooltip("Filter parameters");
@@ -81,7 +81,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     draw_filter(scene.window, edits);
     ImGui::SameLine();
-    if (icon_button("##randomise", Icon::random_numbers,
+    if (icon_button("##randomise", Icon::dice,
                     fmt::format("{}\nSets each unlocked parameter to a random value in its range.",
                                 scene.actions.help(ActionId::randomise)),
                     theme::text))
@@ -145,12 +145,12 @@ private:
     float m_lines = 1.0f;
 };
 
-PeriodFacts period_facts(const Parameter& parameter, const Scene& scene) {
+PeriodInfo period_info(const Parameter& parameter, const Scene& scene) {
     if (parameter.type.size() != 1)
         return {};
     const Document& document = *scene.lab.document;
-    return period_facts(parameter, document.value(parameter).number(),
-                        period_terms(parameter, document, scene.lab.renderer));
+    return period_info(parameter, document.value(parameter).number(),
+                       period_terms(parameter, document, scene.lab.renderer));
 }
 
 void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
@@ -170,10 +170,10 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
         .declared = parameter.range,
         .look = document.look(),
         .modulation = modulation_of(document, parameter),
-        .period = period_facts(parameter, scene),
+        .period = period_info(parameter, scene),
         .midi = bindings_of(parameter, document.look(), scene.lab.remote.settings())};
     const Revealed& revealed = scene.window.parameters.revealed;
-    if (revealed.is_to_be_typed && revealed.parameter == parameter.name)
+    if (revealed.wants_focus && revealed.parameter == parameter.name)
         entry.typed = revealed.component;
     if (entry.modulation && scene.lab.renderer)
         entry.now = &value_of(parameter, scene.lab.renderer->executor().graph().values());
@@ -212,7 +212,7 @@ void draw_nothing_to_show(const Document& document, const WindowState& window, E
             "This look has no parameters. Each uniform that you add to its shaders becomes one.");
         return;
     }
-    wrapped_dim_text(why_nothing_is_listed(query_of(window)));
+    wrapped_dim_text(empty_list_text(query_of(window)));
     if (quiet_button("Show all"))
         edits.arrange([](WindowState& state) {
             state.parameters.search.clear();

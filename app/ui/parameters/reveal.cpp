@@ -40,7 +40,7 @@ void show_if_revealed(const Parameter& parameter, float top, const ParameterList
     const bool is_over = !revealed.is_new && ImGui::IsMouseClicked(0);
     edits.arrange([is_over](WindowState& state) {
         state.parameters.revealed.is_new = false;
-        state.parameters.revealed.is_to_be_typed = false;
+        state.parameters.revealed.wants_focus = false;
         if (is_over)
             state.parameters.revealed = {};
     });

@@ -127,8 +127,8 @@ Grid grid_for(const VariantSheet& sheet, Extent picture) {
         static_cast<float>(picture.width) / static_cast<float>(std::max(picture.height, 1));
     const float by_width = (room.x - ImGui::GetStyle().ScrollbarSize) / columns - grid.gap;
     const float by_height = (room.y / rows - grid.text_height - grid.gap) * aspect;
-    const float least = ImGui::GetFontSize() * 6.0f;
-    grid.width = std::floor(std::max(std::min(by_width, by_height), std::min(least, by_width)));
+    const float minimum = ImGui::GetFontSize() * 6.0f;
+    grid.width = std::floor(std::max(std::min(by_width, by_height), std::min(minimum, by_width)));
     grid.height = std::floor(grid.width / aspect);
     return grid;
 }
@@ -154,7 +154,7 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
     if (is_present || is_hovered)
         list.AddRect(low, high, theme::packed(is_present ? theme::accent : theme::faint), 0.0f, 0,
                      is_present ? 2.0f : 1.0f);
-    const std::string text = cut_to_fit(text_of(cell.values, look), grid.width);
+    const std::string text = elided_to_width(text_of(cell.values, look), grid.width);
     list.AddText({low.x, high.y + 2.0f}, theme::packed(is_present ? theme::accent : theme::label),
                  text.c_str());
 }
@@ -162,7 +162,7 @@ void draw_cell(const VariantSheet::Cell& cell, bool is_present, const Grid& grid
 void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document;
     const Grid grid = grid_for(sheet, scene.lab.size.extent());
-    const auto present = sheet.present(document);
+    const auto current = sheet.current(document);
     for (std::size_t i = 0; i < sheet.cells().size(); ++i) {
         const VariantSheet::Cell& cell = sheet.cells()[i];
         const ScopedId id(static_cast<int>(i));
@@ -173,7 +173,7 @@ void draw_cells(const VariantSheet& sheet, const Scene& scene, Edits& edits) {
                 [i](Previews& previews, Document& changed) { previews.sheet().apply(i, changed); });
         edits.mark(fmt::format("cell:{}", i));
         tooltip(cell.values.caption);
-        draw_cell(cell, i == present, grid, document.look());
+        draw_cell(cell, i == current, grid, document.look());
     }
 }
 }  // namespace
@@ -206,7 +206,7 @@ void draw_sheet_items(const ParameterEntry& entry, Edits& edits) {
 }
 
 void leave_hidden_sheet(const Scene& scene, Edits& edits) {
-    if (!scene.window.layout.sees(PanelId::sheet) &&
+    if (!scene.window.layout.sees(panel_id::sheet) &&
         scene.lab.frames.previews().sheet().is_running())
         edits.change([](Previews& previews) { previews.sheet().cancel(); });
 }

@@ -4,18 +4,18 @@
 #include "ui/widgets/scoped.h"
 
 void ask_for_step(const Pointed& pointed, bool is_up, Edits& edits) {
-    edits.change([question = StepQuestion{pointed.parameter, pointed.component, is_up}](
-                     Previews& previews) { previews.probe().ask(question); });
+    edits.change([request = StepRequest{pointed.parameter, pointed.component, is_up}](
+                     Previews& previews) { previews.probe().ask(request); });
 }
 
 void follow_pointer(const Scene& scene, Edits& edits) {
-    const auto& question = scene.lab.frames.previews().probe().question();
+    const auto& request = scene.lab.frames.previews().probe().request();
     const auto& pointed = scene.window.parameters.pointed;
-    if (!question || !pointed || !ImGui::IsKeyDown('U') || ImGui::GetIO().WantTextInput)
+    if (!request || !pointed || !ImGui::IsKeyDown('U') || ImGui::GetIO().WantTextInput)
         return;
-    const Pointed present{question->parameter, question->component};
-    if (*pointed != present)
-        ask_for_step(*pointed, question->is_up, edits);
+    const Pointed current{request->parameter, request->component};
+    if (*pointed != current)
+        ask_for_step(*pointed, request->is_up, edits);
 }
 
 void draw_step_items(const std::string& parameter, Edits& edits) {

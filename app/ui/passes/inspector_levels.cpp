@@ -47,8 +47,8 @@ theme::Color sum_of(const std::vector<std::size_t>& channels, std::size_t count)
 
 // Heights are logarithmic, so that a single texel in a dark picture is visible.
 void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high) {
-    const double most = std::log1p(static_cast<double>(histogram.highest()));
-    if (most <= 0.0 || histogram.bins.empty())
+    const double maximum = std::log1p(static_cast<double>(histogram.highest()));
+    if (maximum <= 0.0 || histogram.bins.empty())
         return;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const std::size_t count = histogram.bins.size();
@@ -65,7 +65,7 @@ void draw_bars(const Histogram& histogram, const ImVec2& low, const ImVec2& high
         // From the bottom: the part below the lowest bar has the colour of all channels.
         for (; !channels.empty(); channels.pop_back()) {
             const double share =
-                std::log1p(static_cast<double>(histogram.bins[channels.back()][i])) / most;
+                std::log1p(static_cast<double>(histogram.bins[channels.back()][i])) / maximum;
             const float top = high.y - (high.y - low.y) * static_cast<float>(share);
             if (top < bottom)
                 list.AddRectFilled({left, top}, {left + width, bottom},
@@ -190,9 +190,9 @@ void draw_strip(const Scene& scene, Edits& edits) {
 void draw_end(const char* name, double value, const Scene& scene, Edits& edits, float width) {
     const bool is_black = std::string_view(name) == "black";
     const ScopedFont font(scene.fonts.numbers);
-    const NumberFacts facts{value != (is_black ? 0.0 : 1.0), {}, Limit{-1e9, 1e9}, false};
+    const NumberInfo info{value != (is_black ? 0.0 : 1.0), {}, Limit{-1e9, 1e9}, false};
     const std::string id = std::string("##") + name;
-    if (draw_number(id.c_str(), value, width, facts).is_changed) {
+    if (draw_number(id.c_str(), value, width, info).is_changed) {
         const Levels& levels = scene.window.views.inspected.levels;
         set_levels(is_black ? with_black(levels, value) : with_white(levels, value), edits);
     }

@@ -28,28 +28,28 @@ void arrange(PassView view, Edits& edits) {
 void draw_choice(const TextureChoice& choice, const std::string& label, bool is_present,
                  Edits& edits) {
     if (ImGui::Selectable(label.c_str(), is_present))
-        edits.arrange([choice](WindowState& window) { window.views.inspected.look_into(choice); });
+        edits.arrange([choice](WindowState& window) { window.views.inspected.inspect(choice); });
     edits.mark("inspect:" + choice.label());
 }
 
 // The passes, then the source and the images, each after a separator.
-void draw_picture_list(const TextureChoice& present, const Scene& scene, Edits& edits) {
+void draw_picture_list(const TextureChoice& current, const Scene& scene, Edits& edits) {
     const ScopedFont text(scene.fonts.text);
     Input::From kind = Input::From::pass;
     for (const TextureChoice& choice : scene.lab.renderer->executor().textures().list()) {
         if (choice.from != kind)
             ImGui::Separator();
         kind = choice.from;
-        draw_choice(choice, choice.label(), choice == present, edits);
+        draw_choice(choice, choice.label(), choice == current, edits);
     }
 }
 
 void draw_pictures(const InspectedTexture& inspected, const Scene& scene, float width,
                    Edits& edits) {
     const ScopedFont strong(scene.fonts.strong);
-    const TextureChoice present = inspected.choice.present();
-    if (begin_combo("##picture", present.label(), width)) {
-        draw_picture_list(present, scene, edits);
+    const TextureChoice current = inspected.choice.current();
+    if (begin_combo("##picture", current.label(), width)) {
+        draw_picture_list(current, scene, edits);
         ImGui::EndCombo();
     }
     edits.mark("inspector_picture");
@@ -60,13 +60,13 @@ std::string frame_text(int ago) {
 }
 
 void draw_frames(const InspectedTexture& inspected, int count, float width, Edits& edits) {
-    const int present = inspected.choice.frames_ago;
+    const int current = inspected.choice.frames_ago;
     ImGui::SameLine(0.0f, 4.0f);
-    if (begin_combo("##frame", present == 0 ? "Now" : fmt::format("{} ago", present), width)) {
+    if (begin_combo("##frame", current == 0 ? "Now" : fmt::format("{} ago", current), width)) {
         for (int ago = 0; ago < count; ++ago) {
             TextureChoice choice = inspected.choice;
             choice.frames_ago = ago;
-            draw_choice(choice, frame_text(ago), ago == present, edits);
+            draw_choice(choice, frame_text(ago), ago == current, edits);
         }
         ImGui::EndCombo();
     } else {
@@ -76,15 +76,15 @@ void draw_frames(const InspectedTexture& inspected, int count, float width, Edit
 }
 
 void draw_levels(const InspectedTexture& inspected, int count, float width, Edits& edits) {
-    const int present = inspected.choice.level;
+    const int current = inspected.choice.level;
     ImGui::SameLine(0.0f, 4.0f);
-    if (begin_combo("##level", fmt::format("Mip {}", present), width)) {
+    if (begin_combo("##level", fmt::format("Mip {}", current), width)) {
         for (int level = 0; level < count; ++level) {
             TextureChoice choice = inspected.choice;
             choice.level = level;
             const Extent extent = inspected.extent_of(level);
             draw_choice(choice, fmt::format("Mip {}   {}", level, size_text(extent)),
-                        level == present, edits);
+                        level == current, edits);
         }
         ImGui::EndCombo();
     } else {
@@ -149,21 +149,21 @@ void draw_exposure(const Scene& scene, Edits& edits) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetStyle().ItemSpacing.x);
     const float number = ImGui::GetFontSize() * 4.6f;
     const float room = ImGui::GetContentRegionAvail().x - number - 6.0f;
-    const SliderFacts facts{.low = -10.0,
-                            .high = 10.0,
-                            .step = 0.1,
-                            .initial = 0.0,
-                            .is_changed = view.exposure != 0.0,
-                            .unit = "EV",
-                            .limit = Limit{-60.0, 60.0}};
+    const SliderInfo info{.low = -10.0,
+                          .high = 10.0,
+                          .step = 0.1,
+                          .initial = 0.0,
+                          .is_changed = view.exposure != 0.0,
+                          .unit = "EV",
+                          .limit = Limit{-60.0, 60.0}};
     const ScopedFont font(scene.fonts.numbers);
-    ValueEdit edited = draw_slider("##exposure", view.exposure, facts, std::max(room, 30.0f));
+    ValueEdit edited = draw_slider("##exposure", view.exposure, info, std::max(room, 30.0f));
     tooltip(
         "Exposure of this view in stops. The pass itself doesn't change. Double-click to type a "
         "value.");
     edits.mark("inspector_exposure");
     ImGui::SameLine(0.0f, 4.0f);
-    edited |= draw_number("##stops", view.exposure, number, number_facts(facts));
+    edited |= draw_number("##stops", view.exposure, number, number_info(info));
     if (edited.is_changed)
         arrange(view, edits);
 }
@@ -174,12 +174,12 @@ std::string probe_text(const Scene& scene, const InspectedTexture& inspected) {
     if (!probe || probe->pass != inspected.choice.label() || !rgba)
         return {};
     std::string text = fmt::format("{}, {} ", probe->x, probe->y);
-    for (int i = 0; i < facts_of(inspected.texture->format()).channels; ++i)
+    for (int i = 0; i < info_of(inspected.texture->format()).channels; ++i)
         text += fmt::format(" {:.6g}", static_cast<double>((*rgba)[static_cast<std::size_t>(i)]));
     return text;
 }
 
-void draw_facts_line(const InspectedTexture& inspected, const Scene& scene, Edits& edits) {
+void draw_info_line(const InspectedTexture& inspected, const Scene& scene, Edits& edits) {
     const Extent extent = inspected.extent();
     const ScopedFont font(scene.fonts.numbers);
     const double zoom =
@@ -190,7 +190,7 @@ void draw_facts_line(const InspectedTexture& inspected, const Scene& scene, Edit
         fitted_text(probe, width, theme::text);
     } else {
         fitted_text(fmt::format("{}  {}  {}", size_text(extent),
-                                facts_of(inspected.texture->format()).name, zoom_text(zoom)),
+                                info_of(inspected.texture->format()).name, zoom_text(zoom)),
                     width, theme::dim);
     }
     edits.mark("inspector_value");
@@ -255,7 +255,7 @@ void draw_inspector_panel(const Scene& scene, Edits& edits) {
                         ImGui::GetStyle().ItemSpacing.y * 2.0f;
     const float height = std::max(40.0f, ImGui::GetContentRegionAvail().y - below);
     draw_view(*inspected, std::floor(height), scene, edits);
-    draw_facts_line(*inspected, scene, edits);
+    draw_info_line(*inspected, scene, edits);
     if (is_of_pass)
         draw_pass_settings(pass.name, scene, edits);
 }

@@ -157,7 +157,7 @@ std::string help_of(std::size_t node, const PassGraph& graph, const Scene& scene
     if (is_pass) {
         const PlannedTarget& target =
             scene.lab.renderer->executor().plan().targets[pass_of(drawn, scene)];
-        text += fmt::format("\n{} {}", size_text(target.extent), facts_of(target.format).name);
+        text += fmt::format("\n{} {}", size_text(target.extent), info_of(target.format).name);
     }
     for (const Edge& edge : graph.edges)
         if (edge.to == node)
@@ -182,8 +182,8 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
     ImGui::SetCursorScreenPos(low);
     if (ImGui::InvisibleButton("##node", paper.node) && is_pass)
         edits.arrange([name = node.name](WindowState& window) {
-            window.views.inspected.look_into(name);
-            window.layout.panels.show(PanelId::inspector);
+            window.views.inspected.inspect(name);
+            window.layout.panels.show(panel_id::inspector);
         });
     edits.mark("node:" + node.name);
     tooltip(help_of(index, graph, scene));
@@ -212,17 +212,17 @@ void draw_node(std::size_t index, const PassGraph& graph, const Paper& paper, co
 }
 
 // The graph without idle passes, but with the inspected one.
-PassGraph graph_of_present(const Executor& executor, std::size_t inspected) {
+PassGraph graph_of_current(const Executor& executor, std::size_t inspected) {
     const Look& look = executor.look();
-    Look present;
+    Look current;
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         if (i != inspected && is_idle(look, i, executor.plan().targets[i].extent))
             continue;
-        Pass& pass = present.passes.emplace_back();
+        Pass& pass = current.passes.emplace_back();
         pass.name = look.passes[i].name;
         pass.inputs = look.passes[i].inputs;
     }
-    return graph_of(present);
+    return graph_of(current);
 }
 
 Paper paper_for(const PassGraph& graph) {
@@ -278,7 +278,7 @@ void draw_pass_graph(const Scene& scene, Edits& edits) {
     const Executor& executor = scene.lab.renderer->executor();
     const auto inspected =
         static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
-    const PassGraph graph = graph_of_present(executor, inspected);
+    const PassGraph graph = graph_of_current(executor, inspected);
     ImGui::BeginChild("##graph", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
     const Paper paper = paper_for(graph);
     const std::string& name = executor.look().passes[inspected].name;

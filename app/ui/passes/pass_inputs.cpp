@@ -30,7 +30,7 @@ void draw_read(const SamplerReport& sampler, Edits& edits) {
     }
     if (quiet_button(sampler.reads->label() + "##" + sampler.uniform))
         edits.arrange([choice = *sampler.reads](WindowState& window) {
-            window.views.inspected.look_into(choice);
+            window.views.inspected.inspect(choice);
         });
     edits.mark("reads:" + sampler.uniform);
     tooltip("Click to inspect this picture.");
@@ -53,7 +53,7 @@ void draw_sampler(const SamplerReport& sampler, Edits& edits) {
         return;
     }
     cell(size_text(sampler.extent));
-    cell(std::string(facts_of(sampler.format).name));
+    cell(std::string(info_of(sampler.format).name));
     cell(filter_text(sampler.sampler));
     cell(wrap_text(sampler.sampler.wrap));
 }

@@ -40,12 +40,12 @@ void draw_scale(const std::string& pass, const PassSetting& now, float width, Ed
 }
 
 void draw_format(const std::string& pass, const PassSetting& now, float width, Edits& edits) {
-    if (begin_combo("##format", std::string(facts_of(now.format).name), width)) {
-        for (const FormatFacts& facts : all_formats()) {
-            const std::string name(facts.name);
-            if (ImGui::Selectable(name.c_str(), facts.format == now.format)) {
+    if (begin_combo("##format", std::string(info_of(now.format).name), width)) {
+        for (const FormatInfo& info : all_formats()) {
+            const std::string name(info.name);
+            if (ImGui::Selectable(name.c_str(), info.format == now.format)) {
                 PassOverride changed = now.tried;
-                changed.format = facts.format;
+                changed.format = info.format;
                 set_override(pass, changed, edits);
             }
             edits.mark("format:" + name);

@@ -24,7 +24,7 @@ std::string look_key(const std::string& pass) {
 void draw_state(const std::string& state, const Scene& scene, const ImVec2& low, float width) {
     const ScopedFont font(scene.fonts.numbers);
     const ImVec2 pad(4.0f * scene.scale, 1.0f * scene.scale);
-    const std::string text = cut_to_fit(state, width - 2.0f * pad.x);
+    const std::string text = elided_to_width(state, width - 2.0f * pad.x);
     const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 right(low.x + width, low.y + text_size.y + 2.0f * pad.y);
     const ImVec2 left(right.x - text_size.x - 2.0f * pad.x, low.y);
@@ -60,11 +60,12 @@ void draw_text(const StripText& strip, bool is_narrow, const Scene& scene, const
     });
     list.AddText(at, theme::packed(strip.is_chosen ? theme::accent : theme::text), name.c_str());
     const ScopedFont font(scene.fonts.numbers);
-    const std::string facts = cut_to_fit(is_narrow ? time : strip.facts, width);
+    const std::string info = elided_to_width(is_narrow ? time : strip.info, width);
     list.AddText({at.x, at.y + line * 1.2f},
-                 is_narrow ? color_of_time(strip) : theme::packed(theme::dim), facts.c_str());
+                 is_narrow ? color_of_time(strip) : theme::packed(theme::dim), info.c_str());
     if (strip.change) {
-        const std::string change = cut_to_fit(strip_text::change(*strip.change, is_narrow), width);
+        const std::string change =
+            elided_to_width(strip_text::change(*strip.change, is_narrow), width);
         const theme::Color color = strip.change->has_changed() ? theme::accent : theme::dim;
         list.AddText({at.x, at.y + line * 2.4f}, theme::packed(color), change.c_str());
         return;
@@ -73,7 +74,8 @@ void draw_text(const StripText& strip, bool is_narrow, const Scene& scene, const
         return;
     const std::string all = strip_text::gain(*strip.gain, false);
     const bool is_cut = is_narrow || ImGui::CalcTextSize(all.c_str()).x > width;
-    const std::string gain = is_cut ? cut_to_fit(strip_text::gain(*strip.gain, true), width) : all;
+    const std::string gain =
+        is_cut ? elided_to_width(strip_text::gain(*strip.gain, true), width) : all;
     const bool is_clipped = strip_text::is_clipped(*strip.gain);
     list.AddText({at.x, at.y + line * 2.4f},
                  theme::packed(is_clipped ? theme::warning : theme::dim), gain.c_str());

@@ -38,14 +38,14 @@ ElidedName pyramid_name(std::span<const StripPass> levels, std::span<const Strip
                        others_than(stem, all));
 }
 
-bool is_louder(const Gain& gain, const Gain& other) {
+bool is_louder(const TargetLevel& gain, const TargetLevel& other) {
     return std::pair(gain.clipped, gain.peak) > std::pair(other.clipped, other.peak);
 }
 
 // For a pyramid: the total time, and the highest of the other values.
 StripText text_of_pyramid(std::span<const StripPass> levels, std::span<const StripPass> all) {
     StripText text{pyramid_name(levels, all),
-                   strip_text::facts(levels.front().target, levels.back().target)};
+                   strip_text::info(levels.front().target, levels.back().target)};
     for (const StripPass& level : levels) {
         text.milliseconds += level.milliseconds;
         text.longest = std::max(text.longest, level.milliseconds);
@@ -65,7 +65,7 @@ StripText text_of(std::span<const StripPass> passes, std::span<const StripPass> 
         return text_of_pyramid(passes, all);
     const StripPass& shown = passes.size() > 1 ? *chosen : passes.front();
     return {.name = elided_name(own_name(shown.pass.name), others_than(shown.pass.name, all)),
-            .facts = strip_text::facts(shown.target),
+            .info = strip_text::info(shown.target),
             .milliseconds = shown.milliseconds,
             .longest = shown.milliseconds,
             .gain = shown.gain,
@@ -108,7 +108,7 @@ float text_width_of(const StripText& text, const Scene& scene) {
     const float name = std::min(text_width(text.name.front + text.name.end), longest);
     const ScopedFont font(scene.fonts.numbers);
     const float time = text_width("00.00 ms");
-    return std::max(name + time + gap, text_width(text.facts));
+    return std::max(name + time + gap, text_width(text.info));
 }
 
 float image_width(std::span<const StripPass> passes, const Scene& scene) {
@@ -124,16 +124,16 @@ float gain_width(const Scene& scene) {
 }
 
 AskedWidth asked_by(const StripBlock& block, float text_size, float each, const Scene& scene) {
-    const float least = std::floor(ImGui::GetFontSize() * 4.8f);
+    const float minimum = std::floor(ImGui::GetFontSize() * 4.8f);
     const float picture = std::ceil(image_width(block.passes, scene));
     if (block.is_pass())
-        return {.least = std::max(picture, least),
-                .wanted = std::max({picture, least, std::ceil(text_size)}),
+        return {.minimum = std::max(picture, minimum),
+                .wanted = std::max({picture, minimum, std::ceil(text_size)}),
                 .best = std::min(std::ceil(gain_width(scene)), each)};
     const auto count = static_cast<float>(block.passes.size());
     const float a_level = std::floor(ImGui::GetFontSize() * 0.8f);
-    AskedWidth asked{.least = std::max(count * a_level, least), .is_pass = false};
-    asked.wanted = std::max(asked.least, count * picture);
+    AskedWidth asked{.minimum = std::max(count * a_level, minimum), .is_pass = false};
+    asked.wanted = std::max(asked.minimum, count * picture);
     return asked;
 }
 
@@ -146,7 +146,7 @@ void share_room(std::vector<StripBlock>& blocks, float room, const Scene& scene)
         text_widths.push_back(text_width_of(block.text, scene));
         asked.push_back(asked_by(block, text_widths.back(), std::floor(room / count), scene));
     }
-    const StripRoom shared = share_strip(asked, room);
+    const StripWidths shared = strip_widths(asked, room);
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         StripBlock& block = blocks[i];
         const auto levels = static_cast<float>(block.passes.size());

@@ -14,7 +14,7 @@ struct StripPass {
     const Pass& pass;
     const PlannedTarget& target;
     double milliseconds = 0.0;
-    const Gain* gain = nullptr;             // null: not measured yet
+    const TargetLevel* gain = nullptr;      // null: not measured yet
     std::optional<PassChange> change = {};  // by the previewed step
     bool is_chosen = false;
     std::string state = {};  // switch state; "": unchanged
@@ -23,10 +23,10 @@ struct StripPass {
 /// The text below a picture of the strip.
 struct StripText {
     ElidedName name;
-    std::string facts;
+    std::string info;
     double milliseconds = 0.0;
     double longest = 0.0;  // ms, of one pass
-    const Gain* gain = nullptr;
+    const TargetLevel* gain = nullptr;
     std::optional<PassChange> change = {};
     bool is_chosen = false;
 };

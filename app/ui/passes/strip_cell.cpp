@@ -33,7 +33,7 @@ void draw_image(const ViewImage& image, const Rect& rect, float density, float p
 
 // Covers the 16 stops below the ceiling: filled up to the mean, with a line at the peak. It is not
 // drawn for lower peaks, such as below the ceiling of 32-bit floats.
-void draw_meter(const Gain& gain, const ImVec2& low, const ImVec2& high) {
+void draw_meter(const TargetLevel& gain, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const auto at = [&](double number) {
         return low.x + (high.x - low.x) * static_cast<float>(meter_ratio(number, gain.ceiling));
@@ -57,7 +57,7 @@ void draw_change(const PassChange& change, const ImVec2& low, const ImVec2& high
 std::string cell_help(const StripPass& pass) {
     const double mebibytes = static_cast<double>(memory_of(pass.target)) / (1024.0 * 1024.0);
     std::vector<std::string> lines{
-        pass.pass.name, fmt::format("{}, {:.1f} MiB", strip_text::facts(pass.target), mebibytes)};
+        pass.pass.name, fmt::format("{}, {:.1f} MiB", strip_text::info(pass.target), mebibytes)};
     const std::string time = strip_text::time(pass.milliseconds);
     if (pass.milliseconds > heavy_pass_milliseconds)
         lines.push_back(fmt::format("{}, slows down the window", time));
@@ -75,8 +75,8 @@ std::string cell_help(const StripPass& pass) {
 bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, Edits& edits) {
     if (ImGui::InvisibleButton("##pass", size))
         edits.arrange([name = pass.pass.name](WindowState& window) {
-            window.views.inspected.look_into(name);
-            window.layout.panels.show(PanelId::inspector);
+            window.views.inspected.inspect(name);
+            window.layout.panels.show(panel_id::inspector);
         });
     edits.mark("pass:" + pass.pass.name);
     const bool is_hovered = ImGui::IsItemHovered();

@@ -21,21 +21,21 @@ std::vector<float> grown(const std::vector<float>& from, const std::vector<float
 }
 }  // namespace
 
-StripRoom share_strip(std::span<const AskedWidth> asked, float room) {
-    std::vector<float> least;
+StripWidths strip_widths(std::span<const AskedWidth> asked, float room) {
+    std::vector<float> minimum;
     std::vector<float> wanted;
     std::vector<float> readable;  // passes wanted, pyramids least
     std::vector<float> rich;      // passes best, pyramids least
     std::vector<float> best;
     for (const AskedWidth& one : asked) {
-        least.push_back(one.least);
+        minimum.push_back(one.minimum);
         wanted.push_back(one.wanted);
-        readable.push_back(one.is_pass ? one.wanted : one.least);
+        readable.push_back(one.is_pass ? one.wanted : one.minimum);
         best.push_back(std::max(one.wanted, one.best));
-        rich.push_back(one.is_pass ? best.back() : one.least);
+        rich.push_back(one.is_pass ? best.back() : one.minimum);
     }
     if (sum_of(readable) > room)
-        return {grown(least, wanted, room), true};
+        return {grown(minimum, wanted, room), true};
     if (sum_of(rich) > room)
         return {grown(readable, rich, room), false};
     return {grown(rich, best, room), false};

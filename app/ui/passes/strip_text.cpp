@@ -17,12 +17,12 @@ std::string stops_text(double stops) {
 }
 }  // namespace
 
-std::string strip_text::facts(const PlannedTarget& target) {
+std::string strip_text::info(const PlannedTarget& target) {
     return fmt::format("{}×{} {}", target.extent.width, target.extent.height,
-                       facts_of(target.format).name);
+                       info_of(target.format).name);
 }
 
-std::string strip_text::facts(const PlannedTarget& first, const PlannedTarget& last) {
+std::string strip_text::info(const PlannedTarget& first, const PlannedTarget& last) {
     return fmt::format("{}×{} to {}×{}", first.extent.width, first.extent.height, last.extent.width,
                        last.extent.height);
 }
@@ -35,12 +35,12 @@ std::string strip_text::time(double milliseconds) {
     return fmt::format("{:.{}f} ms", milliseconds, decimals);
 }
 
-bool strip_text::is_clipped(const Gain& gain) {
+bool strip_text::is_clipped(const TargetLevel& gain) {
     constexpr double counts = 0.0005;  // shown as "0.1 %"
     return gain.clipped >= counts;
 }
 
-std::string strip_text::gain(const Gain& gain, bool is_narrow) {
+std::string strip_text::gain(const TargetLevel& gain, bool is_narrow) {
     if (is_narrow && is_clipped(gain))
         return fmt::format("{} clipped", percent_text(gain.clipped));
     if (is_clipped(gain))
@@ -53,7 +53,7 @@ std::string strip_text::gain(const Gain& gain, bool is_narrow) {
     return fmt::format("peak {:.3g}, {} stops", gain.peak, stops_text(*headroom));
 }
 
-std::string strip_text::gain_help(const Gain& gain) {
+std::string strip_text::gain_help(const TargetLevel& gain) {
     const auto headroom = headroom_stops(gain);
     const std::string peak =
         fmt::format("Peak {}, mean {}", short_number(gain.peak), short_number(gain.mean));

@@ -97,8 +97,8 @@ void draw_scales(const WavePlot& plot) {
     const float line = ImGui::GetTextLineHeight();
     const float right = plot.low.x + plot.size.x;
     const float bottom = plot.low.y + plot.size.y;
-    const int most = std::max(2, static_cast<int>(plot.size.y / (1.5f * line)));
-    for (const double number : even_numbers(plot.range, most)) {
+    const int maximum = std::max(2, static_cast<int>(plot.size.y / (1.5f * line)));
+    for (const double number : axis_ticks(plot.range, maximum)) {
         const float y = std::floor(plot.y(number));
         const std::string text = short_number(number);
         list.AddLine({plot.low.x, y}, {right, y}, theme::packed(theme::line));
@@ -108,7 +108,7 @@ void draw_scales(const WavePlot& plot) {
     if (plot.count < 2)
         return;
     const int columns = std::max(2, static_cast<int>(plot.size.x / (6.0f * line)));
-    for (const double number : even_numbers({0.0, static_cast<double>(plot.count - 1)}, columns)) {
+    for (const double number : axis_ticks({0.0, static_cast<double>(plot.count - 1)}, columns)) {
         if (number != std::floor(number))
             continue;
         const float x = std::floor(plot.x(static_cast<std::size_t>(number)));
@@ -159,8 +159,8 @@ void draw_row(const Scene& scene, Edits& edits) {
     dim_text("Row");
     ImGui::SameLine();
     const ScopedFont font(scene.fonts.numbers);
-    const NumberFacts facts{false, {}, Limit{0.0, static_cast<double>(last)}, true};
-    if (draw_number("##row", row, ImGui::CalcTextSize("00000 ").x, facts).is_changed)
+    const NumberInfo info{false, {}, Limit{0.0, static_cast<double>(last)}, true};
+    if (draw_number("##row", row, ImGui::CalcTextSize("00000 ").x, info).is_changed)
         edits.arrange([row = static_cast<int>(row), height = picture.height](WindowState& window) {
             window.probes.scan_line = ScanLine::along_row(row, height);
         });
@@ -170,10 +170,10 @@ void draw_row(const Scene& scene, Edits& edits) {
 
 void draw_controls(const std::optional<std::size_t>& index, const Scene& scene, Edits& edits) {
     static constexpr std::array labels{"RGB", "Y"};
-    const int present = scene.window.probes.plots_luminance ? 1 : 0;
+    const int current = scene.window.probes.plots_luminance ? 1 : 0;
     const int chosen =
-        choice("waveform", labels.data(), static_cast<int>(labels.size()), present, edits);
-    if (chosen != present)
+        choice("waveform", labels.data(), static_cast<int>(labels.size()), current, edits);
+    if (chosen != current)
         edits.arrange(
             [chosen](WindowState& window) { window.probes.plots_luminance = chosen == 1; });
     ImGui::SameLine();

@@ -10,8 +10,8 @@
 #include <cmath>
 
 namespace {
-constexpr int least_letters = 5;
-constexpr int most_letters = 7;
+constexpr int min_letters = 5;
+constexpr int max_letters = 7;
 constexpr float cell_margin = 4.0f;
 
 struct CellNumber {
@@ -19,12 +19,12 @@ struct CellNumber {
     int count = 0;
 };
 
-CellNumber shown_numbers(const std::array<float, 4>& rgba, int most, ChannelChoice channels) {
-    if (channels == ChannelChoice::luminance)
+CellNumber shown_numbers(const std::array<float, 4>& rgba, int maximum, Channels channels) {
+    if (channels == Channels::luminance)
         return {{luminance_of(rgba)}, 1};
-    if (channels != ChannelChoice::rgb)
+    if (channels != Channels::color)
         return {{rgba[static_cast<std::size_t>(channels) - 1]}, 1};
-    return {{rgba[0], rgba[1], rgba[2], rgba[3]}, most};
+    return {{rgba[0], rgba[1], rgba[2], rgba[3]}, maximum};
 }
 
 /// Layout of the numbers in a cell, in window coordinates.
@@ -32,23 +32,24 @@ struct CellLayout {
     ImVec2 start;  // of the texture's corner
     ImVec2 cell;
     ImVec2 letter;
-    int letters = least_letters;
+    int letters = min_letters;
     int lines = 3;
 };
 
-CellLayout layout_of(const CellNumbers::Sight& sight, const ImVec2& low, const Scene& scene) {
+CellLayout layout_of(const TexelValues::Placement& placement, const ImVec2& low,
+                     const Scene& scene) {
     const auto coordinate = [&](double pixels) {
         return static_cast<float>(pixels) / scene.density;
     };
     CellLayout layout;
-    layout.start = {low.x + coordinate(sight.left), low.y + coordinate(sight.top)};
-    layout.cell = {coordinate(sight.texel_width), coordinate(sight.texel_height)};
+    layout.start = {low.x + coordinate(placement.left), low.y + coordinate(placement.top)};
+    layout.cell = {coordinate(placement.texel_width), coordinate(placement.texel_height)};
     layout.letter = {ImGui::CalcTextSize("0").x, ImGui::GetTextLineHeight()};
     layout.letters =
         std::clamp(static_cast<int>((layout.cell.x - 2.0f * cell_margin) / layout.letter.x),
-                   least_letters, most_letters);
+                   min_letters, max_letters);
     layout.lines = std::min(static_cast<int>(layout.cell.y / layout.letter.y),
-                            facts_of(sight.format).channels);
+                            info_of(placement.format).channels);
     return layout;
 }
 
@@ -91,22 +92,22 @@ void draw_cell(const CellNumber& shown, const ImVec2& corner, const CellLayout& 
 }
 }  // namespace
 
-Extent least_cell(const Scene& scene) {
+Extent min_cell(const Scene& scene) {
     const ScopedFont font(scene.fonts.numbers);
-    const float width = ImGui::CalcTextSize("0").x * least_letters + 2.0f * cell_margin;
+    const float width = ImGui::CalcTextSize("0").x * min_letters + 2.0f * cell_margin;
     const float height = 3.0f * ImGui::GetTextLineHeight();
     return {static_cast<int>(std::ceil(width * scene.density)),
             static_cast<int>(std::ceil(height * scene.density))};
 }
 
-void draw_cell_texts(const CellNumbers& cells, const ImVec2& low, const ImVec2& size,
+void draw_cell_texts(const TexelValues& cells, const ImVec2& low, const ImVec2& size,
                      const Scene& scene) {
-    const CellNumbers::Block* block = cells.block();
+    const TexelValues::Block* block = cells.block();
     if (!block)
         return;
     const ScopedFont font(scene.fonts.numbers);
-    const CellNumbers::Sight& sight = cells.sight();
-    const CellLayout layout = layout_of(sight, low, scene);
+    const TexelValues::Placement& placement = cells.placement();
+    const CellLayout layout = layout_of(placement, low, scene);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.PushClipRect(low, {low.x + size.x, low.y + size.y}, true);
     for (std::size_t i = 0; i < block->numbers.size(); ++i) {
@@ -116,7 +117,7 @@ void draw_cell_texts(const CellNumbers& cells, const ImVec2& low, const ImVec2& 
         const ImVec2 corner(
             layout.start.x + layout.cell.x * static_cast<float>(block->left + column),
             layout.start.y + layout.cell.y * static_cast<float>(block->top + row));
-        draw_cell(shown_numbers(rgba, layout.lines, sight.options.channels), corner, layout,
+        draw_cell(shown_numbers(rgba, layout.lines, placement.options.channels), corner, layout,
                   {low, size}, cells.is_light(i) ? IM_COL32_BLACK : IM_COL32_WHITE);
     }
     list.PopClipRect();

@@ -25,8 +25,8 @@ void draw_modes(const Scene& scene, Edits& edits) {
     static constexpr std::array modes{CompareMode::wipe, CompareMode::side_by_side,
                                       CompareMode::difference};
     static constexpr std::array labels{"Wipe", "Side by side", "Difference"};
-    const CompareMode present = scene.lab.frames.comparison().selection().chosen().mode;
-    const int chosen = static_cast<int>(present) - static_cast<int>(modes[0]);
+    const CompareMode current = scene.lab.frames.comparison().selection().chosen().mode;
+    const int chosen = static_cast<int>(current) - static_cast<int>(modes[0]);
     const int next =
         choice("compare", labels.data(), static_cast<int>(labels.size()), chosen, edits);
     if (next != chosen)
@@ -107,26 +107,26 @@ void draw_choices(const Scene& scene, Edits& edits) {
 // `room`: the width for the label, the slider and its number.
 void draw_gain(const Scene& scene, float room, Edits& edits) {
     double gain = scene.lab.frames.comparison().selection().chosen().gain_stops;
-    const SliderFacts facts{.low = -4.0,
-                            .high = 12.0,
-                            .initial = 0.0,
-                            .is_changed = gain != 0.0,
-                            .unit = "stops",
-                            .limit = Limit{-16.0, 16.0}};
+    const SliderInfo info{.low = -4.0,
+                          .high = 12.0,
+                          .initial = 0.0,
+                          .is_changed = gain != 0.0,
+                          .unit = "stops",
+                          .limit = Limit{-16.0, 16.0}};
     ImGui::AlignTextToFramePadding();
     dim_text("Gain");
     ImGui::SameLine(0.0f, 4.0f);
     const float taken = ImGui::CalcTextSize("Gain").x + 6.0f + gain_number_width();
     const float letter = ImGui::GetFontSize();
     ValueEdit edited =
-        draw_slider("##gain", gain, facts, std::clamp(room - taken, 2.0f * letter, 8.0f * letter));
+        draw_slider("##gain", gain, info, std::clamp(room - taken, 2.0f * letter, 8.0f * letter));
     edits.mark("difference_gain");
     tooltip(fmt::format("Gain of the difference view. White is a difference of {}.",
                         short_number(std::exp2(-gain))));
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
-        edited |= draw_number("##gain_number", gain, gain_number_width(), number_facts(facts));
+        edited |= draw_number("##gain_number", gain, gain_number_width(), number_info(info));
         edits.mark("number:difference_gain");
     }
     ImGui::SameLine(0.0f, 0.0f);

@@ -27,10 +27,10 @@ public:
                                                     theme::packed(color));
     }
 
-    const BeamPlacing& placing() const { return m_placing; }
+    const BeamMapping& placing() const { return m_placing; }
 
 private:
-    BeamPlacing m_placing;
+    BeamMapping m_placing;
     const std::function<ImVec2(const PicturePixel&)>& m_screen;
     float m_scale;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lab/drawing/beam_position.h"
+#include "lab/drawing/beam_mapping.h"
 #include "ui/picture/picture_canvas.h"
 
 #include <functional>

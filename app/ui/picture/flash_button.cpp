@@ -12,12 +12,12 @@ constexpr const char* popup = "flashes";
 
 std::string label_of(const Scene& scene) {
     const Flashes flashes = scene.views.main().flashes();
-    const int most = flashes.most();
+    const int maximum = flashes.maximum();
     const bool is_limited = scene.window.flashes.limit.is_on;
-    if (most == 1)
+    if (maximum == 1)
         return is_limited ? "1 flash/s · limited" : "1 flash/s";
-    return is_limited ? fmt::format("{} flashes/s · limited", most)
-                      : fmt::format("{} flashes/s", most);
+    return is_limited ? fmt::format("{} flashes/s · limited", maximum)
+                      : fmt::format("{} flashes/s", maximum);
 }
 
 // A fixed width, so that neighbouring items do not move.
@@ -52,18 +52,18 @@ void draw_clamp(const Scene& scene, Edits& edits) {
         "Limits how fast large areas of the picture change brightness on screen. Presets, saved "
         "pictures and renders aren't affected.");
     if (clamp.is_on) {
-        const SliderFacts facts{.low = FlashLimit::lowest,
-                                .high = FlashLimit::highest,
-                                .initial = FlashLimit::default_most,
-                                .unit = "of full brightness per second",
-                                .limit = Limit{FlashLimit::lowest, FlashLimit::highest}};
+        const SliderInfo info{.low = FlashLimit::lowest,
+                              .high = FlashLimit::highest,
+                              .initial = FlashLimit::default_maximum,
+                              .unit = "of full brightness per second",
+                              .limit = Limit{FlashLimit::lowest, FlashLimit::highest}};
         is_changed |=
-            draw_slider("##comfort", clamp.most_a_second, facts, ImGui::GetFontSize() * 10.0f)
+            draw_slider("##comfort", clamp.max_per_second, info, ImGui::GetFontSize() * 10.0f)
                 .is_changed;
         edits.mark("comfort_rate");
         ImGui::SameLine();
         ImGui::TextUnformatted(
-            fmt::format("{:.2f} of full brightness per second", clamp.most_a_second).c_str());
+            fmt::format("{:.2f} of full brightness per second", clamp.max_per_second).c_str());
     }
     if (is_changed)
         edits.arrange([clamp](WindowState& window) { window.flashes.limit = clamp; });

@@ -57,7 +57,7 @@ void draw_errors(const Scene& scene, Edits& edits) {
     if (!shows_errors(scene))
         return;
     const std::vector<const Problem*> errors = errors_of(scene.lab.messages);
-    constexpr std::size_t most = 4;
+    constexpr std::size_t maximum = 4;
     const float side = ImGui::GetFrameHeight();
     const std::string headline = headline_of(scene.lab.loader, scene.lab.document);
     const float margin = ImGui::GetFontSize() * 0.7f;
@@ -65,9 +65,9 @@ void draw_errors(const Scene& scene, Edits& edits) {
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const ImGuiStyle& style = ImGui::GetStyle();
     const float inner = width - 2.0f * style.WindowPadding.x - side;
-    float height = 2.0f * style.WindowPadding.y + (errors.size() > most ? line : 0.0f) +
+    float height = 2.0f * style.WindowPadding.y + (errors.size() > maximum ? line : 0.0f) +
                    (headline.empty() ? 0.0f : line);
-    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i)
+    for (std::size_t i = 0; i < std::min(errors.size(), maximum); ++i)
         height += height_of(*errors[i], inner) + style.ItemSpacing.y;
     height = std::min(height, ImGui::GetWindowHeight() * 0.6f);
     ImGui::SetCursorPos({margin, margin});
@@ -80,12 +80,12 @@ void draw_errors(const Scene& scene, Edits& edits) {
     }
     if (!headline.empty())
         fitted_text(headline, inner, theme::text);
-    for (std::size_t i = 0; i < std::min(errors.size(), most); ++i) {
+    for (std::size_t i = 0; i < std::min(errors.size(), maximum); ++i) {
         draw_problem(*errors[i], scene.fonts, edits);
         ImGui::Spacing();
     }
-    if (errors.size() > most)
-        dim_text(fmt::format("{} more in the Problems list", errors.size() - most));
+    if (errors.size() > maximum)
+        dim_text(fmt::format("{} more in the Problems list", errors.size() - maximum));
     ImGui::EndChild();
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##away", Icon::close, "Dismiss (Esc). The Problems list keeps these errors.",
@@ -106,8 +106,8 @@ struct Pill {
 
 void draw_pill(const Pill& pill, const Scene& scene) {
     const float pad = ImGui::GetFontSize() * 0.8f;
-    const float most = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
-    const std::string text = wrapped(pill.text, most);
+    const float maximum = ImGui::GetWindowWidth() * 0.8f - 2.0f * pad;
+    const std::string text = wrapped(pill.text, maximum);
     const ImVec2 text_size = ImGui::CalcTextSize(text.c_str());
     const ImVec2 size(text_size.x + 2.0f * pad, text_size.y + pad);
     const ImVec2 window = ImGui::GetWindowPos();
@@ -182,17 +182,18 @@ void draw_non_finite(const Scene& scene, Edits& edits) {
           NanButton{NonFiniteAction::ignore, "Ignore",
                     "Ignores NaN and Inf until the look is edited.", "trip_go_on"}}) {
         if (ImGui::Button(button.label))
-            edits.change(
-                [answer = button.answer](FrameLoop& frames) { frames.nan_guard().answer(answer); });
+            edits.change([answer = button.answer](FrameLoop& frames) {
+                frames.nan_guard().set_action(answer);
+            });
         edits.mark(button.name);
         tooltip(button.help);
         ImGui::SameLine();
     }
     if (quiet_button("Show pass"))
         edits.arrange([pass](WindowState& window) {
-            window.views.inspected.look_into(pass);
+            window.views.inspected.inspect(pass);
             window.views.inspected.marks_flaws = true;
-            window.layout.panels.show(PanelId::inspector);
+            window.layout.panels.show(panel_id::inspector);
         });
     edits.mark("trip_show");
     ImGui::EndChild();
@@ -219,7 +220,7 @@ void draw_loading(const Scene& scene) {
 
 void draw_step(const Scene& scene, Edits& edits) {
     const StepProbe& probe = scene.lab.frames.previews().probe();
-    if (!probe.question() || probe.text().empty())
+    if (!probe.request() || probe.text().empty())
         return;
     const bool changes_nothing =
         probe.has_failed() || (probe.effect() && probe.effect()->kind != StepEffect::Kind::seen);

@@ -57,10 +57,10 @@ std::function<Orbit(const Orbit&)> dragged_orbit(const PictureCanvas& canvas) {
 }
 
 void rotate_orbit(const PictureCanvas& canvas, CanvasInput& input) {
-    constexpr double factor_a_notch = 0.9;
+    constexpr double factor_per_notch = 0.9;
     const float wheel = ImGui::GetIO().MouseWheel;
     if (wheel != 0.0f && ImGui::GetIO().KeyCtrl) {
-        const double factor = std::pow(factor_a_notch, wheel);
+        const double factor = std::pow(factor_per_notch, wheel);
         input.orbit = [factor](const Orbit& orbit) { return with_distance_scaled(orbit, factor); };
         input.is_turn_finished = true;
     } else if (is_dragged() && !ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
@@ -77,7 +77,7 @@ void read_pen(const std::function<std::array<double, 2>(float, float)>& pixel_at
         for (const gpu::PointerEvent& position : scene.frame.pointer_path)
             input.pen_path.push_back(pixel_at(position.x, position.y));
     if (ImGui::IsItemHovered() && ImGui::IsMouseClicked(ImGuiMouseButton_Right))
-        input.other_button = pixel_at(mouse.x, mouse.y);
+        input.right_click = pixel_at(mouse.x, mouse.y);
 }
 }  // namespace
 

@@ -33,7 +33,7 @@ struct CanvasInput {
     std::optional<std::array<double, 2>> pen_down;  // pixel, as hovered
     std::vector<std::array<double, 2>> pen_path;    // while the left button is held
     bool is_pen_up = false;
-    std::optional<std::array<double, 2>> other_button;  // right click at this pixel
+    std::optional<std::array<double, 2>> right_click;  // right click at this pixel
 };
 
 /// Draws the picture at the cursor. Zooming is centred on the pointer.

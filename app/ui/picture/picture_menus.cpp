@@ -16,13 +16,13 @@ std::string size_label(const Scene& scene) {
     return size_text(scene.lab.size.extent());
 }
 
-double present_zoom(const Scene& scene) {
-    return scene.window.views.large().zoom_for(large_extent(scene), large_room(scene));
+double current_zoom(const Scene& scene) {
+    return scene.window.views.large().zoom_for(large_extent(scene), main_pane_size(scene));
 }
 
 // Only at integer zooms is every pixel of the picture a block of screen pixels.
 std::string zoom_label(const Scene& scene) {
-    const double zoom = present_zoom(scene);
+    const double zoom = current_zoom(scene);
     const bool is_whole = zoom >= 1.0 && zoom == std::floor(zoom);
     return is_whole ? zoom_text(zoom) : fmt::format("{} resampled", zoom_text(zoom));
 }
@@ -58,9 +58,9 @@ Extent large_extent(const Scene& scene) {
     return scene.lab.size.extent();
 }
 
-Extent large_room(const Scene& scene) {
+Extent main_pane_size(const Scene& scene) {
     const bool is_half = scene.views.main().reference().handle != 0;
-    return room_of_one(scene.window.views.sizes.picture,
+    return size_of_one(scene.window.views.sizes.picture,
                        is_half ? CompareMode::side_by_side : CompareMode::off);
 }
 
@@ -95,29 +95,29 @@ void draw_picture_menus(const Scene& scene, Edits& edits) {
 }
 
 void draw_size_items(const Scene& scene, Edits& edits) {
-    const PictureSize present = scene.lab.size.chosen();
+    const PictureSize current = scene.lab.size.chosen();
     for (const auto& [shape, name] : picture_shapes) {
-        if (ImGui::MenuItem(name, nullptr, size_in_force(scene.lab.size).is_shaped(shape)))
-            set_size(with_shape(present, shape), edits);
+        if (ImGui::MenuItem(name, nullptr, effective_size(scene.lab.size).is_shaped(shape)))
+            set_size(with_shape(current, shape), edits);
         edits.mark("shape:" + std::string(shape_name(shape)));
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Match pane once", nullptr, present.fits_shape))
+    if (ImGui::MenuItem("Match pane once", nullptr, current.fits_shape))
         edits.change([](RenderSize& size) { size.fix_to_view(); });
     tooltip(
         "Sets the render size to the size of the pane, or of the output window's display. It "
         "doesn't change when panes open or close.");
     edits.mark("size:pane_once");
     for (const Extent& extent : picture_sizes) {
-        if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, present.is_exactly(extent)))
-            set_size({false, extent, present.scale, present.shape}, edits);
+        if (ImGui::MenuItem(size_text(extent).c_str(), nullptr, current.is_exactly(extent)))
+            set_size({false, extent, current.scale, current.shape}, edits);
         edits.mark("size:" + std::to_string(extent.width) + "x" + std::to_string(extent.height));
     }
     ImGui::Separator();
     for (const double scale : picture_scales) {
         const std::string label = fmt::format("Scale {}", zoom_text(scale));
-        if (ImGui::MenuItem(label.c_str(), nullptr, present.scale == scale)) {
-            PictureSize size = present;
+        if (ImGui::MenuItem(label.c_str(), nullptr, current.scale == scale)) {
+            PictureSize size = current;
             size.scale = scale;
             set_size(size, edits);
         }
@@ -125,16 +125,16 @@ void draw_size_items(const Scene& scene, Edits& edits) {
 }
 
 void draw_zoom_items(const Scene& scene, Edits& edits) {
-    const PictureView& present = scene.window.views.large();
+    const PictureView& current = scene.window.views.large();
     const auto fit_item = [&](const char* label, const char* key, PictureView::Fit fit) {
-        if (ImGui::MenuItem(label, key, present.fit == fit))
+        if (ImGui::MenuItem(label, key, current.fit == fit))
             edits.arrange([fit](WindowState& window) { window.views.large() = {fit}; });
     };
-    fit_item("Largest integer zoom", "", PictureView::Fit::whole);
-    fit_item("Fit", "F", PictureView::Fit::all);
+    fit_item("Largest integer zoom", "", PictureView::Fit::integer);
+    fit_item("Fit", "F", PictureView::Fit::whole);
     ImGui::Separator();
     for (const double zoom : picture_zooms) {
-        const bool is_chosen = present.fit == PictureView::Fit::free && present.zoom == zoom;
+        const bool is_chosen = current.fit == PictureView::Fit::free && current.zoom == zoom;
         if (ImGui::MenuItem(zoom_text(zoom).c_str(), zoom == 1.0 ? "1" : nullptr, is_chosen))
             edits.arrange([zoom](WindowState& window) {
                 window.views.large().fit = PictureView::Fit::free;

@@ -11,7 +11,7 @@ float picture_menus_width(const Scene& scene);
 Extent large_extent(const Scene& scene);
 
 /// Its part of the view, in device pixels: half the view for side-by-side comparison.
-Extent large_room(const Scene& scene);
+Extent main_pane_size(const Scene& scene);
 
 /// The items of both menus, also for the menu bar.
 void draw_size_items(const Scene& scene, Edits& edits);

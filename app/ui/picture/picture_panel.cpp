@@ -74,9 +74,9 @@ void follow_pen(const CanvasInput& input, Edits& edits) {
         edits.change([pixel](DrawingTool& drawing) { drawing.pen_move(pixel); });
     if (input.is_pen_up)
         edits.change([](DrawingTool& drawing) { drawing.pen_up(); });
-    if (input.other_button)
+    if (input.right_click)
         edits.change(
-            [pixel = *input.other_button](DrawingTool& drawing) { drawing.other_button(pixel); });
+            [pixel = *input.right_click](DrawingTool& drawing) { drawing.right_click(pixel); });
 }
 
 // The text for a pass that replaces the picture; "": the picture is displayed.
@@ -123,11 +123,12 @@ struct Shown {
 std::vector<Shown> shown_pictures(const Scene& scene) {
     const auto sides = scene.lab.frames.comparison().sides();
     Shown ours{.image = scene.views.main().picture(),
-               .is_other = sides && scene.lab.frames.comparison().selection().is_flashing()};
+               .is_other = sides && scene.lab.frames.comparison().selection().is_reference_shown()};
     if (scene.views.main().reference().handle == 0)
         return {ours};
     const Extent whole = scene.window.views.sizes.picture;
-    const float right = static_cast<float>(whole.width - large_room(scene).width) / scene.density;
+    const float right =
+        static_cast<float>(whole.width - main_pane_size(scene).width) / scene.density;
     Shown reference{"reference", scene.views.main().reference(), 0.0f, true};
     (sides && !sides->is_other_left ? reference : ours).left = right;
     return {ours, reference};
@@ -197,7 +198,7 @@ void draw_shown(const Shown& shown, const Scene& scene, Edits& edits, const ImVe
 void draw_picture_panel(const Scene& scene, const Rect& rect, Edits& edits) {
     const float height = std::max(rect.height - compare_bar_height(scene), 1.0f);
     const Extent room = device_pixels(scene, rect.width, height);
-    const Extent cell = least_cell(scene);
+    const Extent cell = min_cell(scene);
     if (room != scene.window.views.sizes.picture || cell != scene.window.views.sizes.cell)
         edits.arrange([room, cell](WindowState& window) {
             window.views.sizes.picture = room;
@@ -213,7 +214,7 @@ void draw_picture_panel(const Scene& scene, const Rect& rect, Edits& edits) {
     const std::vector<Shown> pictures = shown_pictures(scene);
     const bool is_alone = pictures.size() == 1;
     const float width =
-        is_alone ? rect.width : static_cast<float>(large_room(scene).width) / scene.density;
+        is_alone ? rect.width : static_cast<float>(main_pane_size(scene).width) / scene.density;
     for (const Shown& shown : pictures) {
         ImGui::SetCursorPos({start.x + shown.left, start.y});
         draw_shown(shown, scene, edits, {width, height});

@@ -13,7 +13,7 @@ namespace {
 // In columns, so that values of passes are easy to compare.
 std::string value_text(const std::array<float, 4>& rgba, Format format) {
     std::string text;
-    for (int i = 0; i < facts_of(format).channels; ++i)
+    for (int i = 0; i < info_of(format).channels; ++i)
         text += fmt::format("{:>9}", short_number(rgba[static_cast<std::size_t>(i)]));
     return text;
 }
@@ -88,7 +88,7 @@ void pin_on_click(const Scene& scene, Edits& edits) {
 
 void draw_pin_marks(const Scene& scene, const ImVec2& low, Extent picture, const PictureView& view,
                     Extent room) {
-    const bool is_shown = scene.window.layout.panels.shows(PanelId::pins);
+    const bool is_shown = scene.window.layout.panels.shows(panel_id::pins);
     if (!is_shown || picture.is_empty())
         return;
     const PicturePosition position = position_of(view, picture, room);

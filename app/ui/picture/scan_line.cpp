@@ -10,7 +10,7 @@
 
 namespace {
 bool has_scan_line(const Scene& scene) {
-    return scene.window.layout.sees(PanelId::waveform) && !large_extent(scene).is_empty();
+    return scene.window.layout.sees(panel_id::waveform) && !large_extent(scene).is_empty();
 }
 
 /// Converts between relative positions in the picture and window coordinates.

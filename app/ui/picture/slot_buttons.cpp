@@ -16,9 +16,9 @@ struct SlotActions {
     ActionId compare;
 };
 constexpr std::array<SlotActions, 3> button_actions{
-    {{ActionId::keep_a, ActionId::recall_a, ActionId::with_a},
-     {ActionId::keep_b, ActionId::recall_b, ActionId::with_b},
-     {ActionId::keep_c, ActionId::recall_c, ActionId::with_c}}};
+    {{ActionId::store_a, ActionId::recall_a, ActionId::with_a},
+     {ActionId::store_b, ActionId::recall_b, ActionId::with_b},
+     {ActionId::store_c, ActionId::recall_c, ActionId::with_c}}};
 
 std::string content_of(const Slot& slot, const std::string& name, bool is_current) {
     if (slot.preset.empty())

@@ -25,7 +25,7 @@ std::optional<WipeLine> drag_wipe(const ImVec2& size, const Scene& scene, Edits&
     const Extent picture = large_extent(scene);
     const Extent room = device_pixels(scene, size.x, size.y);
     const bool is_wiping = scene.lab.frames.comparison().mode() == CompareMode::wipe;
-    if (!is_wiping || scene.lab.frames.comparison().selection().is_flashing() ||
+    if (!is_wiping || scene.lab.frames.comparison().selection().is_reference_shown() ||
         picture.is_empty() || room.is_empty())
         return std::nullopt;
     const ImVec2 start = ImGui::GetCursorPos();
@@ -70,7 +70,7 @@ void draw_halves_names(const ImVec2& low, float middle, const Scene& scene) {
     if (!sides)
         return;
     const float top = low.y + ImGui::GetFontSize() * 0.5f;
-    if (scene.lab.frames.comparison().selection().is_flashing())
+    if (scene.lab.frames.comparison().selection().is_reference_shown())
         return draw_name(sides->other, low.x, top, false, scene);
     if (scene.views.main().reference().handle == 0)
         return;

@@ -65,7 +65,7 @@ void draw_tools(const DrawingBoard& board, Edits& edits) {
 void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
     constexpr std::size_t a_row = 7;
     const std::size_t count = board.drawing()->keyframes.size();
-    const std::size_t present = board.keyframe();
+    const std::size_t current = board.keyframe();
     for (std::size_t first = 0; first < count; first += a_row) {
         std::vector<std::string> names;
         std::vector<const char*> labels;
@@ -73,7 +73,7 @@ void draw_keyframe_numbers(const DrawingBoard& board, Edits& edits) {
             names.push_back(std::to_string(i + 1));
         for (const std::string& name : names)
             labels.push_back(name.c_str());
-        const int before = static_cast<int>(present) - static_cast<int>(first);
+        const int before = static_cast<int>(current) - static_cast<int>(first);
         const int chosen =
             choice("keyframe", labels.data(), static_cast<int>(labels.size()), before, edits);
         if (chosen == before)
@@ -116,8 +116,8 @@ void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
 
 void draw_keyframes(const DrawingBoard& board, Edits& edits) {
     const std::vector<Keyframe>& keyframes = board.drawing()->keyframes;
-    const std::size_t present = board.keyframe();
-    const bool has_room = keyframes.size() < most_keyframes;
+    const std::size_t current = board.keyframe();
+    const bool has_room = keyframes.size() < max_keyframes;
     ImGui::AlignTextToFramePadding();
     dim_text("Keyframe");
     ImGui::SameLine();
@@ -139,11 +139,11 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
         };
     };
     draw_buttons({{"Earlier", "keyframe_earlier", "Moves this keyframe one place earlier.",
-                   present > 0, move(-1)},
+                   current > 0, move(-1)},
                   {"Later", "keyframe_later", "Moves this keyframe one place later.",
-                   present + 1 < keyframes.size(), move(1)},
+                   current + 1 < keyframes.size(), move(1)},
                   {"Clear", "keyframe_clear", "Deletes all strokes of this keyframe.",
-                   !keyframes[present].empty(), &EditedDrawing::clear_keyframe}},
+                   !keyframes[current].empty(), &EditedDrawing::clear_keyframe}},
                  edits);
 }
 

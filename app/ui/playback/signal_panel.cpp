@@ -28,7 +28,7 @@ void set_signal(const Spec& spec, Edits& edits) {
 }
 
 // The saved value of a setting, from the preset or the look.
-double usual_number(const SettingFacts& setting, const Document& document) {
+double usual_number(const SettingInfo& setting, const Document& document) {
     const auto saved = completed(document.opened_preset().saved.signal);
     if (!saved || saved->kind != document.state().signal.kind)
         return setting.initial;
@@ -38,7 +38,7 @@ double usual_number(const SettingFacts& setting, const Document& document) {
     return number ? *number : setting.initial;
 }
 
-SliderFacts facts_of(const SettingFacts& setting, double value, const Document& document) {
+SliderInfo info_of(const SettingInfo& setting, double value, const Document& document) {
     const double usual = usual_number(setting, document);
     return {.low = setting.low,
             .high = setting.high,
@@ -51,11 +51,11 @@ SliderFacts facts_of(const SettingFacts& setting, double value, const Document& 
             .is_whole = setting.step == 1.0};
 }
 
-void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+void draw_number_setting(const SettingInfo& setting, Spec& spec, const FormColumns& columns,
                          const Scene& scene, Edits& edits) {
     double value = std::get<double>(spec.settings[setting.key]);
-    const SliderFacts facts = facts_of(setting, value, *scene.lab.document);
-    const ValueEdit edited = form_slider("##value", value, facts, columns, scene.fonts);
+    const SliderInfo info = info_of(setting, value, *scene.lab.document);
+    const ValueEdit edited = form_slider("##value", value, info, columns, scene.fonts);
     if (edited.is_changed) {
         spec.settings[setting.key] = std::clamp(value, setting.limit.low, setting.limit.high);
         set_signal(spec, edits);
@@ -64,28 +64,28 @@ void draw_number_setting(const SettingFacts& setting, Spec& spec, const FormColu
         edits.finish();
 }
 
-void draw_reset(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+void draw_reset(const SettingInfo& setting, Spec& spec, const FormColumns& columns,
                 const Scene& scene, Edits& edits) {
     const double value = std::get<double>(spec.settings[setting.key]);
-    const SliderFacts facts = facts_of(setting, value, *scene.lab.document);
-    if (!form_reset(fmt::format("Reset to {}", short_number(*facts.initial)), facts.is_changed,
+    const SliderInfo info = info_of(setting, value, *scene.lab.document);
+    if (!form_reset(fmt::format("Reset to {}", short_number(*info.initial)), info.is_changed,
                     columns))
         return;
-    spec.settings[setting.key] = *facts.initial;
+    spec.settings[setting.key] = *info.initial;
     set_signal(spec, edits);
     edits.finish();
 }
 
-void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+void draw_word_setting(const SettingInfo& setting, Spec& spec, const FormColumns& columns,
                        Edits& edits) {
-    const std::string present = std::get<std::string>(spec.settings[setting.key]);
+    const std::string current = std::get<std::string>(spec.settings[setting.key]);
     std::vector<std::string> shown;
     for (const std::string& word : setting.words)
         shown.push_back(label_of_word(word));
     std::vector<const char*> labels;
     int chosen = -1;
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        if (setting.words[i] == present)
+        if (setting.words[i] == current)
             chosen = static_cast<int>(i);
         labels.push_back(shown[i].c_str());
     }
@@ -98,7 +98,7 @@ void draw_word_setting(const SettingFacts& setting, Spec& spec, const FormColumn
 }
 
 // The device or stream is opened when the text is confirmed, not for each character.
-void draw_device_setting(const SettingFacts& setting, Spec& spec, const FormColumns& columns,
+void draw_device_setting(const SettingInfo& setting, Spec& spec, const FormColumns& columns,
                          Edits& edits) {
     std::string text = std::get<std::string>(spec.settings[setting.key]);
     ImGui::SetNextItemWidth(columns.control_and_number());
@@ -109,13 +109,13 @@ void draw_device_setting(const SettingFacts& setting, Spec& spec, const FormColu
     edits.finish();
 }
 
-void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
+void draw_text_setting(const SettingInfo& setting, bool is_file, Spec& spec,
                        const FormColumns& columns, Edits& edits) {
     std::string text = std::get<std::string>(spec.settings[setting.key]);
     if (is_file) {
         const std::string name = std::filesystem::path(text).filename().string();
         const std::string label =
-            name.empty() ? "Choose…" : cut_to_fit(name, columns.control_and_number() - 16.0f);
+            name.empty() ? "Choose…" : elided_to_width(name, columns.control_and_number() - 16.0f);
         if (ImGui::Button((label + "##file").c_str(), {columns.control_and_number(), 0.0f}))
             edits.show({.kind = Dialog::Kind::open_file});
         tooltip(text);
@@ -130,14 +130,14 @@ void draw_text_setting(const SettingFacts& setting, bool is_file, Spec& spec,
         edits.finish();
 }
 
-void draw_setting(const SettingFacts& setting, const SignalKind& kind, Spec& spec,
+void draw_setting(const SettingInfo& setting, const SignalKind& kind, Spec& spec,
                   const Scene& scene, Edits& edits) {
     const ScopedId id(setting.key);
     const FormColumns columns = form_columns();
     form_label(setting.label, columns, false);
     tooltip(setting.type == SettingType::number
                 ? fmt::format("{}\n{}", setting.help,
-                              range_text(facts_of(setting, setting.initial, *scene.lab.document)))
+                              range_text(info_of(setting, setting.initial, *scene.lab.document)))
                 : setting.help);
     form_control(columns);
     ImGui::BeginGroup();
@@ -160,7 +160,7 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     std::string group;
     bool is_open = true;
     int groups = 0;
-    for (const SettingFacts& setting : kind.settings) {
+    for (const SettingInfo& setting : kind.settings) {
         if (setting.is_hidden || !is_used(setting, spec))
             continue;
         if (setting.group != group) {
@@ -174,11 +174,11 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     }
 }
 
-void draw_kinds(const std::string& present, Edits& edits) {
+void draw_kinds(const std::string& current, Edits& edits) {
     std::vector<const char*> labels;
     int chosen = -1;
     for (const SignalKind& kind : signal_kinds()) {
-        if (kind.kind == present)
+        if (kind.kind == current)
             chosen = static_cast<int>(labels.size());
         labels.push_back(kind.label.c_str());
     }
@@ -186,7 +186,7 @@ void draw_kinds(const std::string& present, Edits& edits) {
                   ImGui::GetContentRegionAvail().x))
         run({command_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
     edits.mark("signal");
-    if (const SignalKind* kind = find_kind(present))
+    if (const SignalKind* kind = find_kind(current))
         tooltip(kind->help);
 }
 

@@ -20,10 +20,10 @@ std::string clock_text(double seconds) {
 namespace {
 void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits) {
     double position = length > 0.0 ? std::fmod(time, length) : 0.0;
-    const SliderFacts facts{
+    const SliderInfo info{
         .low = 0.0, .high = length, .step = 0.01, .unit = "s", .limit = Limit{0.0, length}};
     const ValueEdit edited =
-        draw_slider("##seek", position, facts, ImGui::GetContentRegionAvail().x);
+        draw_slider("##seek", position, info, ImGui::GetContentRegionAvail().x);
     edits.mark("seek");
     if (edited.is_changed)
         edits.change([position](Player& player) { player.seek(position); });
@@ -192,10 +192,10 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
         draw_volume(player.devices(), scene, edits);
     else if (is_live && !input.empty())
         fitted_text(fmt::format("Input: {}", input), ImGui::GetContentRegionAvail().x, theme::dim);
-    draw_silence(scene);
+    draw_audio_error(scene);
 }
 
-void draw_silence(const Scene& scene) {
+void draw_audio_error(const Scene& scene) {
     const Player& player = scene.lab.player;
     const BeamFeed* feed = player.signal().feed();
     for (std::string text : {feed ? feed->state() : std::string(), player.error()}) {

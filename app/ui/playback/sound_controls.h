@@ -6,7 +6,7 @@
 /// Seek bar and volume of the sound; for live sound the name of the input device.
 void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits);
 /// Errors of sound output and input, and the state of the beam to or from another program.
-void draw_silence(const Scene& scene);
+void draw_audio_error(const Scene& scene);
 /// The choice of audio devices.
 void draw_sound_devices(bool is_live, const Scene& scene, Edits& edits);
 

@@ -14,9 +14,9 @@
 #include <array>
 
 namespace {
-void set_source(const SourceSpec& source, Edits& edits, bool goes_on = false) {
-    edits.change([text = to_string(source), goes_on](Document& document) {
-        set_source(document, text, goes_on);
+void set_source(const SourceSpec& source, Edits& edits, bool continues_step = false) {
+    edits.change([text = to_string(source), continues_step](Document& document) {
+        set_source(document, text, continues_step);
     });
 }
 
@@ -25,7 +25,7 @@ std::string label_of(const SourceSpec& source) {
     if (!source.is_pattern())
         return std::filesystem::path(source.picture).filename().string();
     std::string name = name_of_pattern(source);
-    for (const PatternFacts& pattern : all_patterns())
+    for (const PatternInfo& pattern : all_patterns())
         if (name == pattern.name)
             return pattern.label;
     return name;
@@ -33,10 +33,10 @@ std::string label_of(const SourceSpec& source) {
 
 void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     const std::string label = label_of(source);
-    const std::string present = name_of_pattern(source);
+    const std::string current = name_of_pattern(source);
     if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
-        for (const PatternFacts& pattern : all_patterns()) {
-            if (ImGui::Selectable(pattern.label.c_str(), pattern.name == present))
+        for (const PatternInfo& pattern : all_patterns()) {
+            if (ImGui::Selectable(pattern.label.c_str(), pattern.name == current))
                 set_source(with_pattern(source, pattern.name), edits);
             edits.mark("pattern:" + pattern.name);
             tooltip(pattern.help);
@@ -62,14 +62,14 @@ void draw_named(const NamedList& list, const std::vector<NamedSource>& choices,
     if (choices.empty())
         return;
     const FormColumns columns = form_columns();
-    const auto present = std::ranges::find(choices, source, &NamedSource::source);
-    form_label(list.label, columns, present != choices.begin());
+    const auto current = std::ranges::find(choices, source, &NamedSource::source);
+    form_label(list.label, columns, current != choices.begin());
     tooltip(list.help);
     form_control(columns);
     std::vector<const char*> labels;
     for (const NamedSource& choice : choices)
         labels.push_back(choice.name.c_str());
-    int chosen = static_cast<int>(present - choices.begin());
+    int chosen = static_cast<int>(current - choices.begin());
     if (form_list((std::string("##") + list.mark).c_str(), labels.data(),
                   static_cast<int>(labels.size()), chosen, columns.control_and_number(),
                   list.other.c_str()))
@@ -105,20 +105,20 @@ struct Setting {
     const char* label;
     const char* help;
     double SourceSpec::*number;
-    SliderFacts facts;
+    SliderInfo info;
 };
 
-void draw_setting(const Setting& setting, const SourceSpec& present, const Scene& scene,
+void draw_setting(const Setting& setting, const SourceSpec& current, const Scene& scene,
                   Edits& edits) {
     const ScopedId id{std::string(setting.id)};
     const FormColumns columns = form_columns();
-    form_label(setting.label, columns, setting.facts.is_changed);
+    form_label(setting.label, columns, setting.info.is_changed);
     tooltip(setting.help);
     form_control(columns);
-    double value = present.*setting.number;
-    const ValueEdit edited = form_slider("##value", value, setting.facts, columns, scene.fonts);
+    double value = current.*setting.number;
+    const ValueEdit edited = form_slider("##value", value, setting.info, columns, scene.fonts);
     if (edited.is_changed) {
-        SourceSpec source = present;
+        SourceSpec source = current;
         source.*setting.number = value;
         set_source(source, edits, true);
     }
@@ -149,12 +149,12 @@ void draw_own_aspect(const SourceSpec& source, const Scene& scene, Edits& edits)
                   .help = "Width of a source pixel divided by its height. Use 1.143 (8:7) for 256 "
                           "pixels per line on a television.",
                   .number = &SourceSpec::aspect,
-                  .facts = {.low = 0.5,
-                            .high = 2.0,
-                            .is_logarithmic = true,
-                            .initial = 1.0,
-                            .is_changed = source.aspect != 1.0,
-                            .limit = Limit{1.0 / 16.0, 16.0}}},
+                  .info = {.low = 0.5,
+                           .high = 2.0,
+                           .is_logarithmic = true,
+                           .initial = 1.0,
+                           .is_changed = source.aspect != 1.0,
+                           .limit = Limit{1.0 / 16.0, 16.0}}},
                  source, scene, edits);
 }
 
@@ -166,12 +166,12 @@ void draw_film_settings(const Source& open, const SourceSpec& source, const Scen
                   .label = "Frame rate",
                   .help = "Frames of the source per second.",
                   .number = &SourceSpec::rate,
-                  .facts = {.low = 1.0,
-                            .high = 120.0,
-                            .initial = open.own_rate(),
-                            .is_changed = source.rate != 0.0,
-                            .unit = "fps",
-                            .limit = Limit{0.125, 960.0}}},
+                  .info = {.low = 1.0,
+                           .high = 120.0,
+                           .initial = open.own_rate(),
+                           .is_changed = source.rate != 0.0,
+                           .unit = "fps",
+                           .limit = Limit{0.125, 960.0}}},
                  with_rate, scene, edits);
     draw_loop(source, edits);
 }

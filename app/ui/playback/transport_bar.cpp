@@ -35,24 +35,24 @@ void draw_buttons(const Scene& scene, Edits& edits) {
 
 void draw_speed(const Scene& scene, Edits& edits) {
     double speed = scene.lab.player.transport().speed();
-    const SliderFacts facts{.low = 0.01,
-                            .high = 4.0,
-                            .is_logarithmic = true,
-                            .initial = 1.0,
-                            .is_changed = speed != 1.0,
-                            .unit = "×",
-                            .limit = Limit{0.01, 4.0}};
-    ValueEdit edited = draw_slider("##speed", speed, facts, ImGui::GetFontSize() * 5.0f);
+    const SliderInfo info{.low = 0.01,
+                          .high = 4.0,
+                          .is_logarithmic = true,
+                          .initial = 1.0,
+                          .is_changed = speed != 1.0,
+                          .unit = "×",
+                          .limit = Limit{0.01, 4.0}};
+    ValueEdit edited = draw_slider("##speed", speed, info, ImGui::GetFontSize() * 5.0f);
     edits.mark("speed");
     tooltip("Playback speed (0.01–4×)");
     ImGui::SameLine(0.0f, 2.0f);
     {
         const ScopedFont font(scene.fonts.numbers);
         edited |=
-            draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, number_facts(facts));
+            draw_number("##speed_number", speed, ImGui::GetFontSize() * 4.2f, number_info(info));
         edits.mark("number:speed");
     }
-    if (facts.is_changed) {
+    if (info.is_changed) {
         ImGui::SameLine(0.0f, 0.0f);
         if (icon_button("##speed_reset", Icon::reset, "Reset to 1×", theme::dim)) {
             speed = 1.0;
@@ -78,31 +78,31 @@ std::string points_text(std::size_t count) {
 }
 
 // In a narrow pane, the last facts are omitted.
-void draw_facts(const Scene& scene, float room) {
+void draw_info(const Scene& scene, float room) {
     const ScopedFont font(scene.fonts.numbers);
     const Transport& transport = scene.lab.player.transport();
     const Renderer* renderer = scene.lab.renderer;
-    std::vector<std::string> facts{clock_text(transport.time())};
+    std::vector<std::string> info{clock_text(transport.time())};
     if (scene.lab.automation.recorder().is_running())
-        facts.emplace_back("recording automation");
+        info.emplace_back("recording automation");
     if (renderer && renderer->replay().is_running())
-        facts.push_back(
+        info.push_back(
             fmt::format("replay {}/{}", renderer->replay().done(), renderer->replay().total()));
     else
-        facts.push_back(fmt::format("frame {}", transport.frame_number()));
+        info.push_back(fmt::format("frame {}", transport.frame_number()));
     if (renderer && scene.lab.document && scene.lab.document->look().driven_by == Driver::signal)
-        facts.push_back(points_text(renderer->times().point_count()));
+        info.push_back(points_text(renderer->times().point_count()));
     if (const auto samples = scene.lab.frames.samples())
-        facts.push_back(samples_text(*samples));
+        info.push_back(samples_text(*samples));
     const float gap = ImGui::GetFontSize();
-    for (std::size_t i = 0; i < facts.size(); ++i) {
-        const float width = ImGui::CalcTextSize(facts[i].c_str()).x;
+    for (std::size_t i = 0; i < info.size(); ++i) {
+        const float width = ImGui::CalcTextSize(info[i].c_str()).x;
         if ((room -= width + gap) < 0.0f)
             return;
         ImGui::SameLine(0.0f, gap);
         ImGui::AlignTextToFramePadding();
         const ScopedColor color(ImGuiCol_Text, i == 0 ? theme::text : theme::dim);
-        ImGui::TextUnformatted(facts[i].c_str());
+        ImGui::TextUnformatted(info[i].c_str());
     }
 }
 }  // namespace
@@ -121,7 +121,7 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
         draw_speed(scene, edits);
     }
     const float end = end_of_last();
-    draw_facts(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
+    draw_info(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
     if (flashes > 0.0f) {
         const float cursor = ImGui::GetCursorPosX();

@@ -18,7 +18,7 @@ std::string problems_text(const Messages& messages) {
 }
 
 std::string pace_text(const Scene& scene) {
-    const double pace = scene.pace.frames_a_second();
+    const double pace = scene.pace.frames_per_second();
     if (scene.lab.renderer && scene.lab.renderer->replay().is_running())
         return "Replaying";
     if (!scene.lab.player.transport().is_playing())
@@ -57,7 +57,7 @@ void draw_lag(const Scene& scene, Edits& edits) {
 void draw_half_size_offer(const Scene& scene, Edits& edits) {
     const auto half = scene.lab.size.chosen().halved();
     const Renderer* renderer = scene.lab.renderer;
-    const double passes = renderer ? renderer->times().passes().present_total() : 0.0;
+    const double passes = renderer ? renderer->times().passes().current_total() : 0.0;
     const bool runs =
         scene.lab.player.transport().is_playing() && !scene.lab.frames.has_converged();
     const bool may_be_smaller = half && half->has_shape();
@@ -88,7 +88,7 @@ Cost cost_of(const Scene& scene) {
     const Renderer* renderer = scene.lab.renderer;
     if (!renderer || renderer->executor().plan().targets.empty())
         return {pace_text(scene), {}, {}};
-    const double all = renderer->times().passes().present_total();
+    const double all = renderer->times().passes().current_total();
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
     const int draws = renderer->executor().drawer().draw_calls();
@@ -107,9 +107,9 @@ void draw_cost(const Scene& scene, Edits& edits) {
         const ScopedColor color(ImGuiCol_Text, theme::dim);
         const std::string time = is_over ? std::string(cost.time.size(), ' ') : cost.time;
         if (quiet_button(cost.before + time + cost.after + "###timings"))
-            run(PanelId::timings, scene, edits);
+            run(panel_id::timings, scene, edits);
     }
-    tooltip(scene.actions.help(PanelId::timings));
+    tooltip(scene.actions.help(panel_id::timings));
     if (!is_over)
         return;
     const ImVec2 pad = ImGui::GetStyle().FramePadding;
@@ -136,8 +136,8 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     {
         const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
         if (quiet_button(problems_text(scene.lab.messages) + "##problems"))
-            run(PanelId::problems, scene, edits);
-        tooltip(scene.actions.help(PanelId::problems));
+            run(panel_id::problems, scene, edits);
+        tooltip(scene.actions.help(panel_id::problems));
         edits.mark("status_problems");
     }
     ImGui::SameLine();

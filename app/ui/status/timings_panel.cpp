@@ -15,16 +15,16 @@ constexpr double mebibyte = 1024.0 * 1024.0;
 struct Plot {
     ImVec2 low;
     ImVec2 size;
-    float most;  // milliseconds at the top
+    float maximum;  // milliseconds at the top
 
     float y(double milliseconds) const {
-        const auto share = static_cast<float>(milliseconds) / most;
+        const auto share = static_cast<float>(milliseconds) / maximum;
         return low.y + size.y * (1.0f - std::clamp(share, 0.0f, 1.0f));
     }
 };
 
-Plot begin_plot(float width, float height, float most, float scale) {
-    const Plot plot{ImGui::GetCursorScreenPos(), {width, height}, most};
+Plot begin_plot(float width, float height, float maximum, float scale) {
+    const Plot plot{ImGui::GetCursorScreenPos(), {width, height}, maximum};
     ImGui::Dummy({width, height});
     ImGui::GetWindowDrawList()->AddRectFilled(plot.low, {plot.low.x + width, plot.low.y + height},
                                               theme::packed(theme::surround), 3.0f * scale);
@@ -54,8 +54,8 @@ void draw_bars(const Plot& plot, std::size_t count, std::size_t room, Time time,
 
 void draw_pace(const Pace& pace, float width, float height, float scale) {
     const auto& times = pace.milliseconds();
-    const float most = std::max(34.0f, *std::max_element(times.begin(), times.end()) * 1.1f);
-    const Plot plot = begin_plot(width, height, most, scale);
+    const float maximum = std::max(34.0f, *std::max_element(times.begin(), times.end()) * 1.1f);
+    const Plot plot = begin_plot(width, height, maximum, scale);
     for (const double mark : {16.67, 33.33})
         draw_line(plot, mark, theme::line);
     draw_bars(
@@ -67,8 +67,8 @@ void draw_pace(const Pace& pace, float width, float height, float scale) {
 }
 
 void draw_budget(const PassTimes& times, double budget, float width, float height, float scale) {
-    const double most = std::max(budget * 1.5, times.longest_total() * 1.1);
-    const Plot plot = begin_plot(width, height, static_cast<float>(most), scale);
+    const double maximum = std::max(budget * 1.5, times.longest_total() * 1.1);
+    const Plot plot = begin_plot(width, height, static_cast<float>(maximum), scale);
     draw_bars(
         plot, times.frames(), PassTimes::length, [&](std::size_t i) { return times.total(i); },
         [&](double time) { return time > budget ? theme::problem : theme::faint; });
@@ -81,15 +81,15 @@ float budget_width(double budget) {
 }
 
 void draw_budget_text(const Scene& scene, Edits& edits) {
-    const double present = scene.lab.renderer->times().passes().present_total();
+    const double current = scene.lab.renderer->times().passes().current_total();
     double budget = scene.window.frame_rate.budget_milliseconds;
     const ScopedFont font(scene.fonts.numbers);
     ImGui::AlignTextToFramePadding();
     const ScopedColor color(ImGuiCol_Text, is_over_budget(scene) ? theme::problem : theme::dim);
-    ImGui::TextUnformatted(fmt::format("GPU {:.2f} of", present).c_str());
+    ImGui::TextUnformatted(fmt::format("GPU {:.2f} of", current).c_str());
     ImGui::SameLine();
-    const NumberFacts facts{.is_changed = false, .unit = "ms", .limit = Limit{0.1, 1000.0}};
-    if (draw_number("##budget", budget, budget_width(budget), facts).is_changed)
+    const NumberInfo info{.is_changed = false, .unit = "ms", .limit = Limit{0.1, 1000.0}};
+    if (draw_number("##budget", budget, budget_width(budget), info).is_changed)
         edits.arrange(
             [budget](WindowState& window) { window.frame_rate.budget_milliseconds = budget; });
     edits.mark("budget");
@@ -97,7 +97,7 @@ void draw_budget_text(const Scene& scene, Edits& edits) {
 }
 
 /// One line: the pass name, a plot of its latest frames, its time and its memory.
-void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
+void draw_pass(std::size_t pass, const Scene& scene, float maximum, float height) {
     const Executor& executor = scene.lab.renderer->executor();
     const PassTimes& times = scene.lab.renderer->times().passes();
     const float width = ImGui::GetContentRegionAvail().x;
@@ -109,7 +109,7 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
     const float room = std::max(width - left - memory_width - time_width - 2.0f * gap, 20.0f);
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + left);
-    const Plot plot = begin_plot(room, height - 3.0f * scene.scale, most, scene.scale);
+    const Plot plot = begin_plot(room, height - 3.0f * scene.scale, maximum, scene.scale);
     draw_bars(
         plot, times.frames(), PassTimes::length,
         [&](std::size_t i) { return times.milliseconds(pass, i); },
@@ -119,7 +119,7 @@ void draw_pass(std::size_t pass, const Scene& scene, float most, float height) {
         list.AddText({right - ImGui::CalcTextSize(text.c_str()).x, plot.low.y},
                      theme::packed(color), text.c_str());
     };
-    const std::string name = cut_to_fit(executor.look().passes[pass].name, name_width);
+    const std::string name = elided_to_width(executor.look().passes[pass].name, name_width);
     list.AddText({start.x, plot.low.y}, theme::packed(theme::label), name.c_str());
     const double latest = scene.lab.renderer->times().pass_milliseconds()[pass];
     write(plot.low.x + room + gap + time_width, fmt::format("{:.2f} ms", latest), theme::text);
@@ -132,17 +132,17 @@ void draw_passes(const Scene& scene) {
     const PassTimes& times = renderer.times().passes();
     const std::size_t count = std::min({times.passes(), renderer.executor().plan().targets.size(),
                                         renderer.times().pass_milliseconds().size()});
-    double most = 0.01;
+    double maximum = 0.01;
     for (std::size_t pass = 0; pass < count; ++pass)
         for (std::size_t frame = 0; frame < times.frames(); ++frame)
-            most = std::max(most, times.milliseconds(pass, frame));
+            maximum = std::max(maximum, times.milliseconds(pass, frame));
     const ScopedFont font(scene.fonts.numbers);
     const ScopedStyle<ImVec2> spacing(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 3.0f * scene.scale));
     const float line = ImGui::GetTextLineHeight();  // the sum adds one more
     const float fitting = ImGui::GetContentRegionAvail().y / static_cast<float>(count + 1);
     const float height = std::clamp(fitting - 3.0f * scene.scale, line * 0.9f, line * 1.35f);
     for (std::size_t pass = 0; pass < count; ++pass)
-        draw_pass(pass, scene, static_cast<float>(most), height);
+        draw_pass(pass, scene, static_cast<float>(maximum), height);
     const auto bytes = static_cast<double>(memory_of(renderer.executor().plan()));
     const std::string sum = fmt::format("{:.1f} MiB total", bytes / mebibyte);
     ImGui::SetCursorPosX(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(sum.c_str()).x);
@@ -152,7 +152,7 @@ void draw_passes(const Scene& scene) {
 
 namespace {
 std::string wall_text(const Scene& scene) {
-    const double pace = scene.pace.frames_a_second();
+    const double pace = scene.pace.frames_per_second();
     return pace > 0.0 ? fmt::format("{:.1f} ms per frame (lines: 60 and 30 Hz)", 1000.0 / pace)
                       : std::string("Lines: 60 and 30 Hz");
 }
@@ -161,7 +161,7 @@ std::string wall_text(const Scene& scene) {
 bool is_over_budget(const Scene& scene) {
     const LabParts& lab = scene.lab;
     return lab.renderer && lab.player.transport().is_playing() && !lab.frames.has_converged() &&
-           lab.renderer->times().passes().present_total() >
+           lab.renderer->times().passes().current_total() >
                scene.window.frame_rate.budget_milliseconds;
 }
 
@@ -170,8 +170,8 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
         return;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetFontSize();
-    const float most = ImGui::GetFontSize() * 26.0f;  // each frame is a few pixels wide
-    const float width = std::min(std::floor((room.x - 2.0f * gap) * 0.27f), most);
+    const float maximum = ImGui::GetFontSize() * 26.0f;  // each frame is a few pixels wide
+    const float width = std::min(std::floor((room.x - 2.0f * gap) * 0.27f), maximum);
     const float height = std::max(20.0f, room.y - ImGui::GetFrameHeightWithSpacing());
     ImGui::BeginGroup();
     draw_pace(scene.pace, width, height, scene.scale);

@@ -44,7 +44,7 @@ ValueEdit draw_linear_numbers(Value& value, const Fonts& fonts) {
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         ImGui::SameLine();
         edited |=
-            draw_number(fmt::format("##{}", i).c_str(), value.numbers[i], width, NumberFacts{});
+            draw_number(fmt::format("##{}", i).c_str(), value.numbers[i], width, NumberInfo{});
     }
     return edited;
 }

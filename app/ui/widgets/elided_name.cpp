@@ -42,9 +42,9 @@ std::string shortened(std::string text) {
 
 // Shortens `text` until the whole fits.
 std::string cut_between(const std::string& before, std::string text, const std::string& behind,
-                        float most, const WidthOf& width_of) {
+                        float maximum, const WidthOf& width_of) {
     std::string cut = before + text + behind;
-    while (!text.empty() && width_of(cut) > most) {
+    while (!text.empty() && width_of(cut) > maximum) {
         text = shortened(text);
         cut = before;
         cut += text;
@@ -71,13 +71,13 @@ ElidedName elided_name(const std::string& stem, const std::string& first, const 
                               : ElidedName{name.front, name.end + numbers};
 }
 
-std::string elided_to(const ElidedName& name, float most, const WidthOf& width_of) {
+std::string elided_to(const ElidedName& name, float maximum, const WidthOf& width_of) {
     std::string whole = name.front + name.end;
-    if (width_of(whole) <= most)
+    if (width_of(whole) <= maximum)
         return whole;
     if (name.front.empty() || name.end.empty())
-        return cut_between("", whole, "…", most, width_of);
-    if (width_of("…" + name.end) <= most)
-        return cut_between("", name.front, "…" + name.end, most, width_of);
-    return cut_between("…", name.end, "…", most, width_of);
+        return cut_between("", whole, "…", maximum, width_of);
+    if (width_of("…" + name.end) <= maximum)
+        return cut_between("", name.front, "…" + name.end, maximum, width_of);
+    return cut_between("…", name.end, "…", maximum, width_of);
 }

@@ -18,6 +18,6 @@ ElidedName elided_name(const std::string& name, std::span<const std::string> oth
 ElidedName elided_name(const std::string& stem, const std::string& first, const std::string& last,
                        std::span<const std::string> others);
 
-/// The name if it fits `most`, otherwise shortened with "…".
-std::string elided_to(const ElidedName& name, float most,
+/// The name if it fits `maximum`, otherwise shortened with "…".
+std::string elided_to(const ElidedName& name, float maximum,
                       const std::function<float(const std::string&)>& width_of);

@@ -47,7 +47,7 @@ bool form_label(const std::string& label, const FormColumns& columns, bool is_ch
         "##label", {columns.label, height},
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const ImVec4 color = is_changed || ImGui::IsItemHovered() ? theme::text : theme::label;
-    const std::string cut = cut_to_fit(label, columns.label);
+    const std::string cut = elided_to_width(label, columns.label);
     const float top = at.y + (height - ImGui::GetFontSize()) * 0.5f;
     ImGui::GetWindowDrawList()->AddText({at.x, top}, theme::packed(color), cut.c_str());
     return is_clicked;
@@ -57,7 +57,7 @@ void form_control(const FormColumns& columns) {
     ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + columns.label + column_gap());
 }
 
-ValueEdit form_slider(const char* id, double& value, const SliderFacts& facts,
+ValueEdit form_slider(const char* id, double& value, const SliderInfo& info,
                       const FormColumns& columns, const Fonts& fonts) {
     const ScopedId scope{std::string(id)};
     const ScopedFont font(fonts.numbers);
@@ -66,10 +66,10 @@ ValueEdit form_slider(const char* id, double& value, const SliderFacts& facts,
         ImVec2(4.0f,
                ImGui::GetStyle().FramePadding.y + (fonts.text->FontSize - fonts.numbers->FontSize) *
                                                       0.5f * ImGui::GetIO().FontGlobalScale));
-    ValueEdit edited = draw_slider("##slider", value, facts, columns.control);
-    tooltip(facts.warning.empty() ? range_text(facts) : range_text(facts) + "\n" + facts.warning);
+    ValueEdit edited = draw_slider("##slider", value, info, columns.control);
+    tooltip(info.warning.empty() ? range_text(info) : range_text(info) + "\n" + info.warning);
     ImGui::SameLine(0.0f, column_gap());
-    edited |= draw_number("##number", value, columns.number, number_facts(facts));
+    edited |= draw_number("##number", value, columns.number, number_info(info));
     return edited;
 }
 

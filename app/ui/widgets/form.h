@@ -29,7 +29,7 @@ bool form_label(const std::string& label, const FormColumns& columns, bool is_ch
 void form_control(const FormColumns& columns);
 
 /// A slider with its number field.
-ValueEdit form_slider(const char* id, double& value, const SliderFacts& facts,
+ValueEdit form_slider(const char* id, double& value, const SliderInfo& info,
                       const FormColumns& columns, const Fonts& fonts);
 
 /// The reset button at the end of a row, only drawn if `is_changed`.

@@ -256,7 +256,7 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::unpinned:
             draw_pushpin(pen, icon == Icon::pinned);
             break;
-        case Icon::random_numbers:
+        case Icon::dice:
             draw_die(pen);
             break;
     }

@@ -29,7 +29,7 @@ enum class Icon {
     unlocked,
     pinned,  // the signal or source is locked
     unpinned,
-    random_numbers,
+    dice,
 };
 
 /// A square icon button; `help` is its tooltip.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-std::string broken_at_blanks(const std::string& text, float most,
+std::string broken_at_blanks(const std::string& text, float maximum,
                              const std::function<float(const std::string&)>& width_of) {
     std::string broken;
     std::string line;
@@ -15,7 +15,7 @@ std::string broken_at_blanks(const std::string& text, float most,
         if (!line.empty())
             longer += ' ';
         longer += word;
-        if (line.empty() || width_of(longer) <= most) {
+        if (line.empty() || width_of(longer) <= maximum) {
             line = std::move(longer);
         } else {
             broken += line + '\n';

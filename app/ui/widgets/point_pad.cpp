@@ -62,12 +62,12 @@ ValueEdit draw_pad(const Parameter& parameter, double& x, double& y, bool is_cha
 }  // namespace
 
 ValueEdit draw_point(const Parameter& parameter, Value& value, const Value* now,
-                     const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts) {
+                     const NumberInfo& info, const FormColumns& columns, const Fonts& fonts) {
     if (value.numbers.size() < 2)
         return {};
     const float width = columns.control_and_number();
     ValueEdit edited =
-        draw_pad(parameter, value.numbers[0], value.numbers[1], facts.is_changed, width);
+        draw_pad(parameter, value.numbers[0], value.numbers[1], info.is_changed, width);
     if (now && now->numbers.size() >= 2)
         draw_ring(point_in(parameter, now->numbers[0], now->numbers[1], ImGui::GetItemRectMin(),
                            ImGui::GetItemRectMax()));
@@ -76,8 +76,8 @@ ValueEdit draw_point(const Parameter& parameter, Value& value, const Value* now,
     for (std::size_t i = 0; i < value.numbers.size(); ++i) {
         if (i > 0)
             ImGui::SameLine(0.0f, 4.0f);
-        NumberFacts own = facts;
-        own.is_to_be_typed = facts.is_to_be_typed && i == 0;
+        NumberInfo own = info;
+        own.wants_focus = info.wants_focus && i == 0;
         edited |= draw_number(i == 0 ? "##x" : i == 1 ? "##y" : "##z", value.numbers[i], half, own);
     }
     return edited;

@@ -6,4 +6,4 @@
 /// A pad for a point (x to the right, y up) with its numbers below. `now`: its modulated position,
 /// drawn as a ring; may be null.
 ValueEdit draw_point(const Parameter& parameter, Value& value, const Value* now,
-                     const NumberFacts& facts, const FormColumns& columns, const Fonts& fonts);
+                     const NumberInfo& info, const FormColumns& columns, const Fonts& fonts);

@@ -31,17 +31,17 @@ std::string limit_text(const Limit& limit, double number, const std::string& uni
 }
 }  // namespace
 
-TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts) {
+TypedNumber read_typed_number(std::string_view text, const NumberInfo& info) {
     text = trim(text);
-    if (!facts.unit.empty() && text.ends_with(facts.unit))
-        text = trim(text.substr(0, text.size() - facts.unit.size()));
+    if (!info.unit.empty() && text.ends_with(info.unit))
+        text = trim(text.substr(0, text.size() - info.unit.size()));
     if (text.empty())
         return {};
-    const auto time = facts.is_decay ? parse_decay(text) : std::nullopt;
+    const auto time = info.is_decay ? parse_decay(text) : std::nullopt;
     const auto number = time ? time : number_in(text);
     if (!number)
         return {{},
-                facts.is_decay
+                info.is_decay
                     ? fmt::format("\"{}\" is neither a number nor a time such as 120 ms or 10% "
                                   "0.4 s. Value unchanged.",
                                   text)
@@ -52,15 +52,15 @@ TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts) {
                             format_number(*number * 1000.0))};
     double value = *number;
     std::string complaint;
-    if (facts.is_whole && value != std::round(value)) {
+    if (info.is_whole && value != std::round(value)) {
         value = std::round(value);
         complaint =
             fmt::format("Rounded to {}, because only whole numbers are allowed (you typed {})",
                         format_number(value), format_number(*number));
     }
-    if (facts.limit && (value < facts.limit->low || value > facts.limit->high)) {
-        complaint = limit_text(*facts.limit, value, facts.unit);
-        value = std::clamp(value, facts.limit->low, facts.limit->high);
+    if (info.limit && (value < info.limit->low || value > info.limit->high)) {
+        complaint = limit_text(*info.limit, value, info.unit);
+        value = std::clamp(value, info.limit->low, info.limit->high);
     }
     return {value, complaint};
 }

@@ -7,13 +7,13 @@
 #include <string_view>
 
 /// The accepted values of a number field and how it displays them.
-struct NumberFacts {
+struct NumberInfo {
     bool is_changed = false;
     std::string unit = {};
     std::optional<Limit> limit = {};  // typed values are limited to it
     bool is_whole = false;
-    bool is_decay = false;        // accepts a time, see model/look/decay.h
-    bool is_to_be_typed = false;  // gets the keyboard focus
+    bool is_decay = false;     // accepts a time, see model/look/decay.h
+    bool wants_focus = false;  // gets the keyboard focus
 };
 
 /// The result of parsing a typed number.
@@ -25,7 +25,7 @@ struct TypedNumber {
 /// Parses a typed number: a decimal point or comma, and an optional unit. For a decay also a time,
 /// see model/look/decay.h. "4,096" is rejected as ambiguous: 4.096 or 4096. An empty text changes
 /// nothing.
-TypedNumber read_typed_number(std::string_view text, const NumberFacts& facts);
+TypedNumber read_typed_number(std::string_view text, const NumberInfo& info);
 
 /// A text field that is open or has just been closed.
 struct TypedField {

@@ -1,10 +1,10 @@
 #include "ui/widgets/widgets.h"
 
 #include "base/printable.h"
-#include "ui/widgets/cut_text.h"
 #include "ui/widgets/line_breaks.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/truncated_text.h"
 
 #include <fmt/format.h>
 #include <imgui/imgui_internal.h>
@@ -49,28 +49,28 @@ std::string wrapped(const std::string& text, float width) {
         text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
 }
 
-std::string cut_to_fit(const std::string& text, float width) {
+std::string elided_to_width(const std::string& text, float width) {
     const auto width_of = [](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str()).x;
     };
-    return cut_at_width(text, width, width_of);
+    return truncated_to_width(text, width, width_of);
 }
 
 namespace {
-constexpr std::size_t most_tooltip_bytes = 4096;  // fills the screen
+constexpr std::size_t max_tooltip_bytes = 4096;  // fills the screen
 }
 
 void fitted_text(const std::string& text, float width, const ImVec4& color) {
-    const std::string cut = cut_to_fit(text, width);
+    const std::string cut = elided_to_width(text, width);
     {
         const ScopedColor scoped(ImGuiCol_Text, color);
         ImGui::TextUnformatted(cut.c_str());
     }
     if (cut != text)
-        tooltip(shortened(text, most_tooltip_bytes));
+        tooltip(shortened(text, max_tooltip_bytes));
 }
 
-bool is_lingered_on() {
+bool is_hover_delayed() {
     constexpr float patience_seconds = 0.3f;
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !context.IO.MouseDown[0] &&
@@ -78,7 +78,7 @@ bool is_lingered_on() {
 }
 
 void tooltip(const std::string& text) {
-    if (text.empty() || !is_lingered_on())
+    if (text.empty() || !is_hover_delayed())
         return;
     const ScopedColor color(ImGuiCol_Text, theme::text);         // independent of the item's colour
     const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // and of its font
@@ -120,7 +120,7 @@ bool section(const std::string& label, bool opens_first) {
     const float middle = at.y + height * 0.5f;
     const float size = ImGui::GetFontSize();
     const float room = ImGui::GetItemRectSize().x - size * 0.95f;
-    const std::string shown = cut_to_fit(label, room);  // a small button can follow
+    const std::string shown = elided_to_width(label, room);  // a small button can follow
     draw_chevron({at.x + size * 0.3f, middle}, is_open,
                  ImGui::IsItemHovered() ? theme::accent : theme::dim);
     ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
@@ -146,10 +146,10 @@ void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color) {
                                             ImGui::GetFontSize() * 0.1f);
 }
 
-bool begin_combo(const char* id, const std::string& present, float width) {
+bool begin_combo(const char* id, const std::string& current, float width) {
     ImGui::SetNextItemWidth(width);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const std::string cut = cut_to_fit(present, width - ImGui::GetFontSize() * 1.6f);
+    const std::string cut = elided_to_width(current, width - ImGui::GetFontSize() * 1.6f);
     const bool is_open = ImGui::BeginCombo(
         id, cut.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
     if (is_open)

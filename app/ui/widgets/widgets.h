@@ -40,10 +40,10 @@ void wrapped_dim_text(const std::string& text);
 std::string wrapped(const std::string& text, float width);
 /// Cuts the text with "…" if it does not fit `width`; the tooltip has the whole text.
 void fitted_text(const std::string& text, float width, const ImVec4& color);
-std::string cut_to_fit(const std::string& text, float width);
+std::string elided_to_width(const std::string& text, float width);
 
 /// Whether the last item has been hovered for a moment without a pressed button.
-bool is_lingered_on();
+bool is_hover_delayed();
 /// Shows a wrapped text when the last item is hovered for a moment.
 void tooltip(const std::string& text);
 /// A tooltip for a file that opens in the user's editor on click.
@@ -63,7 +63,7 @@ void open_section(const std::string& label);
 void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color);
 
 /// ImGui::BeginCombo with a less prominent arrow.
-bool begin_combo(const char* id, const std::string& present, float width);
+bool begin_combo(const char* id, const std::string& current, float width);
 
 /// A text button without a background until it is hovered.
 bool quiet_button(const std::string& label);

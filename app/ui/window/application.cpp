@@ -6,10 +6,11 @@
 #include "lab/safe_start.h"
 #include "lab/session.h"
 #include "lab/session/first_file.h"
-#include "lab/session/session_keeper.h"
+#include "lab/session/session_autosave.h"
 #include "lab/storage/injected_fault.h"
 #include "lab/views/displayed_passes.h"
 #include "lab/window/window_session.h"
+#include "ui/panels/panel_table.h"
 #include "ui/picture/first_steps.h"
 #include "ui/window/desktop_window.h"
 #include "ui/window/lab_wakers.h"
@@ -29,7 +30,7 @@ struct Start {
 };
 
 // Opens the look of the command line, otherwise the last session.
-void open_first(const WindowOptions& options, const Session& session, Lab& lab, Start& start) {
+void open_first(const ApplicationOptions& options, const Session& session, Lab& lab, Start& start) {
     std::optional<std::string> look = options.look;
     if (look && FirstFile::is_one(*look)) {
         start.first_file = FirstFile(*std::exchange(look, {}));
@@ -52,7 +53,7 @@ void open_first(const WindowOptions& options, const Session& session, Lab& lab, 
 class Application {
 public:
     /// `lab` must outlive the application; it is already opening a look.
-    Application(const WindowOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
+    Application(const ApplicationOptions& options, gpu::Window& window, Lab& lab, BuiltFonts fonts,
                 Views views, Start start)
         : m_window(window),
           m_lab(lab),
@@ -77,8 +78,8 @@ public:
             m_keeper.update(m_lab, m_state);
         }
         m_keeper.save(m_lab, m_state);
-        constexpr auto patience = std::chrono::milliseconds(500);
-        if (!m_lab.loader().worker().end(patience))
+        constexpr auto timeout = std::chrono::milliseconds(500);
+        if (!m_lab.loader().worker().end(timeout))
             std::_Exit(EXIT_SUCCESS);  // all is saved; nothing else would end that thread
         return true;
     }
@@ -100,7 +101,7 @@ private:
     UpdateSchedule m_schedule;
     LabWakers m_wakers;
     DesktopWindow m_desktop;
-    SessionKeeper m_keeper;
+    SessionAutosave m_keeper;
     bool m_is_quitting = false;
 };
 
@@ -118,7 +119,7 @@ bool Application::has_lost_context() const {
 void Application::update() {
     const double wall_seconds = m_schedule.begin_update();
     m_panels.pace().update(
-        wall_seconds, m_lab.frames().is_amid_frame(),
+        wall_seconds, m_lab.frames().has_unfinished_frame(),
         m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
     follow_output();
     update_lab(wall_seconds);
@@ -186,10 +187,10 @@ void Application::offer_move() {
 }
 
 // Runs a window until it is closed. False: the driver has lost its context.
-Result<bool> run_once(const WindowOptions& options) {
+Result<bool> run_once(const ApplicationOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
-    Start start{restored_window(session.window)};
+    Start start{restored_window(session.window, panel_kinds())};
     auto fonts = build_fonts_async(fitted_scale(static_cast<float>(start.state.geometry.scale)));
     auto window = gpu::Window::open(geometry_of(start.state.geometry));
     if (!window)
@@ -212,10 +213,10 @@ Result<bool> run_once(const WindowOptions& options) {
 }
 }  // namespace
 
-Result<void> run_window(const WindowOptions& options) {
-    constexpr int most_resets = 3;
-    WindowOptions again = options;
-    for (int resets = 0; resets <= most_resets; ++resets) {
+Result<void> run_window(const ApplicationOptions& options) {
+    constexpr int max_resets = 3;
+    ApplicationOptions again = options;
+    for (int resets = 0; resets <= max_resets; ++resets) {
         const auto is_closed = run_once(again);
         if (!is_closed)
             return fail(is_closed.error());

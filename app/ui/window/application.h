@@ -8,7 +8,7 @@
 #include <string>
 
 /// The options for the start of the window.
-struct WindowOptions {
+struct ApplicationOptions {
     std::optional<std::string> look;  // name, folder or preset; nullopt: session, else Phosphor
     Roots roots;
     /// Kept up to date with the displayed state, for tests; "": not written.
@@ -17,4 +17,4 @@ struct WindowOptions {
 
 /// Opens the window and returns when it is closed. Fails before displaying anything if the display
 /// or OpenGL 4.1 is missing.
-Result<void> run_window(const WindowOptions& options);
+Result<void> run_window(const ApplicationOptions& options);

@@ -16,7 +16,7 @@ struct InputQueue::Seen {
     std::set<int> keys;
     std::set<int> buttons;
     bool is_typing = false;
-    bool is_specializing = false;
+    bool is_transitioning = false;
     bool has_moved = false;
     bool has_turned_wheel = false;
     gpu::PointerEvent wheel_turned_at;
@@ -32,8 +32,8 @@ void InputQueue::add(const std::vector<gpu::InputEvent>& events) {
 std::vector<gpu::InputEvent> InputQueue::take_frame(bool is_typing) {
     Seen seen;
     seen.is_typing = is_typing;
-    seen.is_specializing = m_frames_to_settle > 0;
-    if (seen.is_specializing)
+    seen.is_transitioning = m_frames_to_settle > 0;
+    if (seen.is_transitioning)
         --m_frames_to_settle;
     std::vector<gpu::InputEvent> events;
     while (!m_waiting.empty() && fits(m_waiting.front(), seen)) {
@@ -55,8 +55,8 @@ bool only_prints(int key, const std::set<int>& modifiers) {
 
 // Small movements while scrolling do not change the scrolled item.
 bool are_near(const gpu::PointerEvent& a, const gpu::PointerEvent& b) {
-    constexpr float most = 24.0f;
-    return std::abs(a.x - b.x) <= most && std::abs(a.y - b.y) <= most;
+    constexpr float maximum = 24.0f;
+    return std::abs(a.x - b.x) <= maximum && std::abs(a.y - b.y) <= maximum;
 }
 
 template <class... Ts>
@@ -77,12 +77,12 @@ bool InputQueue::fits(const gpu::InputEvent& event, const Seen& seen) const {
                            return !is_seen && !seen.has_command && !seen.has_turned_wheel &&
                                   (seen.is_typing || !seen.has_press);
                        if (only_prints(key.key, m_modifiers))
-                           return !seen.is_specializing && !seen.has_command &&
+                           return !seen.is_transitioning && !seen.has_command &&
                                   (seen.is_typing || !is_seen);
                        return !is_seen && !seen.has_text;
                    },
                    [&](const gpu::TextEvent&) {
-                       return seen.buttons.empty() && !seen.has_command && !seen.is_specializing;
+                       return seen.buttons.empty() && !seen.has_command && !seen.is_transitioning;
                    },
                    [&](const gpu::ButtonEvent& button) {
                        return seen.buttons.count(button.button) == 0 && !seen.has_turned_wheel &&

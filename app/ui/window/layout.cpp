@@ -13,9 +13,9 @@ constexpr float status_height = 25.0f;
 
 // Reduces two requested sizes by the same factor until at least `rest` of `room` remains.
 std::array<float, 2> shared(float first, float second, float room, float rest) {
-    const float most = std::max(0.0f, room - rest);
+    const float maximum = std::max(0.0f, room - rest);
     const float wanted = first + second;
-    const float factor = wanted > most && wanted > 0.0f ? most / wanted : 1.0f;
+    const float factor = wanted > maximum && wanted > 0.0f ? maximum / wanted : 1.0f;
     return {first * factor, second * factor};
 }
 

@@ -22,7 +22,7 @@ bool PanelDisplay::is_pending(const Lab& lab) const {
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
     const bool awaits_distances = compared.difference() && !compared.distances();
     const bool awaits_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
-    return awaits_distances || awaits_stops || m_views.is_pending() || m_views.is_specializing();
+    return awaits_distances || awaits_stops || m_views.is_pending() || m_views.is_transitioning();
 }
 
 void PanelDisplay::list_looks(const Lab& lab, double wall_seconds) {
@@ -42,7 +42,7 @@ void PanelDisplay::make_ready(const Lab& lab, const WindowState& state, double w
 void PanelDisplay::update(Lab& lab, WindowState& state, double wall_seconds) {
     list_looks(lab, wall_seconds);
     m_views.update(lab, state);
-    answer_pending_fits(m_views, lab, state);
+    apply_pending_fits(m_views, lab, state);
     m_pictures.update(lab, m_views, state, wall_seconds);
 }
 
@@ -50,7 +50,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
     gpu::bind_screen(m_window.framebuffer_size());
     const theme::Color back = theme::surround;
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
-    m_toolkit.also_take(m_output.take_keys());
+    m_toolkit.add_events(m_output.take_keys());
     m_toolkit.begin(static_cast<float>(state.geometry.scale));
     Edits edits;
     const LabParts parts = parts_of(lab);

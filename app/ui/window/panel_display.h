@@ -2,7 +2,7 @@
 
 #include "lab/library/library_view.h"
 #include "lab/rendering/pace.h"
-#include "lab/views/list_pictures.h"
+#include "lab/views/list_thumbnails.h"
 #include "lab/views/views.h"
 #include "ui/actions/action_table.h"
 #include "ui/frame/edits.h"
@@ -37,7 +37,7 @@ private:
     const ActionTable m_actions = make_action_table();
     OutputWindow m_output;
     Views m_views;
-    ListPictures m_pictures{{}, PresetPictures(gpu::WindowEvents::wake), {}};
+    ListThumbnails m_pictures{{}, PresetThumbnails(gpu::WindowEvents::wake), {}};
     LibraryView m_library;
     Pace m_pace;
     std::filesystem::path m_state_file;

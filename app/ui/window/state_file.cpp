@@ -108,7 +108,7 @@ std::string inspection_text(const Scene& scene) {
 // The number of displayed texel values, in picture, inspector and waveform.
 std::string texels_text(const Scene& scene) {
     const TexelInspector& texels = scene.views.texels();
-    const auto count = [](const CellNumbers& cells) {
+    const auto count = [](const TexelValues& cells) {
         return cells.block() ? cells.block()->numbers.size() : 0;
     };
     const ScanLine& line = scene.window.probes.scan_line;
@@ -140,7 +140,7 @@ std::string gains_text(const Scene& scene) {
     const std::size_t passes =
         scene.lab.renderer ? scene.lab.renderer->executor().look().passes.size() : 0;
     for (std::size_t pass = 0; pass < passes; ++pass) {
-        const Gain* gain = scene.views.strip().gain(pass);
+        const TargetLevel* gain = scene.views.strip().gain(pass);
         gains.push_back(gain ? fmt::format("[{},{}]", gain->peak, gain->clipped) : "null");
     }
     return fmt::format(R"(,"gains":[{}])", fmt::join(gains, ","));
@@ -161,7 +161,7 @@ std::string comparison_text(const Scene& scene) {
         R"(,"compare":{{"mode":{},"other":{},"is_flashing":{},"stops":{},"mean":{},"gain":{},"measure":{}}},"slots":[{}])",
         json_string(modes[static_cast<std::size_t>(lab.frames.comparison().mode())]),
         json_string(sides ? sides->other : std::string()),
-        lab.frames.comparison().selection().is_flashing(),
+        lab.frames.comparison().selection().is_reference_shown(),
         compared.stops() ? fmt::format("{:.4f}", *compared.stops()) : "null",
         compared.distances() ? fmt::format("\"{}\"", compared.distances()->mean) : "null",
         lab.frames.comparison().selection().chosen().gain_stops,
@@ -203,13 +203,13 @@ std::string tryouts_text(const Scene& scene) {
     std::vector<std::string> changes;
     for (const auto& change : probe.changes())
         changes.push_back(change ? fmt::format("\"{}\"", change_share(*change)) : "null");
-    const auto present = lab.document ? sheet.present(*lab.document) : std::nullopt;
+    const auto current = lab.document ? sheet.current(*lab.document) : std::nullopt;
     return fmt::format(
         R"(,"pointed":{},"step":{{"words":{},"is_busy":{},"changes":[{}]}},"sheet":{{"cells":{},"drawn":{},"columns":{},"present":{}}},"morph":{})",
         json_string(scene.window.parameters.pointed ? scene.window.parameters.pointed->parameter
                                                     : std::string()),
         json_string(probe.text()), probe.is_busy(), fmt::join(changes, ","), sheet.cells().size(),
-        sheet.drawn(), sheet.columns(), present ? fmt::format("{}", *present) : "null",
+        sheet.drawn(), sheet.columns(), current ? fmt::format("{}", *current) : "null",
         lab.presets.navigation().morphing()
             ? fmt::format("{:.3f}", lab.presets.navigation().morphing()->share())
             : "null");

@@ -23,7 +23,7 @@ public:
     /// Whether this frame contains input events.
     bool has_input() const { return m_has_input; }
     /// Adds events of another window.
-    void also_take(const std::vector<gpu::InputEvent>& events) { m_input.add(events); }
+    void add_events(const std::vector<gpu::InputEvent>& events) { m_input.add(events); }
     /// Creates the resources for a first frame at this scale; begin() does the same.
     void make_ready(float scale);
     bool is_ready() const { return m_scale > 0.0f; }

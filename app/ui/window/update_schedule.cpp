@@ -36,7 +36,7 @@ bool UpdateSchedule::wait(double frame_seconds, bool is_pending) {
     }
     const double left = frame_seconds - seconds_between(m_updated, start);
     constexpr double slack = 0.001;
-    if (left > slack && !m_lab.frames().is_amid_frame())
+    if (left > slack && !m_lab.frames().has_unfinished_frame())
         gpu::WindowEvents::wait(left - slack);
     else
         gpu::WindowEvents::poll();
@@ -55,20 +55,20 @@ double UpdateSchedule::begin_update() {
 // Whether the first picture of all is still pending.
 bool UpdateSchedule::awaits_picture() {
     m_has_had_picture = m_has_had_picture || (m_lab.renderer() && m_lab.renderer()->has_drawn());
-    const bool is_coming = m_lab.loader().is_loading() || m_lab.frames().is_amid_frame();
+    const bool is_coming = m_lab.loader().is_loading() || m_lab.frames().has_unfinished_frame();
     return is_coming && !m_has_had_picture;
 }
 
 bool UpdateSchedule::is_before_panels() {
-    constexpr double most_seconds = 0.25;
+    constexpr double max_seconds = 0.25;
     return m_frame_number == 0 && awaits_picture() &&
-           seconds_between(m_drawn, m_updated) < most_seconds;
+           seconds_between(m_drawn, m_updated) < max_seconds;
 }
 
 // While a slow look draws, the panels are drawn ten times a second.
 bool UpdateSchedule::are_panels_due() {
     constexpr double now_and_then = 0.1;
-    if (!m_lab.frames().is_amid_frame() && !awaits_picture())
+    if (!m_lab.frames().has_unfinished_frame() && !awaits_picture())
         return true;
     if (m_frame_number == 0 || m_events.has_input() || m_toolkit.is_behind() ||
         seconds_between(m_drawn, m_updated) > now_and_then)

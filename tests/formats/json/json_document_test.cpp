@@ -89,7 +89,7 @@ TEST_CASE("errors are reported at their line, without internal names of the pars
 
 TEST_CASE("the last of duplicate keys counts if that is allowed") {
     const auto json = parse_json("{\"a\": 1, \"b\": {\"c\": 2, \"c\": 3}, \"a\": 4}", "a.json",
-                                 DoubleKeys::last_counts);
+                                 DuplicateKeys::last_wins);
     REQUIRE(json.has_value());
     CHECK(json->children.size() == 2);
     CHECK(find_member(*json, "a")->number == 4.0);

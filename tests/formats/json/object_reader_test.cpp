@@ -24,7 +24,7 @@ TEST_CASE("members are read by type, and a missing member gives the fallback") {
     CHECK(reader.choice("c", Choices<int>{{"one", 1}, {"two", 2}}, 0) == 2);
     CHECK(reader.text("none", "fallback") == "fallback");
     CHECK(reader.whole("nothing", 4, 1, 9) == 4);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     CHECK(reading.problems.empty());
 }
 
@@ -41,7 +41,7 @@ TEST_CASE("every error is reported at its line") {
     CHECK(reader.choice("c", Choices<int>{{"one", 1}, {"two", 2}}, 0) == 0);
     reader.require("missing");
     reader.boolean("true", false);
-    reader.refuse_unknown();
+    reader.report_unknown_keys();
     CHECK(
         to_string(reading.problems) ==
         "a.json:2: error: 't' must be a text in quotes, got 1\n"
@@ -57,7 +57,7 @@ TEST_CASE("every error is reported at its line") {
 TEST_CASE("a value that is not an object gives one error") {
     Reading reading("[1]");
     CHECK(reading.reader.require("format") == nullptr);
-    reading.reader.refuse_unknown();
+    reading.reader.report_unknown_keys();
     CHECK(to_string(reading.problems) == "a.json:1: error: expected an object {...}, got [...]\n");
 }
 

@@ -18,7 +18,7 @@ std::string line_error(std::string_view text) {
 }
 
 std::string line_with(std::string_view json) {
-    return "afterglow:1:" + base64url_encode(deflated(json));
+    return "afterglow:1:" + base64url_encode(deflate_bytes(json));
 }
 }  // namespace
 

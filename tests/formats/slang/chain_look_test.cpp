@@ -194,9 +194,9 @@ TEST_CASE("built-in members are set, sizes included") {
         REQUIRE_MESSAGE(found != pass.built_ins.end(), uniform);
         return *found;
     };
-    CHECK(told("vertex_uniforms.MVP").says == BuiltIn::quad_to_clip);
-    CHECK(told("fragment_constants.FrameCount").says == BuiltIn::frame_before);
-    CHECK(told("fragment_constants.SourceSize").says == BuiltIn::input_extent);
+    CHECK(told("vertex_uniforms.MVP").kind == BuiltIn::quad_to_clip);
+    CHECK(told("fragment_constants.FrameCount").kind == BuiltIn::frame_index);
+    CHECK(told("fragment_constants.SourceSize").kind == BuiltIn::input_extent);
     CHECK(told("fragment_constants.SourceSize").of->from == Input::From::source);
 }
 

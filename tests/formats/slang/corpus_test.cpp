@@ -27,7 +27,7 @@ struct Counts {
     int last_scaled = 0;
     int without_filter = 0;
     std::vector<std::size_t> parameters;  // per preset
-    std::size_t most_lines = 0;
+    std::size_t max_lines = 0;
     std::set<std::string> shaders;
     std::set<std::string> broken_shaders;
     int compiled = 0;
@@ -42,9 +42,9 @@ std::size_t lines_of(const fs::path& shader, SlangFiles& files) {
 }
 
 void count_passes(const SlangPreset& preset, Counts& counts) {
-    constexpr std::array<std::size_t, 7> least{1, 2, 4, 8, 16, 32, 48};
-    const auto above = std::ranges::upper_bound(least, preset.passes.size());
-    ++counts.by_passes[static_cast<std::size_t>(above - least.begin() - 1)];
+    constexpr std::array<std::size_t, 7> minimum{1, 2, 4, 8, 16, 32, 48};
+    const auto above = std::ranges::upper_bound(minimum, preset.passes.size());
+    ++counts.by_passes[static_cast<std::size_t>(above - minimum.begin() - 1)];
     const auto any = [&](auto has) { return std::ranges::any_of(preset.passes, has) ? 1 : 0; };
     for (const Wrap wrap : {Wrap::edge, Wrap::mirror, Wrap::repeat})
         counts.wraps[wrap] += any([&](const SlangPass& pass) { return pass.wrap == wrap; });
@@ -67,7 +67,7 @@ void count_shaders(const SlangPreset& preset, SlangFiles& files, Counts& counts)
             continue;
         }
         if (is_new) {
-            counts.most_lines = std::max(counts.most_lines, lines_of(pass.shader, files));
+            counts.max_lines = std::max(counts.max_lines, lines_of(pass.shader, files));
             const auto translated = translate_from_vulkan(shader->vertex, shader->fragment);
             CHECK_MESSAGE(translated.has_value(), problems_of(translated));
             counts.compiled += translated ? 1 : 0;
@@ -127,7 +127,7 @@ TEST_CASE("the public corpus of slang presets is read as it was counted") {
     CHECK(counts.broken_shaders.empty());
     CHECK(counts.compiled == 1338);
     // crt-royale with its 36 includes expanded.
-    CHECK(counts.most_lines == 15586);
+    CHECK(counts.max_lines == 15586);
     std::ranges::sort(counts.parameters);
     REQUIRE_FALSE(counts.parameters.empty());
     CHECK(counts.parameters[counts.parameters.size() / 2] == 195);

@@ -291,7 +291,7 @@ TEST_CASE("an SVG with exponential or excessive content is rejected") {
               .at(0)
               .points.size() == 20001);
     std::string huge = "M0 0";
-    for (std::size_t i = 0; i <= most_scene_points; ++i)
+    for (std::size_t i = 0; i <= max_scene_points; ++i)
         huge += i % 2 == 0 ? "L1 1" : "L0 0";
     CHECK(refusal(svg_with("<path d='" + huge + "'/>"))
               .find("too many points; the limit is 400000") != std::string::npos);

@@ -128,12 +128,12 @@ TEST_CASE("an empty, too large or invalid SVG drawing gives an error") {
     CHECK(drawing_refusal("<svg data-afterglow-drawing='1'>\n<path d='M0 0 L1'/></svg>")
               .find("d.svg:2: error: ") != std::string::npos);
     std::string many = "<svg data-afterglow-drawing='1'>\n";
-    for (std::size_t i = 0; i <= most_keyframes; ++i)
+    for (std::size_t i = 0; i <= max_keyframes; ++i)
         many += "<g data-keyframe='1'><path d='M0 0L1 1'/></g>";
     CHECK(drawing_refusal(many + "</svg>").find("too many keyframes; the limit is 100") !=
           std::string::npos);
     std::string huge = "<svg data-afterglow-drawing='1'><path d='M0 0";
-    for (std::size_t i = 0; i <= most_scene_points; ++i)
+    for (std::size_t i = 0; i <= max_scene_points; ++i)
         huge += i % 2 == 0 ? "H1" : "H0";
     CHECK(drawing_refusal(huge + "'/></svg>").find("too many points; the limit is 400000") !=
           std::string::npos);

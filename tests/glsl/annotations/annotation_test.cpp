@@ -82,11 +82,11 @@ TEST_CASE("components of a vector are named by the author or by axis") {
     const Parameter fade = parameter_of(
         "uniform vec3 fade_color = vec3(1.0);  // @range 0 4  @parts \"Red\" \"Green\" \"Blue\"");
     CHECK(fade.control == Control::slider);  // although its name suggests a colour
-    CHECK(part_label(fade, 0) == "Red");
-    CHECK(part_label(fade, 2) == "Blue");
+    CHECK(component_label(fade, 0) == "Red");
+    CHECK(component_label(fade, 2) == "Blue");
     const Parameter offset = parameter_of("uniform vec4 shift;");
-    CHECK(part_label(offset, 1) == "y");
-    CHECK(part_label(offset, 3) == "w");
+    CHECK(component_label(offset, 1) == "y");
+    CHECK(component_label(offset, 3) == "w");
 }
 
 TEST_CASE("block comments and prose before the first annotation are allowed") {

@@ -58,7 +58,7 @@ TEST_CASE("blocks and push constants become plain uniforms with a prefix per sta
     for (const char* word : {"binding", "push_constant", "std140", "#line", "GOOGLE"})
         CHECK(made->fragment.text->find(word) == std::string::npos);
     const auto frames = std::ranges::find(made->members, "FrameCount", &BlockMember::name);
-    CHECK(frames->type == NumberType{Scalar::natural, 1, 1});
+    CHECK(frames->type == NumberType{Scalar::unsigned_integer, 1, 1});
 }
 
 TEST_CASE("a sampler whose name is invalid in OpenGL is found under its new name") {

@@ -83,6 +83,6 @@ TEST_CASE("numbers are written so that GLSL parses the same value and type") {
     CHECK(glsl_number(real, -0.5) == "(-0.5)");
     CHECK(glsl_number(whole, 7.0) == "7");
     CHECK(glsl_number(whole, -7.0) == "(-7)");
-    CHECK(glsl_number({Scalar::natural, 1, 1}, 7.0) == "7u");
+    CHECK(glsl_number({Scalar::unsigned_integer, 1, 1}, 7.0) == "7u");
     CHECK(glsl_number({Scalar::boolean, 1, 1}, 1.0) == "true");
 }

@@ -34,7 +34,7 @@ TEST_CASE("every number type is written in GLSL syntax") {
         "mat2 m;",
         {{"b", {{Scalar::boolean, 1, 1}, Value(1.0)}},
          {"i", {{Scalar::integer, 1, 1}, Value(-3.0)}},
-         {"u", {{Scalar::natural, 1, 1}, Value(7.0)}},
+         {"u", {{Scalar::unsigned_integer, 1, 1}, Value(7.0)}},
          {"v", {{Scalar::floating, 3, 1}, Value(std::vector<double>{0.2, 1, -1e-9})}},
          {"n", {{Scalar::integer, 2, 1}, Value(std::vector<double>{10, 8})}},
          {"m", {{Scalar::floating, 2, 2}, Value(std::vector<double>{1, 2, 3, 4})}}});

@@ -60,14 +60,14 @@ TEST_CASE("an unclosed string in very many comment lines is scanned once") {
 TEST_CASE(
     "macros with very many parameters or definitions are scanned fast, and rejected if too long") {
     const std::string many = "#define F(" + times(200'000, "a,") + "a) " + times(200'000, "G(a) ");
-    std::optional<OutOfBounds> fault;
+    std::optional<LimitViolation> fault;
     CHECK(is_done_in_a_moment(
-        [&] { fault = find_out_of_bounds(many + "\n#define G(x) x\nfloat b = F(1);\n"); }));
+        [&] { fault = find_limit_violation(many + "\n#define G(x) x\nfloat b = F(1);\n"); }));
     REQUIRE(fault.has_value());
     CHECK(fault->line == 3);
     const std::string again =
         times(100'000, "#define A 1\n") + "float b = " + times(16'000, "A ") + ";\n";
-    CHECK(is_done_in_a_moment([&] { fault = find_out_of_bounds(again); }));
+    CHECK(is_done_in_a_moment([&] { fault = find_limit_violation(again); }));
     CHECK_FALSE(fault.has_value());
 }
 

@@ -66,11 +66,11 @@ std::string uniforms(int count) {
 
 TEST_CASE("variables take at most 1 MiB") {
     // 4 bytes per float; 'uv' and 'color' take 24.
-    constexpr int most = ((1 << 20) - 24) / 4;
-    CHECK(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", most))) == "");
-    CHECK(names(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", most + 1))),
+    constexpr int maximum = ((1 << 20) - 24) / 4;
+    CHECK(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", maximum))) == "");
+    CHECK(names(refused(fragment("", fmt::format("float a[{}]; a[3] = 1.0;\n", maximum + 1))),
                 "variable-bytes"));
-    const std::string global = fmt::format("vec4 a[{}];\n", most);
+    const std::string global = fmt::format("vec4 a[{}];\n", maximum);
     CHECK(names(refused(fragment(global, "a[3] = vec4(1.0);\n")), "variable-bytes"));
     CHECK(names(refused(fragment("", "float a[1100000000]; a[3] = 1.0;\n")), "variable-bytes"));
     CHECK(names(refused(fragment("uniform float u[300000];\n", "color.x = u[3];\n")),

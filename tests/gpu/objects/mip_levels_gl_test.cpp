@@ -40,14 +40,14 @@ std::vector<float> level_of(const gpu::Texture& texture, GLenum face, int level)
 
 // The largest difference between two textures of one kind in their smaller levels.
 float difference(const gpu::Texture& one, const gpu::Texture& other, GLenum face) {
-    float most = 0;
+    float maximum = 0;
     for (int level = 1; level < one.levels(); ++level) {
         const std::vector<float> a = level_of(one, face, level);
         const std::vector<float> b = level_of(other, face, level);
         for (std::size_t i = 0; i < a.size(); ++i)
-            most = std::max(most, std::abs(a[i] - b[i]));
+            maximum = std::max(maximum, std::abs(a[i] - b[i]));
     }
-    return most;
+    return maximum;
 }
 
 void let_the_driver_make_levels(const gpu::Texture& texture) {
@@ -87,14 +87,14 @@ TEST_CASE_FIXTURE(Headless, "sRGB mipmaps average light, not codes") {
 }
 
 TEST_CASE_FIXTURE(Headless, "mipmaps match the driver's own at any size") {
-    for (const FormatFacts& facts : all_formats())
+    for (const FormatInfo& info : all_formats())
         for (const Extent extent : {Extent{16, 16}, Extent{37, 21}, Extent{1, 7}, Extent{5, 2}}) {
-            if (facts.is_integer)
+            if (info.is_integer)
                 continue;
-            CAPTURE(facts.name);
+            CAPTURE(info.name);
             CAPTURE(extent.width);
-            gpu::Texture ours = texture_of(uneven(extent), facts.format);
-            const gpu::Texture theirs = texture_of(uneven(extent), facts.format);
+            gpu::Texture ours = texture_of(uneven(extent), info.format);
+            const gpu::Texture theirs = texture_of(uneven(extent), info.format);
             ours.generate_mipmaps();
             let_the_driver_make_levels(theirs);
             CHECK(difference(ours, theirs, GL_TEXTURE_2D) <= one_code);

@@ -50,11 +50,11 @@ TEST_CASE_FIXTURE(
         picture.pixels.push_back(static_cast<float>(i * 37 % 61) / 60.0f);
     RawPicture raw;
     for (int turn = 0; turn < 2; ++turn)
-        for (const FormatFacts& facts : all_formats()) {
-            CAPTURE(facts.name);
-            if (facts.is_integer)
+        for (const FormatInfo& info : all_formats()) {
+            CAPTURE(info.name);
+            if (info.is_integer)
                 continue;
-            const gpu::Texture texture = texture_of(picture, facts.format);
+            const gpu::Texture texture = texture_of(picture, info.format);
             gpu::read_raw(texture, raw);
             CHECK(picture_of(raw) == gpu::read_picture(texture));
         }
@@ -88,18 +88,18 @@ TEST_CASE_FIXTURE(Headless, "8-bit formats round to the nearest code, and NaN is
 }
 
 TEST_CASE_FIXTURE(Headless, "every format returns the channels that it has") {
-    for (const FormatFacts& facts : all_formats()) {
-        if (facts.is_integer)
+    for (const FormatInfo& info : all_formats()) {
+        if (info.is_integer)
             continue;
-        CAPTURE(facts.name);
-        const Picture back = gpu::read_picture(texture_of(corners(), facts.format));
+        CAPTURE(info.name);
+        const Picture back = gpu::read_picture(texture_of(corners(), info.format));
         const Picture whole = corners();
-        REQUIRE(back.channels == (facts.channels == 2 ? 3 : facts.channels));
+        REQUIRE(back.channels == (info.channels == 2 ? 3 : info.channels));
         for (int y = 0; y < 2; ++y)
             for (int x = 0; x < 2; ++x)
                 for (int c = 0; c < back.channels; ++c) {
                     const float wanted =
-                        c < facts.channels ? whole.pixels[whole.index(x, y) + std::size_t(c)] : 0;
+                        c < info.channels ? whole.pixels[whole.index(x, y) + std::size_t(c)] : 0;
                     CHECK(back.pixels[back.index(x, y) + std::size_t(c)] == wanted);
                 }
     }
@@ -115,9 +115,9 @@ TEST_CASE_FIXTURE(Headless,
 }
 
 TEST_CASE_FIXTURE(Headless, "every format can be drawn into, and starts as zero") {
-    for (const FormatFacts& facts : all_formats()) {
-        CAPTURE(facts.name);
-        auto canvas = gpu::Canvas::make({3, 5}, facts.format);
+    for (const FormatInfo& info : all_formats()) {
+        CAPTURE(info.name);
+        auto canvas = gpu::Canvas::make({3, 5}, info.format);
         REQUIRE(canvas.has_value());
         for (const float number : gpu::read_picture(canvas->texture()).pixels)
             CHECK(number == 0.0f);
@@ -142,17 +142,17 @@ TEST_CASE_FIXTURE(Headless, "a canvas is cleared to a colour and copied") {
 TEST_CASE_FIXTURE(Headless, "integers of every integer format are read back per channel") {
     constexpr std::array<float, 4> from_zero{200.0f, 100.0f, 50.0f, 3.0f};
     constexpr std::array<float, 4> of_either_sign{-128.0f, 127.0f, -5.0f, -1.0f};
-    for (const FormatFacts& facts : all_formats()) {
-        if (!facts.is_integer)
+    for (const FormatInfo& info : all_formats()) {
+        if (!info.is_integer)
             continue;
-        CAPTURE(facts.name);
-        auto whole = gpu::Canvas::make({2, 1}, facts.format);
+        CAPTURE(info.name);
+        auto whole = gpu::Canvas::make({2, 1}, info.format);
         REQUIRE(whole.has_value());
-        const auto& numbers = facts.is_signed ? of_either_sign : from_zero;
+        const auto& numbers = info.is_signed ? of_either_sign : from_zero;
         whole->clear(numbers);
         const auto pixel = gpu::read_pixel(whole->texture(), 1, 0);
         const Picture picture = gpu::read_picture(whole->texture());
-        for (int channel = 0; channel < facts.channels; ++channel) {
+        for (int channel = 0; channel < info.channels; ++channel) {
             const auto c = static_cast<std::size_t>(channel);
             CHECK(pixel[c] == numbers[c]);
             CHECK(picture.pixels[picture.index(1, 0) + c] == numbers[c]);
@@ -161,7 +161,7 @@ TEST_CASE_FIXTURE(Headless, "integers of every integer format are read back per 
 }
 
 TEST_CASE_FIXTURE(Headless, "a size beyond the driver's limit is an error, without a GL error") {
-    const int largest = (*context)->facts().largest_texture;
+    const int largest = (*context)->info().largest_texture;
     const auto texture = gpu::Texture::make({largest + 1, 1}, Format::rgba32f);
     REQUIRE_FALSE(texture.has_value());
     CHECK(texture.error().front().message.find("can't create a") != std::string::npos);

@@ -111,7 +111,7 @@ double charge_of(const std::vector<Segment>& segments) {
 // The largest distance between a point and the merged beam at equal charge, relative to the allowed
 // distance. That is 0.01 sigma, or 0.05 sigma on a segment up to half a sigma long.
 double farthest(const Beam& beam, const std::vector<Segment>& merged) {
-    double most = 0.0;
+    double maximum = 0.0;
     double charge = 0.0;  // up to the point, and up to the segment
     double before = 0.0;
     std::size_t at = 0;
@@ -128,9 +128,9 @@ double farthest(const Beam& beam, const std::vector<Segment>& merged) {
             std::hypot(x - static_cast<double>(beam[k].x), y - static_cast<double>(beam[k].y));
         const double length = std::hypot(static_cast<double>(on.x1) - static_cast<double>(on.x0),
                                          static_cast<double>(on.y1) - static_cast<double>(on.y0));
-        most = std::max(most, off / (sigma * (length > 0.5 * sigma ? 0.01 : 0.05)));
+        maximum = std::max(maximum, off / (sigma * (length > 0.5 * sigma ? 0.01 : 0.05)));
     }
-    return most;
+    return maximum;
 }
 }  // namespace
 

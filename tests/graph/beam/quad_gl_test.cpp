@@ -65,7 +65,7 @@ TEST_CASE_FIXTURE(Headless,
     Pass counting =
         quad_pass("counting", "uniform int count;\nvoid main() { color = vec4(count); }\n", {},
                   RowOrder::top_first);
-    counting.built_ins.push_back({"count", BuiltIn::frame_before});
+    counting.built_ins.push_back({"count", BuiltIn::frame_index});
     counting.frame_modulo = 3;
     Executor executor = executor_of(look_of({counting}), {1, 1});
     for (const float expected : {0.0f, 1.0f, 2.0f, 0.0f, 1.0f}) {

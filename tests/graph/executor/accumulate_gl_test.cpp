@@ -184,16 +184,16 @@ TEST_CASE_FIXTURE(Headless, "a redraw keeps the samples and adds none") {
 TEST_CASE_FIXTURE(Headless, "a frame with a time limit draws fewer samples") {
     Executor executor = executor_of(counting(64));
     Frame now = frame(1);
-    now.patience_seconds = 1e-9;
+    now.sample_budget_seconds = 1e-9;
     executor.draw(now);
     CHECK(executor.drawer().samples() == Samples{1, {}});
     gpu::finish();
     now = frame(2);
-    now.patience_seconds = 1e-9;
+    now.sample_budget_seconds = 1e-9;
     executor.draw(now);
     CHECK(executor.drawer().samples() == Samples{2, {}});
     now = frame(3);
-    now.patience_seconds = 1e9;  // all samples if there is time
+    now.sample_budget_seconds = 1e9;  // all samples if there is time
     executor.draw(now);
     CHECK(executor.drawer().samples()->held == 2 + 64);
 }

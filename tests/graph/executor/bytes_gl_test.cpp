@@ -12,8 +12,10 @@ TEST_CASE_FIXTURE(
     look.passes[0].size.fill({Side::By::viewport, 0.5, {}});
     Executor executor = executor_of(look, {8, 8});
     CHECK(bytes_per_pixel(executor) == 2 * 8.0 / 4 + 16 + 16);
-    CHECK(read_for(executor, {false, false, true}) == std::vector<bool>{true, false, true});
-    CHECK(read_for(executor, {false, true, false}) == std::vector<bool>{false, true, false});
+    CHECK(read_dependencies_of(executor, {false, false, true}) ==
+          std::vector<bool>{true, false, true});
+    CHECK(read_dependencies_of(executor, {false, true, false}) ==
+          std::vector<bool>{false, true, false});
     REQUIRE(executor.set_runs({PassRun::drawn, PassRun::left_out, PassRun::drawn}).has_value());
     CHECK(bytes_per_pixel(executor) == 2 * 8.0 / 4 + 16);
     executor.draw(frame(1));

@@ -63,7 +63,7 @@ TEST_CASE_FIXTURE(Headless, "shared pictures do not change the displayed picture
     // One picture serves the newest glow, then e, then the newest charge.
     CHECK(memory_of(apart.plan()) - memory_of(common.plan()) == 2 * 8 * 8 * 16);
     CHECK(draw_order(common.plan()).back() == 1);
-    const std::vector<bool> carried = carried_passes(look);
+    const std::vector<bool> carried = feedback_passes(look);
     for (int n = 1; n <= 12; ++n) {
         CAPTURE(n);
         const bool is_displayed = n % 3 != 2;
@@ -122,7 +122,7 @@ TEST_CASE_FIXTURE(Headless,
     Executor common = drawing_once(look);
     const auto nan_watch = std::make_shared<NanWatch>();
     REQUIRE(nan_watch->set_policy(NanPolicy::clamp, common).has_value());
-    const std::vector<bool> carried = carried_passes(look);
+    const std::vector<bool> carried = feedback_passes(look);
     for (int n = 1; n <= 3; ++n)
         common.draw(frame(n), &carried);
     const auto trip = nan_watch->take(common, true);

@@ -214,7 +214,7 @@ TEST_CASE_FIXTURE(Headless, "a very large target is drawn, and one beyond the li
     look.passes[0].format = Format::r8;
     Executor executor = executor_of(look, {8192, 8192});
     CHECK(executor.target(0).extent() == Extent{8192, 8192});
-    const int largest = (*context)->facts().largest_texture;
+    const int largest = (*context)->info().largest_texture;
     const auto sized = executor.resize({largest + 1, 16}, {});
     REQUIRE_FALSE(sized.has_value());
     CHECK(

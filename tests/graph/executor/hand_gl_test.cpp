@@ -1,9 +1,9 @@
 #include "graph/looks.h"
 
 namespace {
-Pass told(const std::string& body, BuiltIn says) {
+Pass told(const std::string& body, BuiltIn kind) {
     Pass made = pass("told", "uniform vec4 said;\nvoid main() { color = " + body + "; }\n");
-    made.built_ins = {{"said", says}};
+    made.built_ins = {{"said", kind}};
     return made;
 }
 }  // namespace

@@ -133,7 +133,7 @@ TEST_CASE_FIXTURE(Headless, "a frozen or left-out pass gets its own target again
     executor.draw(frame(4));
     CHECK(red(executor, 2) == 0.5f * 3.25f + 4.0f);
     CHECK(executor.plan().targets[0].onto == 1);
-    CHECK(read_for(executor, last_only) == std::vector<bool>{true, true, true});
+    CHECK(read_dependencies_of(executor, last_only) == std::vector<bool>{true, true, true});
 }
 
 TEST_CASE_FIXTURE(Headless, "non-finite values are found in the target that they were drawn onto") {

@@ -56,12 +56,12 @@ TEST_CASE_FIXTURE(Headless, "a look drawn in slices equals one drawn at once") {
         whole.draw(frame(n));
         const bool is_beside = n % 2 == 0;
         sliced.draw(frame(n), nullptr, is_beside ? Slices::double_buffered : Slices::in_place);
-        CHECK(sliced.drawer().is_amid_frame());
+        CHECK(sliced.drawer().has_unfinished_frame());
         // 27 rows are 13 pairs and one row, for each of 1 + 1 + 3 + 1 draws, with pass ends
         // between.
         const int slices = slices_of(sliced);
         CHECK(slices > 6);
-        CHECK_FALSE(sliced.drawer().is_amid_frame());
+        CHECK_FALSE(sliced.drawer().has_unfinished_frame());
         CHECK(sliced.drawer().draw_calls() == whole.drawer().draw_calls());
         check_same(sliced, whole);
     }
@@ -137,7 +137,7 @@ TEST_CASE_FIXTURE(Headless, "samples accumulate over slices, and a restart drops
     executor.draw(frame(3), nullptr, Slices::double_buffered);
     CHECK_FALSE(executor.drawer().continue_frame(shortest));
     executor.drawer().restart_samples();
-    CHECK_FALSE(executor.drawer().is_amid_frame());
+    CHECK_FALSE(executor.drawer().has_unfinished_frame());
     executor.draw(frame(4));
     CHECK(pixel(executor, 0, 0, 0) == Rgba{3, 0 + 1 + 2, 0, 0});
 }

@@ -33,8 +33,8 @@ TEST_CASE_FIXTURE(Seeing, "the luminance of a texel matches the viewer's output"
     for (const Encoding encoding : {Encoding::linear, Encoding::display})
         for (ViewOptions one :
              {ViewOptions{}, ViewOptions{.levels = {-1, 3}, .exposure_stops = 1.5},
-              ViewOptions{.channels = ChannelChoice::alpha},
-              ViewOptions{.channels = ChannelChoice::luminance, .is_false_color = true},
+              ViewOptions{.channels = Channels::alpha},
+              ViewOptions{.channels = Channels::luminance, .is_false_color = true},
               ViewOptions{.is_false_color = true}, ViewOptions{.marks_flaws = true},
               ViewOptions{.marks_clipping = true}}) {
             one.encoding = encoding;

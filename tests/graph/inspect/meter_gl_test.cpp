@@ -16,7 +16,7 @@ struct Measuring : Headless {
         meter.emplace(std::make_shared<const MeterPrograms>(std::move(*programs)));
     }
 
-    Measured measured(const gpu::Texture& from, ChannelChoice channels,
+    Measured measured(const gpu::Texture& from, Channels channels,
                       std::optional<double> ceiling = std::nullopt) {
         meter->start(from, channels, ceiling);
         for (;;)
@@ -24,7 +24,7 @@ struct Measuring : Headless {
                 return std::move(*answer);
     }
 
-    Measured measured(const Picture& picture, ChannelChoice channels = ChannelChoice::rgb,
+    Measured measured(const Picture& picture, Channels channels = Channels::color,
                       Format format = Format::rgba32f) {
         auto from = gpu::Texture::make(picture.extent, format);
         REQUIRE(from.has_value());
@@ -82,23 +82,23 @@ TEST_CASE_FIXTURE(Measuring, "only displayed channels are measured") {
     const Picture picture{{1, 1}, 4, Encoding::linear, {0.25f, -1, 4, 0.5f}};
     CHECK(measured(picture).statistics.minimum == -1.0);
     CHECK(measured(picture).samples.channels == 3);
-    const Measured red = measured(picture, ChannelChoice::red);
+    const Measured red = measured(picture, Channels::red);
     CHECK(red.statistics == Statistics{0.25, 0.25, 0.25, 1, 0, 0});
     CHECK(red.samples == Picture{{1, 1}, 1, Encoding::linear, {0.25f}});
-    CHECK(measured(picture, ChannelChoice::alpha).statistics.mean == 0.5);
-    CHECK(measured(picture, ChannelChoice::luminance).statistics.mean ==
+    CHECK(measured(picture, Channels::alpha).statistics.mean == 0.5);
+    CHECK(measured(picture, Channels::luminance).statistics.mean ==
           about(0.2126 * 0.25 - 0.7152 + 0.0722 * 4, 1e-5));
 }
 
 TEST_CASE_FIXTURE(Measuring, "single-channel and integer targets are measured as one channel") {
     const Picture grey{{2, 1}, 1, Encoding::linear, {1.0f, 3.0f}};
-    const Measured lone = measured(grey, ChannelChoice::rgb, Format::r32f);
+    const Measured lone = measured(grey, Channels::color, Format::r32f);
     CHECK(lone.statistics == Statistics{1.0, 3.0, 2.0, 2, 0, 0});
     CHECK(lone.samples == grey);
     auto whole = gpu::Canvas::make({4, 4}, Format::r32ui);
     REQUIRE(whole.has_value());
     whole->clear({70000, 0, 0, 0});
-    CHECK(measured(whole->texture(), ChannelChoice::rgb).statistics ==
+    CHECK(measured(whole->texture(), Channels::color).statistics ==
           Statistics{70000, 70000, 70000, 16, 0, 0});
 }
 
@@ -107,7 +107,7 @@ TEST_CASE_FIXTURE(Measuring, "samples of a large target have the distribution of
     Picture bands{{1024, 512}, 1, Encoding::linear, {}};
     for (int i = 0; i < 1024 * 512; ++i)
         bands.pixels.push_back(static_cast<float>(i % 4));
-    const Measured all = measured(bands, ChannelChoice::red);
+    const Measured all = measured(bands, Channels::red);
     CHECK(all.samples.extent == Extent{256, 256});
     const Histogram histogram = histogram_of(all.samples, -0.5, 3.5, 4);
     for (const std::uint32_t count : histogram.bins[0])
@@ -121,7 +121,7 @@ TEST_CASE_FIXTURE(Measuring, "the meter measures the latest drawn content, repea
     for (int i = 1; i <= 20; ++i) {
         const auto number = static_cast<float>(i);
         canvas->clear({number, number, number, 1});
-        CHECK(measured(canvas->texture(), ChannelChoice::rgb).statistics.minimum == number);
+        CHECK(measured(canvas->texture(), Channels::color).statistics.minimum == number);
     }
 }
 
@@ -132,9 +132,10 @@ TEST_CASE_FIXTURE(Measuring, "clipped texels are counted once each, at any size"
         picture.pixels[picture.index(3, 2)] = std::numeric_limits<float>::quiet_NaN();
         std::size_t expected = 0;
         for (std::size_t i = 0; i < picture.pixels.size(); i += 3) {
-            const float most =
+            const float maximum =
                 std::max({picture.pixels[i], picture.pixels[i + 1], picture.pixels[i + 2]});
-            expected += std::isfinite(most) && std::isfinite(picture.pixels[i]) && most >= 2.5f;
+            expected +=
+                std::isfinite(maximum) && std::isfinite(picture.pixels[i]) && maximum >= 2.5f;
         }
         auto from = gpu::Texture::make(extent, Format::rgba32f);
         REQUIRE(from.has_value());
@@ -142,7 +143,7 @@ TEST_CASE_FIXTURE(Measuring, "clipped texels are counted once each, at any size"
         gpu::fill_texels(picture, picture.encoding, texels);
         from->upload(texels);
         CHECK(expected > 0);
-        CHECK(measured(*from, ChannelChoice::rgb, 2.5).clipped == expected);
-        CHECK(measured(*from, ChannelChoice::rgb).clipped == 0);
+        CHECK(measured(*from, Channels::color, 2.5).clipped == expected);
+        CHECK(measured(*from, Channels::color).clipped == 0);
     }
 }

@@ -144,13 +144,13 @@ TEST_CASE_FIXTURE(Headless,
     CHECK(NanDetector::best_method() ==
           NanDetector::SanitizeMethod::in_place);  // with the driver of the tests
     for (const auto way :
-         {NanDetector::SanitizeMethod::in_place, NanDetector::SanitizeMethod::there_and_back}) {
+         {NanDetector::SanitizeMethod::in_place, NanDetector::SanitizeMethod::ping_pong}) {
         const std::array wrong{none, endless_light, -endless_light, 0.25f};
-        const float most = std::numeric_limits<float>::max();
-        CHECK(sanitized(way, Format::rgba32f, wrong) == std::array{0.0f, most, -most, 0.25f});
-        constexpr float most_half = 65504.0f;
+        const float maximum = std::numeric_limits<float>::max();
+        CHECK(sanitized(way, Format::rgba32f, wrong) == std::array{0.0f, maximum, -maximum, 0.25f});
+        constexpr float max_half = 65504.0f;
         CHECK(sanitized(way, Format::rgba16f, wrong) ==
-              std::array{0.0f, most_half, -most_half, 0.25f});
+              std::array{0.0f, max_half, -max_half, 0.25f});
     }
 }
 

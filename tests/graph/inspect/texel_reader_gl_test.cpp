@@ -13,7 +13,7 @@ const char* const places_body =
 Rows read(const gpu::Texture& texture, const TexelRows& rows) {
     auto reader = TexelReader::make();
     REQUIRE(reader.has_value());
-    TexelAnswer answer;
+    TexelReadback answer;
     answer.ask(*reader, texture, rows);
     CHECK(answer.is_busy());
     gpu::finish();

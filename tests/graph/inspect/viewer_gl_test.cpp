@@ -66,18 +66,18 @@ TEST_CASE_FIXTURE(Viewing, "one stop of exposure doubles the light, also of enco
 
 TEST_CASE_FIXTURE(Viewing, "one channel is shown as grey, and luminance follows BT.709") {
     const Picture picture = one({0.1f, 0.4f, 0.8f, 0.6f});
-    const auto grey = [&](ChannelChoice channels) {
+    const auto grey = [&](Channels channels) {
         const Rgba displayed =
             shown(picture, {.channels = channels, .encoding = Encoding::display});
         CHECK(displayed[0] == displayed[1]);
         CHECK(displayed[1] == displayed[2]);
         return static_cast<double>(displayed[0]);
     };
-    CHECK(grey(ChannelChoice::red) == shade(0.1));
-    CHECK(grey(ChannelChoice::green) == shade(0.4));
-    CHECK(grey(ChannelChoice::blue) == shade(0.8));
-    CHECK(grey(ChannelChoice::alpha) == shade(0.6));
-    CHECK(grey(ChannelChoice::luminance) == shade(0.2126 * 0.1 + 0.7152 * 0.4 + 0.0722 * 0.8));
+    CHECK(grey(Channels::red) == shade(0.1));
+    CHECK(grey(Channels::green) == shade(0.4));
+    CHECK(grey(Channels::blue) == shade(0.8));
+    CHECK(grey(Channels::alpha) == shade(0.6));
+    CHECK(grey(Channels::luminance) == shade(0.2126 * 0.1 + 0.7152 * 0.4 + 0.0722 * 0.8));
 }
 
 TEST_CASE_FIXTURE(Viewing, "a single-channel target is shown as grey") {
@@ -151,7 +151,7 @@ TEST_CASE_FIXTURE(Viewing, "invalid values are marked in pure colours, and valid
     const Rgba grey = shown(one({0, 1, 0, 1}), options);
     CHECK(grey[1] == shade(0.7152));
     CHECK((grey[0] == grey[1] && grey[1] == grey[2]));
-    options.channels = ChannelChoice::alpha;
+    options.channels = Channels::alpha;
     CHECK(shown(one({0, 0, 0, no_number}), options) == pure_red);
 }
 
@@ -229,9 +229,9 @@ TEST_CASE_FIXTURE(Viewing, "a transparent picture is shown over a checkerboard b
 
 TEST_CASE_FIXTURE(Viewing, "a single channel and false colours are shown without a checkerboard") {
     ViewOptions over{.encoding = Encoding::display, .is_over_checker = true};
-    over.channels = ChannelChoice::red;
+    over.channels = Channels::red;
     CHECK(shown(one({1, 0, 0, 0}), over)[0] == 1.0f);
-    over.channels = ChannelChoice::rgb;
+    over.channels = Channels::color;
     over.is_false_color = true;
     CHECK(shown(one({1, 1, 1, 0}), over)[0] == 1.0f);
 }

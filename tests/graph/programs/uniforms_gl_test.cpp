@@ -24,7 +24,7 @@ Value count_to(int size) {
 
 TEST_CASE_FIXTURE(Headless, "a value is set for every scalar and vector type") {
     for (int rows = 1; rows <= 4; ++rows)
-        for (const Scalar scalar : {Scalar::floating, Scalar::integer, Scalar::natural}) {
+        for (const Scalar scalar : {Scalar::floating, Scalar::integer, Scalar::unsigned_integer}) {
             const NumberType type{scalar, rows, 1};
             CAPTURE(glsl_name(type));
             std::string components = "vec4(";
@@ -62,9 +62,9 @@ TEST_CASE_FIXTURE(Headless, "matrices are filled by columns, square or not") {
 }
 
 TEST_CASE_FIXTURE(Headless, "large integers are exact, and unsuitable values are converted") {
-    const NumberType natural{Scalar::natural, 1, 1};
-    CHECK(shown("uint", "vec4(k >> 16u, k & 0xffffu, 0, 0)", natural, 0.0, {{"k", 4294967295.0}}) ==
-          Rgba{65535, 65535, 0, 0});
+    const NumberType unsigned_integer{Scalar::unsigned_integer, 1, 1};
+    CHECK(shown("uint", "vec4(k >> 16u, k & 0xffffu, 0, 0)", unsigned_integer, 0.0,
+                {{"k", 4294967295.0}}) == Rgba{65535, 65535, 0, 0});
     CHECK(shown("vec2", "vec4(k, 0, 0)", {Scalar::floating, 2, 1}, Value({3, 4}),
                 {{"k", Value(std::vector<double>{9})}}) == Rgba{9, 4, 0, 0});
     CHECK(shown("float", "vec4(k)", {}, 2.0, {{"k", Value::of_path("x.png")}})[0] == 2.0f);

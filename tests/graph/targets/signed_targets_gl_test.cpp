@@ -1,8 +1,8 @@
 // Signed integer targets, with every reader of a target.
 #include "about.h"
 #include "gpu/objects/draw.h"
-#include "graph/inspect/gatherer.h"
 #include "graph/inspect/meter.h"
+#include "graph/inspect/point_reader.h"
 #include "graph/inspect/texel_reader.h"
 #include "graph/inspect/viewer.h"
 #include "graph/looks.h"
@@ -14,39 +14,39 @@ Stage signed_stage(const std::string& body) {
     return {"test.frag", "#version 410 core\nin vec2 uv;\nout ivec4 color;\n" + body, {}};
 }
 
-std::vector<FormatFacts> signed_formats() {
-    std::vector<FormatFacts> found;
-    for (const FormatFacts& facts : all_formats())
-        if (facts.is_signed)
-            found.push_back(facts);
+std::vector<FormatInfo> signed_formats() {
+    std::vector<FormatInfo> found;
+    for (const FormatInfo& info : all_formats())
+        if (info.is_signed)
+            found.push_back(info);
     return found;
 }
 
 // Two's complement; as a float the maximum of 32 bits is 2^31.
-float least_of(const FormatFacts& facts) {
-    return -static_cast<float>(std::exp2(8 * facts.bytes / facts.channels - 1));
+float min_of(const FormatInfo& info) {
+    return -static_cast<float>(std::exp2(8 * info.bytes / info.channels - 1));
 }
-float most_of(const FormatFacts& facts) {
-    return static_cast<float>(std::exp2(8 * facts.bytes / facts.channels - 1) - 1);
+float max_of(const FormatInfo& info) {
+    return static_cast<float>(std::exp2(8 * info.bytes / info.channels - 1) - 1);
 }
 
 // The channels of the format, then 0, 0, 1.
-Rgba held(const FormatFacts& facts, const Rgba& written) {
+Rgba held(const FormatInfo& info, const Rgba& written) {
     Rgba numbers{0, 0, 0, 1};
-    std::copy_n(written.begin(), facts.channels, numbers.begin());
+    std::copy_n(written.begin(), info.channels, numbers.begin());
     return numbers;
 }
 
 /// Writes the format's minimum and maximum, -5 and 127, and reads them through an isampler2D.
 struct Ends {
-    explicit Ends(const FormatFacts& facts)
-        : written(held(facts, {least_of(facts), -5.0f, most_of(facts), 127.0f})) {
+    explicit Ends(const FormatInfo& info)
+        : written(held(info, {min_of(info), -5.0f, max_of(info), 127.0f})) {
         Look look = look_of({pass("ends", ""), pass("back",
                                                     "uniform isampler2D image;\nvoid main() { "
                                                     "color = vec4(texture(image, uv)); }\n",
                                                     {reads("image", "ends", 0, {})})});
-        const int shift = 31 - 8 * facts.bytes / facts.channels + 1;
-        look.passes[0].format = facts.format;
+        const int shift = 31 - 8 * info.bytes / info.channels + 1;
+        look.passes[0].format = info.format;
         look.passes[0].fragment = signed_stage("void main() { color = ivec4((-2147483647 - 1) >> " +
                                                std::to_string(shift) + ", -5, 2147483647 >> " +
                                                std::to_string(shift) + ", 127); }\n");
@@ -62,13 +62,13 @@ struct Ends {
 
 TEST_CASE_FIXTURE(Headless, "negative numbers are read back exactly, and by the next pass") {
     REQUIRE(signed_formats().size() == 9);
-    for (const FormatFacts& facts : signed_formats()) {
-        CAPTURE(facts.name);
-        const Ends ends(facts);
+    for (const FormatInfo& info : signed_formats()) {
+        CAPTURE(info.name);
+        const Ends ends(info);
         CHECK(pixel(*ends.executor, 0) == ends.written);
         CHECK(pixel(*ends.executor, 1) == ends.written);
         const Picture picture = gpu::read_picture(ends.target());
-        for (int channel = 0; channel < facts.channels; ++channel)
+        for (int channel = 0; channel < info.channels; ++channel)
             CHECK(picture.pixels[picture.index(3, 2) + static_cast<std::size_t>(channel)] ==
                   ends.written[static_cast<std::size_t>(channel)]);
     }
@@ -76,16 +76,16 @@ TEST_CASE_FIXTURE(Headless, "negative numbers are read back exactly, and by the 
 
 TEST_CASE_FIXTURE(Headless, "texel readers return negative numbers as written") {
     auto reader = TexelReader::make();
-    auto gatherer = Gatherer::make();
+    auto gatherer = PointReader::make();
     REQUIRE((reader && gatherer));
-    for (const FormatFacts& facts : signed_formats()) {
-        CAPTURE(facts.name);
-        const Ends ends(facts);
-        TexelAnswer answer;
-        answer.ask(*reader, ends.target(), {.count = {2, 1}, .first = {1, 1}});
+    for (const FormatInfo& info : signed_formats()) {
+        CAPTURE(info.name);
+        const Ends ends(info);
+        TexelReadback readback;
+        readback.ask(*reader, ends.target(), {.count = {2, 1}, .first = {1, 1}});
         gatherer->start({{ends.target(), 2, 3}, {ends.executor->target(1), 0, 0}});
         gpu::finish();
-        CHECK(answer.take() == std::vector<Rgba>(2, ends.written));
+        CHECK(readback.take() == std::vector<Rgba>(2, ends.written));
         CHECK(gatherer->take() == std::vector<Rgba>(2, ends.written));
     }
 }
@@ -94,21 +94,21 @@ TEST_CASE_FIXTURE(Headless, "minimum and maximum of a signed target are measured
     auto programs = MeterPrograms::make();
     REQUIRE(programs.has_value());
     Meter meter(std::make_shared<const MeterPrograms>(std::move(*programs)));
-    for (const FormatFacts& facts : signed_formats()) {
-        CAPTURE(facts.name);
-        const Ends ends(facts);
-        const auto measured = [&](ChannelChoice channels) {
-            meter.start(ends.target(), channels, facts.channels > 1 ? -5.0 : 0.0);
+    for (const FormatInfo& info : signed_formats()) {
+        CAPTURE(info.name);
+        const Ends ends(info);
+        const auto measured = [&](Channels channels) {
+            meter.start(ends.target(), channels, info.channels > 1 ? -5.0 : 0.0);
             gpu::finish();
             return meter.take().value();
         };
-        CHECK(measured(ChannelChoice::red).statistics ==
-              Statistics{least_of(facts), least_of(facts), least_of(facts), 16, 0, 0});
-        CHECK(measured(ChannelChoice::red).clipped == 0);
-        if (facts.channels == 4)
-            CHECK(measured(ChannelChoice::rgb).statistics.maximum == most_of(facts));
-        if (facts.channels > 1)
-            CHECK(measured(ChannelChoice::green).clipped == 16);
+        CHECK(measured(Channels::red).statistics ==
+              Statistics{min_of(info), min_of(info), min_of(info), 16, 0, 0});
+        CHECK(measured(Channels::red).clipped == 0);
+        if (info.channels == 4)
+            CHECK(measured(Channels::color).statistics.maximum == max_of(info));
+        if (info.channels > 1)
+            CHECK(measured(Channels::green).clipped == 16);
     }
 }
 
@@ -131,11 +131,11 @@ TEST_CASE_FIXTURE(Headless, "views show negative numbers between levels, and mar
     CHECK(shown({}) == Bytes{0, 0, 255});
     CHECK(shown({.levels = {-30, -20}})[0] == 0);
     CHECK(shown({.levels = {-35, -10}}) == Bytes{51, 102, 255});
-    CHECK(shown({.levels = {-30, -25}, .channels = ChannelChoice::alpha}) == Bytes{51, 51, 51});
-    CHECK(shown({.channels = ChannelChoice::blue, .marks_flaws = true}) == Bytes{255, 255, 255});
-    CHECK(shown({.channels = ChannelChoice::green, .marks_flaws = true}) == Bytes{0, 0, 255});
+    CHECK(shown({.levels = {-30, -25}, .channels = Channels::alpha}) == Bytes{51, 51, 51});
+    CHECK(shown({.channels = Channels::blue, .marks_flaws = true}) == Bytes{255, 255, 255});
+    CHECK(shown({.channels = Channels::green, .marks_flaws = true}) == Bytes{0, 0, 255});
     const Bytes black =
-        shown({.levels = {-25, 0}, .channels = ChannelChoice::red, .marks_clipping = true});
+        shown({.levels = {-25, 0}, .channels = Channels::red, .marks_clipping = true});
     CHECK(black[0] == 0);
     CHECK(black[1] == 64);  // 0.25 of 255
 }

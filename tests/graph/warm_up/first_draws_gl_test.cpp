@@ -38,7 +38,7 @@ TEST_CASE_FIXTURE(Headless, "an executor used for first draws continues as befor
                       .programs = programs,
                       .images = {},
                       .viewport = {8, 8},
-                      .size = FirstDrawsOf::Size::own},
+                      .size = FirstDrawsInput::Size::own},
                      {});
     PassProgress progress;
     draws.draw_all(progress);

@@ -18,13 +18,13 @@ Plan plan_of(const PlannedTarget& target) {
 TEST_CASE_FIXTURE(Headless, "views of every format can be warmed up before there is a picture") {
     FirstViews views(std::make_shared<const ViewPrograms>(ViewPrograms::make().value()));
     gpu::ErrorLog errors;
-    for (const FormatFacts& facts : all_formats())
+    for (const FormatInfo& info : all_formats())
         for (const bool is_mipmapped : {false, true})
             for (const bool has_alpha : {false, true}) {
-                CAPTURE(facts.name);
-                Look look = look_with(facts.format, Encoding::display);
+                CAPTURE(info.name);
+                Look look = look_with(info.format, Encoding::display);
                 look.passes[0].has_alpha = has_alpha;
-                views.expect(look, plan_of({{640, 480}, facts.format, 1, is_mipmapped}));
+                views.expect(look, plan_of({{640, 480}, info.format, 1, is_mipmapped}));
                 CHECK(views.pending() > 0);
                 while (views.pending() > 0)
                     views.draw_next();

@@ -32,7 +32,8 @@ TEST_CASE(
     const PictureSizes whole{{1280, 720}, {320, 240}};  // a third: 427 x 240; a twelfth: 107 x 60
     const Look look = scaled({1.0 / 3.0, 1.0 / 12.0, 1.0});
     CHECK(kinds(look, {{96, 96}, {96, 96}}) != kinds(look, whole));  // its third is 32
-    for (const PictureSizes& sizes : {small_like(look, whole), quarter_like(look, whole).value()}) {
+    for (const PictureSizes& sizes :
+         {small_equivalent(look, whole), quarter_equivalent(look, whole).value()}) {
         CHECK(kinds(look, sizes) == kinds(look, whole));
         CHECK(sizes.viewport.width <= 328);
     }
@@ -41,12 +42,12 @@ TEST_CASE(
 TEST_CASE("power-of-two sides of the picture stay powers of two in a substitute size") {
     const PictureSizes whole{{1024, 768}, {320, 240}};  // halves: 512 x 384
     const Look look = scaled({1.0, 0.5});
-    const PictureSizes small = small_like(look, whole);
+    const PictureSizes small = small_equivalent(look, whole);
     CHECK(small.viewport == Extent{64, 96});
     CHECK(kinds(look, small) == kinds(look, whole));
-    CHECK(quarter_like(look, whole).value().viewport == Extent{256, 192});
+    CHECK(quarter_equivalent(look, whole).value().viewport == Extent{256, 192});
 }
 
 TEST_CASE("a small picture has no quarter-size substitute") {
-    CHECK_FALSE(quarter_like(scaled({1.0}), {{300, 200}, {320, 240}}).has_value());
+    CHECK_FALSE(quarter_equivalent(scaled({1.0}), {{300, 200}, {320, 240}}).has_value());
 }

@@ -21,15 +21,15 @@ void grow_older(const fs::path& file, std::chrono::hours age) {
 
 TEST_CASE("a cached entry is found again, also in a new process") {
     const TemporaryFolder folder;
-    const std::string answer("light\0and shade", 15);
+    const std::string value("light\0and shade", 15);
     {
         DiskCache cache(folder / "a/b", "program 1");
         CHECK_FALSE(cache.find("what").has_value());
-        cache.keep("what", answer);
-        CHECK(cache.find("what") == answer);
+        cache.keep("what", value);
+        CHECK(cache.find("what") == value);
     }
     DiskCache next(folder / "a/b", "program 1");
-    CHECK(next.find("what") == answer);
+    CHECK(next.find("what") == value);
     CHECK_FALSE(next.find("whatever").has_value());
     next.keep("what", "other");
     CHECK(next.find("what") == "other");
@@ -78,19 +78,19 @@ TEST_CASE("an entry stored under another key is not returned") {
 
 TEST_CASE("a full disk cache evicts the least recently used entry") {
     const TemporaryFolder folder;
-    const std::string answer(1000, 'x');
+    const std::string value(1000, 'x');
     const std::string mine = folder.write("notes.txt", std::string(50000, '.'));
     DiskCache cache(folder.path(), "program", 5000);
-    for (const char* question : {"a", "b", "c"})
-        cache.keep(question, answer);
+    for (const char* key : {"a", "b", "c"})
+        cache.keep(key, value);
     for (const fs::path& file : files_in(folder.path()))
         grow_older(file, std::chrono::hours(48));
     REQUIRE(cache.find("a").has_value());  // is the most recently used now
-    for (const char* question : {"d", "e"})
-        cache.keep(question, answer);
+    for (const char* key : {"d", "e"})
+        cache.keep(key, value);
     std::size_t left = 0;
-    for (const char* question : {"a", "b", "c", "d", "e"})
-        left += cache.find(question) ? 1U : 0U;
+    for (const char* key : {"a", "b", "c", "d", "e"})
+        left += cache.find(key) ? 1U : 0U;
     CHECK(left == 4);
     CHECK(cache.find("a").has_value());
     CHECK(cache.find("e").has_value());

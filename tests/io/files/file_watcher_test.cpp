@@ -187,11 +187,11 @@ TEST_CASE("after an event queue overflow, every file is reported") {
     const fs::path b = folder.write("b", "1");
     FileWatcher watcher = watcher_of({a, b});
     // The kernel merges equal consecutive events, so two names alternate.
-    std::size_t most_events = 16384;
-    std::ifstream("/proc/sys/fs/inotify/max_queued_events") >> most_events;
-    if (most_events > 200000)
+    std::size_t max_events = 16384;
+    std::ifstream("/proc/sys/fs/inotify/max_queued_events") >> max_events;
+    if (max_events > 200000)
         return;
-    for (std::size_t i = 0; i < most_events / 2 + 64; ++i)
+    for (std::size_t i = 0; i < max_events / 2 + 64; ++i)
         for (const char* name : {"x", "y"}) {
             const Descriptor file(::open((folder / name).c_str(), O_WRONLY | O_CREAT, 0600));
             REQUIRE(file.is_open());
@@ -202,12 +202,12 @@ TEST_CASE("after an event queue overflow, every file is reported") {
 }
 
 TEST_CASE("running out of file descriptors gives an error") {
-    rlimit most = {};
-    REQUIRE(::getrlimit(RLIMIT_NOFILE, &most) == 0);
-    const rlimit none{0, most.rlim_max};
+    rlimit maximum = {};
+    REQUIRE(::getrlimit(RLIMIT_NOFILE, &maximum) == 0);
+    const rlimit none{0, maximum.rlim_max};
     REQUIRE(::setrlimit(RLIMIT_NOFILE, &none) == 0);
     const auto watcher = FileWatcher::start();
-    REQUIRE(::setrlimit(RLIMIT_NOFILE, &most) == 0);
+    REQUIRE(::setrlimit(RLIMIT_NOFILE, &maximum) == 0);
     REQUIRE_FALSE(watcher.has_value());
     CHECK(watcher.error().front().message.find(
               "can't watch files for changes: Too many open files") != std::string::npos);

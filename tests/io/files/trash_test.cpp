@@ -17,8 +17,8 @@ namespace {
 class DataHome {
 public:
     explicit DataHome(const fs::path& folder) {
-        if (const char* present = std::getenv("XDG_DATA_HOME"))
-            m_before = present;
+        if (const char* current = std::getenv("XDG_DATA_HOME"))
+            m_before = current;
         setenv("XDG_DATA_HOME", folder.c_str(), 1);
     }
     ~DataHome() {

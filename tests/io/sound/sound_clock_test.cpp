@@ -52,7 +52,7 @@ TEST_CASE("after a seek the clock shows the target until a buffer follows") {
     SoundClock clock;
     clock.buffer_filled({.begin_seconds = 5.0, .seconds_per_second = 1.0, .jump = 0}, clock_start);
     CHECK(clock.heard_seconds(clock_start, 0.0) == 5.0);
-    clock.jumped(1, 2.0);
+    clock.seek_started(1, 2.0);
     CHECK(clock.heard_seconds(clock_start + 5ms, 0.0) == 2.0);
     clock.buffer_filled({.begin_seconds = 2.0, .seconds_per_second = 1.0, .jump = 1},
                         clock_start + 10ms);

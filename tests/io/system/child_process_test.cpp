@@ -34,10 +34,10 @@ TEST_CASE("a child process is fed by two inputs, writes to an open file, and pri
 TEST_CASE("a child process that stops reading is detected without a signal") {
     auto program = ChildProcess::start({"sh", "-c", "echo no >&2; exit 3"}, {.inputs = 1});
     REQUIRE(program.has_value());
-    bool is_fed = true;
-    for (int i = 0; i < 1000 && is_fed; ++i)
-        is_fed = program->feed(0, std::string(10000, 'a'));
-    CHECK_FALSE(is_fed);
+    bool is_connected = true;
+    for (int i = 0; i < 1000 && is_connected; ++i)
+        is_connected = program->feed(0, std::string(10000, 'a'));
+    CHECK_FALSE(is_connected);
     CHECK_FALSE(program->finish());
     CHECK(program->complaint() == "no");
 }

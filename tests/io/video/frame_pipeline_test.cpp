@@ -35,7 +35,7 @@ Result<FromFrame> named(const PipedFrame& frame) {
 // The number of frames that this machine encodes in parallel.
 int at_once() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1u,
-                                       static_cast<unsigned>(FramePipeline::most_frames - 2)));
+                                       static_cast<unsigned>(FramePipeline::max_frames - 2)));
 }
 
 void push_all(FramePipeline& pipeline, int count) {
@@ -93,38 +93,38 @@ TEST_CASE("the producer waits while the pipeline is full") {
         std::this_thread::sleep_for(in_a_moment);
     std::this_thread::sleep_for(in_a_moment);
     CHECK(given == room);
-    CHECK(room <= FramePipeline::most_frames);
+    CHECK(room <= FramePipeline::max_frames);
     all.open();
     drawing.join();
     CHECK(pipeline.finish().has_value());
-    CHECK(frames.size() <= FramePipeline::most_frames);
+    CHECK(frames.size() <= FramePipeline::max_frames);
 }
 
 TEST_CASE("the first failing frame stops the pipeline and is named") {
     for (const bool when_delivered : {false, true}) {
         CAPTURE(when_delivered);
-        std::atomic<int> most = 0;
+        std::atomic<int> maximum = 0;
         const auto failing = [](std::int64_t number) {
             return number >= 7 ? fail({"f_" + std::to_string(number), 0, "is full"})
                                : Result<void>();
         };
-        FramePipeline pipeline({[&](const PipedFrame& frame) -> Result<FromFrame> {
-                                    most = std::max<int>(most, static_cast<int>(frame.number));
-                                    if (!when_delivered)
-                                        if (auto done = failing(frame.number); !done)
-                                            return fail(done.error());
-                                    return named(frame);
-                                },
-                                [&](std::int64_t number, const FromFrame& frame) {
-                                    CHECK(frame.bytes ==
-                                          std::to_string(number));  // each number is delivered once
-                                    return failing(number);
-                                }});
+        FramePipeline pipeline(
+            {[&](const PipedFrame& frame) -> Result<FromFrame> {
+                 maximum = std::max<int>(maximum, static_cast<int>(frame.number));
+                 if (!when_delivered)
+                     if (auto done = failing(frame.number); !done)
+                         return fail(done.error());
+                 return named(frame);
+             },
+             [&](std::int64_t number, const FromFrame& frame) {
+                 CHECK(frame.bytes == std::to_string(number));  // each number is delivered once
+                 return failing(number);
+             }});
         push_all(pipeline, 1000);
         const auto done = pipeline.finish();
         REQUIRE_FALSE(done.has_value());
         CHECK(to_string(done.error().front()) == "f_7: error: is full");
-        CHECK(most <= 7 + FramePipeline::most_frames);
+        CHECK(maximum <= 7 + FramePipeline::max_frames);
     }
 }
 

@@ -111,7 +111,7 @@ TEST_CASE("a deleted preset goes to the trash, and undo restores and opens it") 
     CHECK(read_text(file) == text);
     CHECK(preset_file(small.document()) == file);
     CHECK_FALSE(is_modified(small.document()));
-    CHECK(small.presets().navigation().stars() == PresetStars{"small/Mine"});
+    CHECK(small.presets().navigation().stars() == FavouritePresets{"small/Mine"});
     CHECK(small.presets().undo_name().empty());
 }
 

@@ -140,11 +140,11 @@ TEST_CASE("a flash shows the other picture and leaves the document unchanged") {
     small.lab().frames().comparison().store(0);
     small.set("level", 1.0);
     const std::string before = small.document().history().undo_name();
-    small.lab().frames().comparison().flash(true);
+    small.lab().frames().comparison().show_reference(true);
     small.rest();
     CHECK(small.lab().frames().comparison().mode() == CompareMode::off);
     CHECK(small.seen() == about(0.25, step));
-    small.lab().frames().comparison().flash(false);
+    small.lab().frames().comparison().show_reference(false);
     small.rest();
     CHECK(small.seen() == 1.0);
     CHECK(small.document().history().undo_name() == before);

@@ -91,7 +91,7 @@ TEST_CASE("locked content stays with another preset and does not modify it") {
     CHECK(document.state().signal == song);
     apply_preset(document, preset_with(wave), "Paste");
     CHECK(document.state().signal == song);
-    arrive_at(document, preset_with(wave), "/far.json", "Morph to Far");
+    finish_morph(document, preset_with(wave), "/far.json", "Morph to Far");
     CHECK(document.state().signal == song);
     CHECK(preset_of(document).signal == song);  // the saved preset refers to it
 }

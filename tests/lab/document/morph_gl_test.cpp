@@ -146,9 +146,10 @@ TEST_CASE("a morph targets the next preset, and a repeated one the preset after 
     small.lab().presets().navigation().morph_to("", 0.5);
     small.lab().update(0.5);
     small.lab().presets().rename({}, "four");  // no preset is open: nothing happens
-    CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/one", "small/two"});
+    CHECK(small.lab().presets().navigation().stars() == FavouritePresets{"small/one", "small/two"});
     small.lab().presets().navigation().morph_by(1, 0.5, true);
     small.lab().update(0.5);
     small.lab().presets().rename(preset_file(small.document()), "four");
-    CHECK(small.lab().presets().navigation().stars() == PresetStars{"small/four", "small/two"});
+    CHECK(small.lab().presets().navigation().stars() ==
+          FavouritePresets{"small/four", "small/two"});
 }

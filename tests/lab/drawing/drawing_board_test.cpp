@@ -201,17 +201,17 @@ TEST_CASE("the secondary button deletes a point, and a two-point stroke with it"
     for (const BeamPosition place : {BeamPosition{-0.5, 0.0}, {0.0, 0.5}, {0.5, 0.0}, {-0.5, 0.0}})
         desk.click(place[0], place[1]);
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
-    const auto other_button = [&](const BeamPosition& place) {
+    const auto right_click = [&](const BeamPosition& place) {
         desk.board.press_other(place, board_pixel, desk.document);
     };
-    other_button({0.0, 0.5});  // deletes nothing with another tool
+    right_click({0.0, 0.5});  // deletes nothing with another tool
     desk.board.set_pen({true, PenTool::edit, false}, desk.document);
-    other_button({0.25, 0.25});  // nor on a line
+    right_click({0.25, 0.25});  // nor on a line
     CHECK(desk.strokes() == "[L-0.5 0 0 0.5 0.5 0z]");
-    other_button({0.0, 0.5});
+    right_click({0.0, 0.5});
     CHECK(desk.strokes() == "[L-0.5 0 0.5 0]");  // two points cannot be closed
     CHECK(desk.document.history().undo_name() == "Delete point");
-    other_button({0.5, 0.0});
+    right_click({0.5, 0.0});
     CHECK(desk.strokes() == "[]");
     CHECK(desk.document.history().undo_name() == "Delete stroke");
     desk.undo();
@@ -261,7 +261,7 @@ TEST_CASE("an active pen freezes the shown keyframe, but not that of the documen
 TEST_CASE("a full drawing accepts no more points") {
     Desk desk;
     Drawing full{{{{}}}};
-    for (std::size_t i = 0; i < most_drawing_points; ++i)
+    for (std::size_t i = 0; i < max_drawing_points; ++i)
         full.keyframes[0][0].points.push_back({0.0, i % 2 == 0 ? 0.0 : 0.5});
     desk.board.replace(full, "Load drawing", desk.document);
     desk.pull({-0.5, 0.0}, {-0.5, 0.5});

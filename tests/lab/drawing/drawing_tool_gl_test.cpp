@@ -20,7 +20,7 @@ std::string strokes_of(const Lab& lab) {
 }
 
 void pull(Lab& lab, const BeamPosition& from, const BeamPosition& to) {
-    const BeamPlacing placing = lab.drawing().placing();
+    const BeamMapping placing = lab.drawing().placing();
     lab.drawing().pen_down(placing.pixel_of(from));
     lab.drawing().pen_move(placing.pixel_of(to));
     lab.drawing().pen_up();
@@ -78,7 +78,7 @@ TEST_CASE("an opened SVG replaces the drawing, and its errors are reported") {
     CHECK(lab.document()->history().undo_name() == "Load drawing");
     lab.drawing().take_pen(false);
     std::string hatching = "<svg><path d='";
-    for (std::size_t i = 0; i <= most_drawing_points / 2; ++i)
+    for (std::size_t i = 0; i <= max_drawing_points / 2; ++i)
         hatching += "M" + std::to_string(i) + " 0v10000";
     write(small.folder() / "long.svg", hatching + "'/></svg>");
     lab.looks().open_file(small.folder() / "long.svg");

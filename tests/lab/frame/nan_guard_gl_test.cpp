@@ -71,7 +71,7 @@ TEST_CASE("the first non-finite number pauses the clock at its frame with a vali
 TEST_CASE("clamping continues with 0 instead of NaN") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
-    lab.lab().frames().nan_guard().answer(NonFiniteAction::clamp);
+    lab.lab().frames().nan_guard().set_action(NonFiniteAction::clamp);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(lab.player().transport().is_playing());
     lab.update(3);
@@ -83,12 +83,12 @@ TEST_CASE("clamping continues with 0 instead of NaN") {
 TEST_CASE("clearing restarts the history, and ignoring never asks again") {
     DetectingHeadless lab;
     lab.wait_for_non_finite();
-    lab.lab().frames().nan_guard().answer(NonFiniteAction::clear);
+    lab.lab().frames().nan_guard().set_action(NonFiniteAction::clear);
     lab.update(2);
     CHECK(lab.sum(3) == 2.0f);
     lab.lab().frames().restart();
     lab.wait_for_non_finite();
-    lab.lab().frames().nan_guard().answer(NonFiniteAction::ignore);
+    lab.lab().frames().nan_guard().set_action(NonFiniteAction::ignore);
     lab.update(10);
     CHECK_FALSE(lab.lab().frames().nan_guard().found());
     CHECK(std::isnan(lab.sum(3)));

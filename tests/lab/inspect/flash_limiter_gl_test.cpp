@@ -31,16 +31,16 @@ struct Flashing : Headless {
         auto cells = LightCells::make();
         REQUIRE(cells.has_value());
         FlashMeter meter(std::move(*cells));
-        Flashes most;
+        Flashes maximum;
         for (int frame = 0; frame < 120; ++frame) {
             draw(frame, period);
             const double seconds = frame / 60.0;
             meter.update({shown(seconds), Encoding::display, ++number}, seconds);
             gpu::finish();  // otherwise some frames might be skipped
-            most = {std::max(most.general, meter.flashes().general),
-                    std::max(most.red, meter.flashes().red)};
+            maximum = {std::max(maximum.general, meter.flashes().general),
+                       std::max(maximum.red, meter.flashes().red)};
         }
-        return most;
+        return maximum;
     }
 };
 
@@ -61,17 +61,17 @@ TEST_CASE_FIXTURE(Flashing, "flashes are counted from the cells of a picture") {
 
 TEST_CASE_FIXTURE(Flashing,
                   "the limiter keeps every flash within the limit, even at its highest rate") {
-    const auto limited_by = [&](double most) {
-        auto comfort = FlashLimiter::make();
-        REQUIRE(comfort.has_value());
-        return [&, most, comfort = std::make_shared<FlashLimiter>(std::move(*comfort))](
+    const auto limited_by = [&](double maximum) {
+        auto limiter = FlashLimiter::make();
+        REQUIRE(limiter.has_value());
+        return [&, maximum, limiter = std::make_shared<FlashLimiter>(std::move(*limiter))](
                    double seconds) -> const gpu::Texture& {
-            return comfort->shown(0, canvas->texture(), {true, most}, seconds);
+            return limiter->shown(0, canvas->texture(), {true, maximum}, seconds);
         };
     };
     for (const int period : {2, 6, 10, 14}) {
         CHECK(counted(period, limited_by(FlashLimit::highest)).general <= 3);
-        CHECK(counted(period, limited_by(FlashLimit::default_most)).general <= 1);
+        CHECK(counted(period, limited_by(FlashLimit::default_maximum)).general <= 1);
     }
     light = {1.0f, 0.0f, 0.0f, 1.0f};
     const auto as_it_is = [&](double) -> const gpu::Texture& { return canvas->texture(); };
@@ -80,35 +80,35 @@ TEST_CASE_FIXTURE(Flashing,
 }
 
 TEST_CASE_FIXTURE(Flashing, "limited light rises and falls at the chosen rate") {
-    auto comfort = FlashLimiter::make();
-    REQUIRE(comfort.has_value());
+    auto limiter = FlashLimiter::make();
+    REQUIRE(limiter.has_value());
     const FlashLimit clamp{true, 0.3};
     canvas->clear(dark);
-    comfort->shown(0, canvas->texture(), clamp, 0.0);
+    limiter->shown(0, canvas->texture(), clamp, 0.0);
     canvas->clear(light);
     const gpu::Texture* limited = nullptr;
     for (int frame = 1; frame <= 60; ++frame)
-        limited = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
+        limited = &limiter->shown(0, canvas->texture(), clamp, frame / 60.0);
     // 0.3 of linear light, encoded as in IEC 61966-2-1.
     CHECK(std::abs(red_in_the_middle(*limited) - (1.055 * std::pow(0.3, 1.0 / 2.4) - 0.055)) <
           0.01);
     canvas->clear(dark);
     for (int frame = 61; frame <= 90; ++frame)
-        limited = &comfort->shown(0, canvas->texture(), clamp, frame / 60.0);
+        limited = &limiter->shown(0, canvas->texture(), clamp, frame / 60.0);
     CHECK(std::abs(red_in_the_middle(*limited) - (1.055 * std::pow(0.15, 1.0 / 2.4) - 0.055)) <
           0.01);
 }
 
 TEST_CASE_FIXTURE(Flashing,
                   "a static picture is unchanged, and so is any picture without the limiter") {
-    auto comfort = FlashLimiter::make();
-    REQUIRE(comfort.has_value());
+    auto limiter = FlashLimiter::make();
+    REQUIRE(limiter.has_value());
     canvas->clear({0.2f, 0.4f, 0.6f, 1.0f});
     const auto stored = gpu::read_pixel(canvas->texture(), 48, 36);
     for (const bool is_on : {true, false}) {
         const gpu::Texture* limited = nullptr;
         for (int frame = 0; frame < 4; ++frame)
-            limited = &comfort->shown(0, canvas->texture(), {is_on, 0.3}, frame / 60.0);
+            limited = &limiter->shown(0, canvas->texture(), {is_on, 0.3}, frame / 60.0);
         const auto pixel = gpu::read_pixel(*limited, 48, 36);
         for (std::size_t i = 0; i < 3; ++i)
             CHECK(std::abs(pixel[i] - stored[i]) <= 1.01f / 255.0f);

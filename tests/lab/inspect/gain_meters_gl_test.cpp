@@ -6,7 +6,7 @@ namespace {
 /// A look whose first pass is 1 after a frame and grows by 1 per frame. The second pass is a
 /// quarter of it.
 struct Metered : SmallLab {
-    std::optional<GainMeters> meters;
+    std::optional<LevelMeters> meters;
 
     Metered() {
         auto programs = MeterPrograms::make();

@@ -28,7 +28,7 @@ struct Watching : Headless {
         REQUIRE(executor.set_source({{1, 1}, 1, Encoding::linear, {0.75f}}).has_value());
         for (int n = 1; n <= 5; ++n)
             executor.draw(frame(n));
-        view.look_into("late");
+        view.inspect("late");
     }
     float seen() const {
         const auto inspected = inspected_texture(executor, view);
@@ -49,18 +49,18 @@ TEST_CASE_FIXTURE(Watching, "passes, previous frames, the source and images can 
     CHECK(frame_count(executor, {Input::From::image, "lut"}) == 1);
     CHECK(seen() == 3.0f + 0.25f + 0.75f);  // frame 5 - 2; the left texel of the image
     for (const int ago : {0, 1, 2}) {
-        view.look_into({Input::From::pass, "number", ago});
+        view.inspect({Input::From::pass, "number", ago});
         CHECK(seen() == static_cast<float>(5 - ago));
     }
     CHECK(label() == "number@2");
-    view.look_into(TextureChoice{Input::From::source, {}});
+    view.inspect(TextureChoice{Input::From::source, {}});
     CHECK(view.pass == "number");
     CHECK(seen() == 0.75f);
-    view.look_into({Input::From::image, "lut", 0, 1});
+    view.inspect({Input::From::image, "lut", 0, 1});
     CHECK(label() == "lut mip 1");
     CHECK(inspected_texture(executor, view)->extent() == Extent{1, 1});
     CHECK(inspected_texture(executor, view)->encoding == Encoding::display);  // unchanged data
-    view.look_into("late");
+    view.inspect("late");
     CHECK(label() == "late");
     CHECK(inspected_texture(executor, view)->encoding == Encoding::display);  // the last pass
 }
@@ -70,7 +70,7 @@ TEST_CASE_FIXTURE(Watching, "a missing texture falls back to the pass that was c
          {TextureChoice{Input::From::image, "gone"}, TextureChoice{Input::From::source, {}, 1},
           TextureChoice{Input::From::image, "lut", 0, 2},
           TextureChoice{Input::From::pass, "late", 9}}) {
-        view.look_into(gone);
+        view.inspect(gone);
         CHECK(label() == "late");
         CHECK(inspected_texture(executor, view)->choice.is_present_pass());
     }

@@ -6,7 +6,7 @@ namespace {
 struct Inspecting : Headless {
     std::optional<Inspection> inspection;
     Result<gpu::Canvas> target = gpu::Canvas::make({16, 16}, Format::rgba32f);
-    Inspection::Subject subject{"beam", ChannelChoice::rgb, {0, 4}};
+    Inspection::Subject subject{"beam", Channels::color, {0, 4}};
 
     Inspecting() {
         auto programs = MeterPrograms::make();

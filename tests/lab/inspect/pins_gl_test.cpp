@@ -7,7 +7,7 @@ TEST_CASE("a pin reads its point in every pass, at most five times per second") 
     small.lab().player().pause();
     small.update(2);
     const Executor& executor = small.lab().renderer()->executor();
-    const auto present = [&] { return gpu::read_pixel(executor.target(0), 0, 0)[0]; };
+    const auto current = [&] { return gpu::read_pixel(executor.target(0), 0, 0)[0]; };
     auto pins = Pins::make();
     REQUIRE(pins.has_value());
     std::vector<Pin> pinned{{0.5, 0.5}};
@@ -19,7 +19,7 @@ TEST_CASE("a pin reads its point in every pass, at most five times per second") 
     };
     look(1000.0);
     REQUIRE(pins->value(0, 1));
-    const float first = present();
+    const float first = current();
     CHECK((*pins->value(0, 0))[0] == first);
     CHECK((*pins->value(0, 1))[0] == first);  // the gain is 1
     CHECK(pins->value(0, 2) == nullptr);
@@ -27,7 +27,7 @@ TEST_CASE("a pin reads its point in every pass, at most five times per second") 
 
     small.lab().player().step();
     small.update(1);
-    REQUIRE(present() == first + 1.0f);
+    REQUIRE(current() == first + 1.0f);
     look(1000.19);
     CHECK((*pins->value(0, 0))[0] == first);
     look(1001.0);

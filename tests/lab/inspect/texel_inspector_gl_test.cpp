@@ -14,7 +14,7 @@ struct TexelInspection : Headless {
     Result<TexelInspector> texels = TexelInspector::make();
     std::string name = "places";
 
-    CellNumbers::Subject cells(const PictureView& view, Extent size) const {
+    TexelValues::Subject cells(const PictureView& view, Extent size) const {
         const gpu::Texture& texture = executor.target(0);
         return {texture,
                 name,
@@ -26,7 +26,7 @@ struct TexelInspection : Headless {
     }
     void update(const PictureView& view, double seconds) {
         REQUIRE(texels.has_value());
-        const CellNumbers::Subject subject = cells(view, {200, 100});
+        const TexelValues::Subject subject = cells(view, {200, 100});
         texels->update_picture(&subject, seconds);
         gpu::finish();
     }
@@ -47,15 +47,15 @@ constexpr PictureView at_50{PictureView::Fit::free, 50.0};
 }  // namespace
 
 TEST_CASE_FIXTURE(TexelInspection, "texel values appear where there is room for them") {
-    CHECK(seen_cells(cells({PictureView::Fit::free, 39.0}, {200, 100})).count.is_empty());
+    CHECK(visible_cells(cells({PictureView::Fit::free, 39.0}, {200, 100})).count.is_empty());
     // 50 px per texel around the centre (10, 5): columns 8 to 12 and rows 4 to 6 are visible.
-    const CellNumbers::Block block = seen_cells(cells(at_50, {200, 100}));
+    const TexelValues::Block block = visible_cells(cells(at_50, {200, 100}));
     CHECK(block.left == 8);
     CHECK(block.top == 4);
     CHECK(block.count == Extent{4, 2});
     // At a corner: only existing texels, some of them partly visible.
-    const CellNumbers::Block corner =
-        seen_cells(cells({PictureView::Fit::free, 50.0, 0.0, 0.0}, {210, 110}));
+    const TexelValues::Block corner =
+        visible_cells(cells({PictureView::Fit::free, 50.0, 0.0, 0.0}, {210, 110}));
     CHECK(corner.left == 0);
     CHECK(corner.top == 0);
     CHECK(corner.count == Extent{3, 2});
@@ -71,7 +71,7 @@ TEST_CASE_FIXTURE(TexelInspection,
     REQUIRE(texels->picture().block());
     CHECK(texels->picture().block()->numbers[0] == Rgba{8, 4, 1, 1});
     CHECK(texels->picture().block()->numbers[7] == Rgba{11, 5, 1, 1});
-    CHECK(texels->picture().sight().texel_width == 50.0);
+    CHECK(texels->picture().placement().texel_width == 50.0);
     CHECK(texels->picture().is_light(0));  // 8, 4, 1 is brighter than white
     CHECK_FALSE(texels->is_pending());
     executor.draw(frame(2));

@@ -28,18 +28,18 @@ TEST_CASE("next to a preset from elsewhere are the first and the last preset") {
 }
 
 TEST_CASE("with favourites only, other presets and the defaults are skipped") {
-    const PresetStars stars{"crt/b", "crt/d", "phosphor/c"};
+    const FavouritePresets stars{"crt/b", "crt/d", "phosphor/c"};
     const PresetIndex b{"/p/b.json", 1, 2};
     const PresetIndex d{"/p/d.json", 2, 2};
-    CHECK(starred_after(five, stars, "/p/b.json", 1) == d);
-    CHECK(starred_after(five, stars, "/p/b.json", -1) == d);
-    CHECK(starred_after(five, stars, "/p/d.json", 1) == b);
-    CHECK(starred_after(five, stars, "/p/b.json", 2) == b);
-    CHECK(starred_after(five, stars, "/p/c.json", 1) == d);  // between two favourites
-    CHECK(starred_after(five, stars, "/p/c.json", -1) == b);
+    CHECK(favourite_after(five, stars, "/p/b.json", 1) == d);
+    CHECK(favourite_after(five, stars, "/p/b.json", -1) == d);
+    CHECK(favourite_after(five, stars, "/p/d.json", 1) == b);
+    CHECK(favourite_after(five, stars, "/p/b.json", 2) == b);
+    CHECK(favourite_after(five, stars, "/p/c.json", 1) == d);  // between two favourites
+    CHECK(favourite_after(five, stars, "/p/c.json", -1) == b);
     for (const char* open : {"", "/p/a.json", "/p/e.json"}) {
-        CHECK(starred_after(five, stars, open, 1) == b);
-        CHECK(starred_after(five, stars, open, -1) == d);
+        CHECK(favourite_after(five, stars, open, 1) == b);
+        CHECK(favourite_after(five, stars, open, -1) == d);
     }
-    CHECK_FALSE(starred_after(five, {"phosphor/c"}, "", 1));
+    CHECK_FALSE(favourite_after(five, {"phosphor/c"}, "", 1));
 }

@@ -101,7 +101,7 @@ TEST_CASE("every used setting of the current signal can be typed or chosen") {
     const SignalKind& kind = *find_kind("waveform");
     const Spec spec = *completed(document.state().signal);
     const auto sections = signal_sections(document);
-    for (const SettingFacts& setting : kind.settings) {
+    for (const SettingInfo& setting : kind.settings) {
         if (setting.is_hidden || !is_used(setting, spec))
             continue;
         const std::string name =
@@ -114,7 +114,7 @@ TEST_CASE("every used setting of the current signal can be typed or chosen") {
             CHECK_MESSAGE(find_menu_entry(sections, "Signal: " + name + ": " + label_of_word(word)),
                           word);
     }
-    const auto number = std::ranges::find_if(kind.settings, [&](const SettingFacts& setting) {
+    const auto number = std::ranges::find_if(kind.settings, [&](const SettingInfo& setting) {
         return setting.type == SettingType::number && !setting.is_hidden && is_used(setting, spec);
     });
     REQUIRE(number != kind.settings.end());
@@ -123,7 +123,7 @@ TEST_CASE("every used setting of the current signal can be typed or chosen") {
     REQUIRE(entry.number);
     CHECK(find_menu_entry(sections, "Signal: Wave 2 · Frequency…"));  // each wave has its own entry
     CHECK(entry.number->limit == number->limit);
-    const double typed = entry.number->present + 1.0;
+    const double typed = entry.number->current + 1.0;
     take(entry.number->answer(typed), document);
     const auto changed = completed(document.state().signal);
     CHECK(std::get<double>(changed->settings.at(number->key)) == typed);
@@ -131,7 +131,7 @@ TEST_CASE("every used setting of the current signal can be typed or chosen") {
 
 TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name") {
     Document document(menu_look(Driver::picture));
-    const PatternFacts& last = all_patterns().back();
+    const PatternInfo& last = all_patterns().back();
     take(menu_entry_of(source_sections(document, {}), "Source: " + last.label).commands, document);
     CHECK(document.state().source == "pattern:" + last.name);
     take(menu_entry_of(source_sections(document, {}), "Source: Size: 256 × 224").commands,
@@ -150,7 +150,7 @@ TEST_CASE("pattern, size, fit and pixel aspect of a source can be chosen by name
     CHECK(document.state().source == "pattern:" + last.name + ",fit=whole,aspect=1.5");
     CHECK_FALSE(find_menu_entry(sections, "Source: Frame rate…"));
     const auto film = source_sections(document, {.film_rate = 25.0});
-    CHECK(menu_entry_of(film, "Source: Frame rate…").number->present == 25.0);
+    CHECK(menu_entry_of(film, "Source: Frame rate…").number->current == 25.0);
     take(menu_entry_of(film, "Source: At end: Hold").commands, document);
     CHECK_FALSE(parse_source(document.state().source)->loops);
 }
@@ -174,7 +174,7 @@ TEST_CASE("shape and prescale of a file can be chosen by name") {
     set_source(document, "game.png,shape=16:10");
     CHECK(menu_entry_of(sections(), "Source: Shape: 16:10").is_present);
     set_source(document, "game.png,shape=16:10,prescaled=auto");
-    const PatternFacts& pattern = all_patterns().back();
+    const PatternInfo& pattern = all_patterns().back();
     take(menu_entry_of(sections(), "Source: " + pattern.label).commands, document);
     CHECK(document.state().source == "pattern:" + pattern.name + ",shape=16:10");
 }
@@ -214,7 +214,7 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
                                3,
                                2};
     WindowState window;
-    window.views.inspected.look_into(past);
+    window.views.inspected.inspect(past);
     const auto sections = inspector_sections(parts, window.views.inspected);
     CHECK(menu_entry_of(sections, "Inspect: beam, 1 frame ago").is_present);
     CHECK(find_menu_entry(sections, "Inspect: beam, 2 frames ago"));
@@ -231,7 +231,7 @@ TEST_CASE("the inspected texture, channels and levels can be chosen by name") {
 TEST_CASE("a colour component can be typed, and a parameter locked, by name") {
     Document document(menu_look(Driver::signal));
     const auto sections = parameter_sections(document, document.look().parameters.front());
-    const std::string blue = part_label(document.look().parameters.front(), 2);
+    const std::string blue = component_label(document.look().parameters.front(), 2);
     take(menu_entry_of(sections, "Tint: " + blue + "…").number->answer(0.25), document);
     CHECK(document.value(document.look().parameters.front()).numbers ==
           std::vector<double>{1.0, 1.0, 0.25});
@@ -260,7 +260,7 @@ TEST_CASE("panes are resized by name, within their limits") {
     CHECK(window.layout.sizes.left == 520.0);
     take(menu_entry_of(sections, "Waveform: Row…").number->answer(20.0), window);
     CHECK(window.probes.scan_line.row({320, 180}) == 20);
-    CHECK(window.layout.sees(PanelId::waveform));
+    CHECK(window.layout.sees(panel_id::waveform));
     take(menu_entry_of(sections, "Pins: Pin picture centre").commands, window);
     CHECK(window.probes.pins == std::vector<Pin>{{0.5, 0.5}});
 }
@@ -299,16 +299,16 @@ TEST_CASE("two words find a menu entry, and actions rank first among equal match
 }
 
 TEST_CASE("sound and remote control settings can be chosen by name") {
-    SoundFacts facts;
-    facts.devices = {{.name = "Scope"}};
-    facts.devices.front().has_output = true;
-    const MenuSection sound = sound_section(facts);
+    SoundInfo info;
+    info.devices = {{.name = "Scope"}};
+    info.devices.front().has_output = true;
+    const MenuSection sound = sound_section(info);
     CHECK(menu_entry_of({sound}, "Sound: Output: System default").is_present);
     CHECK(find_menu_entry({sound}, "Sound: Output: Scope"));
     CHECK_FALSE(find_menu_entry({sound}, "Sound: Input: Scope"));
     CHECK_FALSE(find_menu_entry({sound}, "Sound: Volume…"));
-    facts.sound_seconds = 12.0;
-    CHECK(menu_entry_of({sound_section(facts)}, "Sound: Go to…").number->limit == Limit{0.0, 12.0});
+    info.sound_seconds = 12.0;
+    CHECK(menu_entry_of({sound_section(info)}, "Sound: Go to…").number->limit == Limit{0.0, 12.0});
     RemoteSettings settings;
     settings.bind({.goal = {"decay"}, .channel = 1, .controller = 21});
     const MenuSection remote = remote_section(settings, true, false);
@@ -331,5 +331,5 @@ TEST_CASE("presets are morphed to, starred and searched by name") {
     WindowState window;
     take(menu_entry_of(sections, "Presets: Search…").text->answer("amb"), window);
     CHECK(window.presets.search == "amb");
-    CHECK(window.layout.sees(PanelId::presets));
+    CHECK(window.layout.sees(panel_id::presets));
 }

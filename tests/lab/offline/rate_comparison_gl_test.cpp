@@ -25,7 +25,7 @@ public:
         REQUIRE(update_until([&] { return find_parameter(document().look(), "decay"); }));
     }
     Result<RateComparison> compare() {
-        Work work;
+        JobProgress work;
         Document document = this->document();
         document.set_value("decay", Value(0.95));
         auto found = compare_rates(document, {8, 6}, work);
@@ -38,13 +38,13 @@ public:
 TEST_CASE("looks are compared at a time when a frame of every rate ends") {
     Look look;
     look.settle_frames = 20;  // 1/3 s; the minimum is half a second
-    CHECK(moment_to_compare(look) == 0.5);
+    CHECK(comparison_seconds(look) == 0.5);
     look.settle_frames = 121;
-    CHECK(std::abs(moment_to_compare(look) - 13.0 / 6.0) < 1e-12);
+    CHECK(std::abs(comparison_seconds(look) - 13.0 / 6.0) < 1e-12);
     for (const double fps : compared_rates)
-        CHECK(std::abs(std::remainder(moment_to_compare(look) * fps, 1.0)) < 1e-9);
+        CHECK(std::abs(std::remainder(comparison_seconds(look) * fps, 1.0)) < 1e-9);
     look.settle_frames = 100000;
-    CHECK(moment_to_compare(look) == 10.0);
+    CHECK(comparison_seconds(look) == 10.0);
     CHECK(size_to_compare({1920, 1080}) == Extent{640, 360});
     CHECK(size_to_compare({320, 200}) == Extent{320, 200});
 }

@@ -187,7 +187,7 @@ TEST_CASE("without a device the switch resets, this is reported and the picture 
         Player player(std::make_unique<MissingDevices>());
         const Spec spec = parse_spec(signal).value();
         const bool is_sound = spec.kind == "audio";
-        REQUIRE(player.set_signal(spec, is_sound ? PlayedSound{"a.wav", sound} : PlayedSound{})
+        REQUIRE(player.set_signal(spec, is_sound ? SignalFile{"a.wav", sound} : SignalFile{})
                     .has_value());
         CHECK(player.error() == (is_sound ? "no audio device found" : ""));
         REQUIRE(player.set_sound_settings(beam_switched(true)).has_value());

@@ -64,7 +64,7 @@ struct LivePlayer {
     Player player;
 };
 
-PlayedSound second_of_sound() {
+SignalFile second_of_sound() {
     return {"a.wav", std::make_shared<const Sound>(Sound{1000, 2, std::vector<float>(2000, 0.5f)})};
 }
 }  // namespace
@@ -365,7 +365,7 @@ TEST_CASE("a sound plays on a device that was connected later") {
     Loudspeaker loudspeaker{.is_connected = false};
     Player player(std::make_unique<OutputDevices>(loudspeaker));
     const Spec spec = parse_spec("audio:a.wav").value();
-    const PlayedSound sound = second_of_sound();
+    const SignalFile sound = second_of_sound();
     REQUIRE(player.set_signal(spec, sound).has_value());
     CHECK(player.error() == "no audio device found");
     loudspeaker.is_connected = true;

@@ -73,7 +73,7 @@ TEST_CASE("a step is shown as its change of the picture and of each pass") {
     CHECK(is_near_step(small.seen(), 0.5 - 32.0 * 0.01, 1e-5));
     small.lab().frames().previews().probe().stop();
     CHECK_FALSE(small.probe().picture());
-    CHECK_FALSE(small.probe().question().has_value());
+    CHECK_FALSE(small.probe().request().has_value());
 }
 
 TEST_CASE("a step includes its effect through the history") {

@@ -55,11 +55,11 @@ TEST_CASE("a filmstrip shows the look along a slider, and a click applies a valu
         const double light = static_cast<double>(i) / 4.0;
         CHECK(is_near_cell(small.color(i)[0], is_linear ? encoded(light) : light));
     }
-    CHECK(strip.present(small.document()) == 2);
+    CHECK(strip.current(small.document()) == 2);
     small.lab().frames().previews().sheet().apply(3, *small.lab().work().document);
     CHECK(small.document().value(*find_parameter(small.document().look(), "red")) == Value(0.75));
     CHECK(small.document().history().undo_name() == "Apply Red 0.75");
-    CHECK(strip.present(small.document()) == 3);
+    CHECK(strip.current(small.document()) == 3);
     small.update(2);
     CHECK_FALSE(small.sheet().is_running());  // applying a cell needs no new sheet
     small.lab().edit([](Document& document) { document.undo(); });

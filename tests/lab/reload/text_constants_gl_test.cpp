@@ -34,10 +34,10 @@ public:
         lab().looks().open(m_file.string());
         REQUIRE(update_until([&] { return is_at(0.25); }));
     }
-    void set(const char* name, double value, bool goes_on = false) {
+    void set(const char* name, double value, bool continues_step = false) {
         lab().edit([&](Document& document) {
-            document.set_value(name, Value(value), goes_on);
-            if (!goes_on)
+            document.set_value(name, Value(value), continues_step);
+            if (!continues_step)
                 document.finish();
         });
     }

@@ -95,7 +95,7 @@ TEST_CASE("a learnt knob covers the parameter's range in one undo step and is st
     CHECK(small.lab().remote().midi().is_listening());
     CHECK(small.lab().remote().settings().midi == std::vector<MidiBinding>{{{"gain"}, 1, 21}});
     RemoteSettings settings = small.lab().remote().settings();
-    settings.picks_up = false;
+    settings.has_soft_takeover = false;
     small.lab().remote().set_settings(settings);
     small.knob(21, 127);
     CHECK(small.gain() == 8.0);  // it jumps, because soft takeover is off
@@ -125,7 +125,7 @@ TEST_CASE("changes to locked parameters are refused, and unknown parameters are 
     Turning small;
     RemoteSettings settings;
     settings.listens_to_midi = true;
-    settings.picks_up = false;
+    settings.has_soft_takeover = false;
     settings.midi = {{{"gain"}, 1, 21}, {{"elsewhere"}, 1, 22}};
     small.lab().remote().set_settings(settings);
     small.lab().edit(
@@ -151,7 +151,7 @@ TEST_CASE("a switch has no soft takeover, so a knob changes it at once") {
     settings.listens_to_midi = true;
     settings.midi = {{{"is_dark"}, 1, 21}};
     small.lab().remote().set_settings(settings);
-    REQUIRE(settings.picks_up);
+    REQUIRE(settings.has_soft_takeover);
     small.knob(21, 127);
     CHECK(small.document().value(*find_parameter(small.document().look(), "is_dark")).number() ==
           1.0);
@@ -161,7 +161,7 @@ TEST_CASE("knobs change nothing while another stack is being loaded") {
     Turning small;
     RemoteSettings settings;
     settings.listens_to_midi = true;
-    settings.picks_up = false;
+    settings.has_soft_takeover = false;
     settings.midi = {{{"gain"}, 1, 21}};
     small.lab().remote().set_settings(settings);
     small.lab().edit([](Document& document) {
@@ -170,7 +170,7 @@ TEST_CASE("knobs change nothing while another stack is being loaded") {
         twice.back().tag = free_tag(document.look().stack, twice.back().look);
         set_stack(document, twice, "Add");
     });
-    REQUIRE(small.document().is_restacking());
+    REQUIRE(small.document().has_pending_stack());
     small.knob(21, 127);
     CHECK(small.lab().remote().midi().applied() == 0);
 }

@@ -92,15 +92,15 @@ TEST_CASE("an address names a parameter, and its arguments are the clamped value
 
 TEST_CASE("half a second without a change ends a step, and simultaneous changes share one") {
     RemoteGesture gesture;
-    CHECK_FALSE(gesture.goes_on("decay", 10.0));
-    CHECK(gesture.goes_on("decay", 10.49));
+    CHECK_FALSE(gesture.continues_step("decay", 10.0));
+    CHECK(gesture.continues_step("decay", 10.49));
     CHECK_FALSE(gesture.has_ended(10.9));
-    CHECK_FALSE(gesture.goes_on("exposure", 10.9));
-    CHECK(gesture.goes_on("decay", 10.95));
+    CHECK_FALSE(gesture.continues_step("exposure", 10.9));
+    CHECK(gesture.continues_step("decay", 10.95));
     CHECK_FALSE(gesture.has_ended(11.44));
     CHECK(gesture.has_ended(11.45));
     CHECK_FALSE(gesture.has_ended(11.46));
-    CHECK_FALSE(gesture.goes_on("decay", 11.47));
+    CHECK_FALSE(gesture.continues_step("decay", 11.47));
 }
 
 TEST_CASE("a remote drag is one undo step, and invalid messages are counted") {

@@ -49,15 +49,15 @@ TEST_CASE("a gap above one second counts only if it was spent drawing") {
     for (int frame = 0; frame < 100; ++frame)
         pace.add(1.0 / 60.0);
     pace.add(1.8);
-    CHECK(pace.frames_a_second() == doctest::Approx(60.0));
+    CHECK(pace.frames_per_second() == doctest::Approx(60.0));
     pace.add(1.8, true);
-    CHECK(pace.frames_a_second() == doctest::Approx(1.0 / 1.8));
+    CHECK(pace.frames_per_second() == doctest::Approx(1.0 / 1.8));
 }
 
 TEST_CASE("a frame that spans several updates counts once, with their whole time") {
     Pace pace;
     for (int update = 0; update < 4; ++update)
         pace.update(0.5, update < 3, true);
-    CHECK(pace.frames_a_second() == doctest::Approx(0.5));
+    CHECK(pace.frames_per_second() == doctest::Approx(0.5));
     CHECK(pace.start() == 1);
 }

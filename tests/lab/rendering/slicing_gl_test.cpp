@@ -31,7 +31,7 @@ TEST_CASE_FIXTURE(Headless, "a sliced first frame is not a picture until it is c
     REQUIRE(renderer.executors().picture().resize({8, 8}, {8, 8}).has_value());
     renderer.set_slice(1e-9);
     renderer.draw({1, {0.0, 1.0 / 60.0}}, {});
-    CHECK(renderer.is_amid_frame());
+    CHECK(renderer.has_unfinished_frame());
     int slices = 1;
     while (!renderer.continue_frame()) {
         CHECK_FALSE(renderer.has_whole_picture());
@@ -39,7 +39,7 @@ TEST_CASE_FIXTURE(Headless, "a sliced first frame is not a picture until it is c
     }
     CHECK(slices >= 2);
     CHECK(renderer.has_whole_picture());
-    CHECK_FALSE(renderer.is_amid_frame());
+    CHECK_FALSE(renderer.has_unfinished_frame());
     CHECK(red(renderer.executor(), 0, 7, 7) == 1.0f);
     CHECK(renderer.continue_frame());  // nothing is left to draw
 }

@@ -45,7 +45,7 @@ TEST_CASE("a digest is the CRC-32 of the bytes") {
     const Home home;
     CHECK(file_digest(home.song).value() == "cbf43926");  // the check value of CRC-32/ISO-HDLC
     CHECK_FALSE(file_digest(home.music / "none.wav").has_value());
-    Work stopped;
+    JobProgress stopped;
     stopped.is_cancelled = true;
     CHECK_FALSE(file_digest(home.song, &stopped).has_value());
 }

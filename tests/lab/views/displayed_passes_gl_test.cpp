@@ -31,7 +31,7 @@ public:
 
     /// Draws `count` frames to their end, however slow the machine is.
     void draw_frames(int count) {
-        const auto is_drawn = [&] { return !lab().renderer()->is_amid_frame(); };
+        const auto is_drawn = [&] { return !lab().renderer()->has_unfinished_frame(); };
         for (int i = 0; i < count; ++i) {
             update(1);
             REQUIRE((is_drawn() || update_until(is_drawn)));
@@ -116,18 +116,19 @@ TEST_CASE("the picture, inspected and probed passes are displayed, but not the s
     };
     const std::vector<bool> last{false, false, true};
     WindowState window;
-    CHECK(window.layout.panels.shows(PanelId::strip));
+    window.layout.panels.show(panel_id::strip);
+    window.layout.panels.show(panel_id::inspector);
     CHECK(seen(window) == last);
     window.views.inspected.pass = "light";
     CHECK(seen(window) == std::vector<bool>{true, false, true});
     window.views.inspected.other = TextureChoice{Input::From::pass, "glow", 1};
     CHECK(seen(window) == std::vector<bool>{true, true, true});
-    window.layout.panels.hide(PanelId::inspector);
+    window.layout.panels.hide(panel_id::inspector);
     CHECK(seen(window) == last);
     window.views.shows_pass_large = true;
     CHECK(seen(window) == std::vector<bool>{true, true, true});
     window.views.shows_pass_large = false;
-    window.layout.panels.show(PanelId::inspector);
+    window.layout.panels.show(panel_id::inspector);
     window.layout.is_picture_only = true;
     CHECK(seen(window) == last);
     window.probes.pointer = Probe{.pass = "glow"};

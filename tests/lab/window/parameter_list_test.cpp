@@ -66,10 +66,9 @@ TEST_CASE("the list is filtered to changed, favourite or used parameters") {
 }
 
 TEST_CASE("an empty list shows the reason") {
-    CHECK(why_nothing_is_listed({.search = "x"}) == "No matches.");
-    CHECK(why_nothing_is_listed({.filter = ParameterFilter::changed}) ==
-          "No parameters are changed.");
-    CHECK(why_nothing_is_listed({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
+    CHECK(empty_list_text({.search = "x"}) == "No matches.");
+    CHECK(empty_list_text({.filter = ParameterFilter::changed}) == "No parameters are changed.");
+    CHECK(empty_list_text({.filter = ParameterFilter::of_pass, .pass = "beam"}) ==
           "The pass \"beam\" uses no parameters.");
 }
 

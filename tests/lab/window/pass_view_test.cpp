@@ -17,14 +17,14 @@ TEST_CASE("fitting shows every value of a pass, and resetting restores the defau
 
 TEST_CASE("inspecting another pass shows its current picture") {
     PassView view;
-    view.look_into({Input::From::pass, "persistence", 1});
+    view.inspect({Input::From::pass, "persistence", 1});
     CHECK(view.pass == "persistence");
     CHECK(view.label() == "persistence@1");
-    view.look_into({Input::From::image, "noise", 0, 2});
+    view.inspect({Input::From::image, "noise", 0, 2});
     CHECK(view.pass == "persistence");
     CHECK(view.label() == "noise mip 2");
-    view.look_into("beam");
+    view.inspect("beam");
     CHECK(view.label() == "beam");
-    view.look_into({Input::From::pass, "glass"});
+    view.inspect({Input::From::pass, "glass"});
     CHECK_FALSE(view.other.has_value());
 }

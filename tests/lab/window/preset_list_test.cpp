@@ -30,7 +30,7 @@ Document phosphor_document() {
     return Document(look);
 }
 
-std::string listed_names(const PresetBrowsing& wanted, const PresetStars& stars = {}) {
+std::string listed_names(const PresetBrowsing& wanted, const FavouritePresets& stars = {}) {
     std::string all;
     for (const ListedPreset& preset : listed_presets(phosphor_document(), two_looks, stars, wanted))
         all += "[" + preset.preset.entry.name + "]";
@@ -44,7 +44,7 @@ TEST_CASE("the presets of the open look are listed after the look's defaults") {
     CHECK(listed_names({.search = "WARM  slow"}) == "[amber]");  // in its description
     CHECK(listed_names({.search = "warm fast"}).empty());
     CHECK(listed_names({.search = {}, .only_starred = true}).empty());
-    const PresetStars stars{"phosphor/blue", "crt/amber"};
+    const FavouritePresets stars{"phosphor/blue", "crt/amber"};
     CHECK(listed_names({.search = {}, .only_starred = true}, stars) == "[blue]");
     CHECK(listed_names({.search = "amber", .only_starred = true}, stars).empty());
 }

@@ -32,7 +32,7 @@ TEST_CASE("only a complete Control Change message is parsed") {
 }
 
 TEST_CASE("a controller maps 0..1 to 127 steps, and a 14-bit pair to 16383") {
-    MidiPairs pairs;
+    Midi14BitDecoder pairs;
     const MidiBinding plain{{"decay"}, 1, 21};
     CHECK(is_share(pairs.share(plain, {1, 21, 0}), 0.0));
     CHECK(is_share(pairs.share(plain, {1, 21, 127}), 1.0));
@@ -55,20 +55,20 @@ TEST_CASE("a controller maps 0..1 to 127 steps, and a 14-bit pair to 16383") {
 }
 
 TEST_CASE("soft takeover: a controller takes effect once it passes the value") {
-    PickUp pick_up;
-    CHECK_FALSE(pick_up.takes(0.2, 0.5));
-    CHECK_FALSE(pick_up.takes(0.4, 0.5));
-    CHECK(pick_up.takes(0.6, 0.5));  // it passes the value
-    pick_up.gave(0.6);
-    CHECK(pick_up.takes(0.9, 0.6));  // takes effect at any speed
-    pick_up.gave(0.9);
-    CHECK_FALSE(pick_up.takes(0.8, 0.3));  // the value was changed elsewhere
-    CHECK_FALSE(pick_up.takes(0.4, 0.3));
-    CHECK(pick_up.takes(0.2, 0.3));
-    PickUp close;
-    CHECK(close.takes(0.5 + 1.0 / 127.0, 0.5));
-    PickUp far;
-    CHECK_FALSE(far.takes(0.5 + 1.5 / 127.0, 0.5));
+    SoftTakeover pick_up;
+    CHECK_FALSE(pick_up.accepts(0.2, 0.5));
+    CHECK_FALSE(pick_up.accepts(0.4, 0.5));
+    CHECK(pick_up.accepts(0.6, 0.5));  // it passes the value
+    pick_up.record(0.6);
+    CHECK(pick_up.accepts(0.9, 0.6));  // takes effect at any speed
+    pick_up.record(0.9);
+    CHECK_FALSE(pick_up.accepts(0.8, 0.3));  // the value was changed elsewhere
+    CHECK_FALSE(pick_up.accepts(0.4, 0.3));
+    CHECK(pick_up.accepts(0.2, 0.3));
+    SoftTakeover close;
+    CHECK(close.accepts(0.5 + 1.0 / 127.0, 0.5));
+    SoftTakeover far;
+    CHECK_FALSE(far.accepts(0.5 + 1.5 / 127.0, 0.5));
 }
 
 TEST_CASE("a target has one controller, and a controller may have several targets") {

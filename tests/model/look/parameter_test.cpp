@@ -20,7 +20,7 @@ Parameter typed_parameter(NumberType type, Value initial) {
 
 TEST_CASE("a type is named as in GLSL") {
     CHECK(glsl_name({Scalar::floating, 1, 1}) == "float");
-    CHECK(glsl_name({Scalar::natural, 1, 1}) == "uint");
+    CHECK(glsl_name({Scalar::unsigned_integer, 1, 1}) == "uint");
     CHECK(glsl_name({Scalar::boolean, 4, 1}) == "bvec4");
     CHECK(glsl_name({Scalar::integer, 2, 1}) == "ivec2");
     CHECK(glsl_name({Scalar::floating, 3, 3}) == "mat3");
@@ -54,8 +54,8 @@ TEST_CASE("a non-finite value becomes the default") {
 TEST_CASE("integers are rounded and clamped to 32 bits; booleans become 0 or 1") {
     CHECK(clamped(typed_parameter({Scalar::integer}, 0.0), 2.6) == Value(3.0));
     CHECK(clamped(typed_parameter({Scalar::integer}, 0.0), 1e30) == Value(2147483647.0));
-    CHECK(clamped(typed_parameter({Scalar::natural}, 0.0), -3.0) == Value(0.0));
-    CHECK(clamped(typed_parameter({Scalar::natural}, 0.0), 1e30) == Value(4294967295.0));
+    CHECK(clamped(typed_parameter({Scalar::unsigned_integer}, 0.0), -3.0) == Value(0.0));
+    CHECK(clamped(typed_parameter({Scalar::unsigned_integer}, 0.0), 1e30) == Value(4294967295.0));
     CHECK(clamped(typed_parameter({Scalar::boolean}, 0.0), 0.3) == Value(1.0));
 }
 

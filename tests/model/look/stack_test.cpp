@@ -16,8 +16,8 @@ TEST_CASE("a look in a stack is keyed by its id, and copies are numbered") {
     CHECK(stack_id(stack({"phosphor", "crt", "crt"})) == "phosphor+crt+crt");
     CHECK(stack_keys(look_ids("crt+phosphor+crt+crt")) ==
           std::vector<std::string>{"crt", "phosphor", "crt#2", "crt#3"});
-    CHECK(scope_of(stack({"crt", "crt"}), 1) == "crt#2/");
-    CHECK(scope_of(stack({"crt"}), 0).empty());
+    CHECK(name_prefix(stack({"crt", "crt"}), 1) == "crt#2/");
+    CHECK(name_prefix(stack({"crt"}), 0).empty());
 }
 
 TEST_CASE("values follow their look when looks are added, removed or reordered") {
@@ -51,10 +51,10 @@ TEST_CASE("bypassed looks are identified by their keys") {
 TEST_CASE("a name without prefix is accepted if only one look has it") {
     const std::vector<std::string> names{"phosphor/decay", "phosphor/exposure", "crt/exposure"};
     std::vector<std::string> candidates;
-    CHECK(meant_name(names, "decay", candidates) == "phosphor/decay");
-    CHECK(meant_name(names, "crt/exposure", candidates) == "crt/exposure");
-    CHECK_FALSE(meant_name(names, "exposure", candidates));
+    CHECK(resolve_name(names, "decay", candidates) == "phosphor/decay");
+    CHECK(resolve_name(names, "crt/exposure", candidates) == "crt/exposure");
+    CHECK_FALSE(resolve_name(names, "exposure", candidates));
     CHECK(candidates == std::vector<std::string>{"phosphor/exposure", "crt/exposure"});
-    CHECK_FALSE(meant_name(names, "gain", candidates));
+    CHECK_FALSE(resolve_name(names, "gain", candidates));
     CHECK(candidates.empty());
 }

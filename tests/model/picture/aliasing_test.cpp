@@ -101,11 +101,12 @@ TEST_CASE("the suggested value gives a whole period, whether the period grows or
     const Look look = measured_look();
     const Values in_triads{{"crt/unit", Value(1.0)}};
     const PeriodTerms terms{look, in_triads, {800, 672}, {{0.0, 1.0 / 240.0, 240}, {}}};
-    CHECK(even_value(look.parameters[2], 300.0, terms).value() == about(800.0 / 3.0, 1e-6));
-    CHECK(even_value(look.parameters[3], 1.0, terms).value() == about(240.0 * 3.0 / 672.0, 1e-6));
+    CHECK(whole_period_value(look.parameters[2], 300.0, terms).value() == about(800.0 / 3.0, 1e-6));
+    CHECK(whole_period_value(look.parameters[3], 1.0, terms).value() ==
+          about(240.0 * 3.0 / 672.0, 1e-6));
     Parameter narrow = look.parameters[2];
     narrow.range = {290.0, 310.0, 0.0};
-    CHECK_FALSE(even_value(narrow, 300.0, terms));
+    CHECK_FALSE(whole_period_value(narrow, 300.0, terms));
 }
 
 TEST_CASE("a period with an unknown name is an error at the parameter's line") {

@@ -14,7 +14,7 @@ using Cells = std::function<Light(int x, int y, int frame)>;
 /// The highest counts over the frames of a picture, at 60 fps.
 Flashes counted(const Cells& picture, int frames = 120) {
     FlashCounter counter;
-    Flashes most;
+    Flashes maximum;
     constexpr auto columns = static_cast<std::size_t>(flash_cells.width);
     std::vector<Light> cells(columns * static_cast<std::size_t>(flash_cells.height));
     for (int frame = 0; frame < frames; ++frame) {
@@ -23,9 +23,9 @@ Flashes counted(const Cells& picture, int frames = 120) {
                 cells[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] =
                     picture(x, y, frame);
         const Flashes now = counter.add(frame / 60.0, cells);
-        most = {std::max(most.general, now.general), std::max(most.red, now.red)};
+        maximum = {std::max(maximum.general, now.general), std::max(maximum.red, now.red)};
     }
-    return most;
+    return maximum;
 }
 
 Light grey(double level) {
@@ -132,7 +132,7 @@ TEST_CASE("a warning reports how often, how long and when pictures exceed the fl
     };
     CHECK_FALSE(log_of(20).warning());
     const FlashLog six = log_of(10);
-    CHECK(six.most() == Flashes{6, 0});
+    CHECK(six.maximum() == Flashes{6, 0});
     REQUIRE(six.warning());
     // Changes occur in frames 5, 10, .. from 0: the eighth, so the fourth flash, is in frame 40.
     CHECK(six.warning()->find("up to 6 times a second (0 in red)") != std::string::npos);

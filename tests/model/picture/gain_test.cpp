@@ -25,19 +25,19 @@ Look tube() {
 
 TEST_CASE("headroom is the number of stops from the peak to the ceiling") {
     const Statistics statistics{.minimum = 0.0, .maximum = 0.5, .mean = 0.125, .finite = 200};
-    const Gain gain = gain_of(statistics, 50, 4.0);
+    const TargetLevel gain = target_level_of(statistics, 50, 4.0);
     CHECK(gain.peak == 0.5);
     CHECK(gain.mean == 0.125);
     CHECK(gain.clipped == 0.25);
     CHECK(headroom_stops(gain) == 3.0);
-    CHECK(headroom_stops(gain_of({.maximum = 4.0, .finite = 1}, 1, 4.0)) == 0.0);
-    CHECK(headroom_stops(gain_of({.maximum = 8.0, .finite = 1}, 1, 4.0)) == -1.0);
-    CHECK_FALSE(headroom_stops(gain_of({.finite = 1}, 0, 4.0)));
-    CHECK(gain_of({}, 0, 1.0).clipped == 0.0);
+    CHECK(headroom_stops(target_level_of({.maximum = 4.0, .finite = 1}, 1, 4.0)) == 0.0);
+    CHECK(headroom_stops(target_level_of({.maximum = 8.0, .finite = 1}, 1, 4.0)) == -1.0);
+    CHECK_FALSE(headroom_stops(target_level_of({.finite = 1}, 0, 4.0)));
+    CHECK(target_level_of({}, 0, 1.0).clipped == 0.0);
 }
 
 TEST_CASE("the clipped share is of all texels, those with a NaN included") {
-    CHECK(gain_of({.finite = 1, .not_a_number = 2, .infinite = 1}, 1, 1.0).clipped == 0.25);
+    CHECK(target_level_of({.finite = 1, .not_a_number = 2, .infinite = 1}, 1, 1.0).clipped == 0.25);
 }
 
 TEST_CASE("the limit of a format is its largest finite number") {

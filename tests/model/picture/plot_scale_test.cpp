@@ -18,27 +18,27 @@ TEST_CASE("the end of a plot is rounded up to a round number") {
 }
 
 TEST_CASE("the numbers on a scale are round, and limited by the available space") {
-    CHECK(even_numbers({0.0, 1.0}, 3) == std::vector{0.0, 0.5, 1.0});
-    CHECK(even_numbers({0.0, 3.0}, 4) == std::vector{0.0, 1.0, 2.0, 3.0});
-    CHECK(even_numbers({0.0, 3.0}, 3) == std::vector{0.0, 2.0});
-    CHECK(even_numbers({-1.5, 2.0}, 8) == std::vector{-1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0});
-    CHECK(even_numbers({0.0, 639.0}, 4) == std::vector{0.0, 200.0, 400.0, 600.0});
-    CHECK(even_numbers({0.0, 0.0}, 4) == std::vector{0.0});
+    CHECK(axis_ticks({0.0, 1.0}, 3) == std::vector{0.0, 0.5, 1.0});
+    CHECK(axis_ticks({0.0, 3.0}, 4) == std::vector{0.0, 1.0, 2.0, 3.0});
+    CHECK(axis_ticks({0.0, 3.0}, 3) == std::vector{0.0, 2.0});
+    CHECK(axis_ticks({-1.5, 2.0}, 8) == std::vector{-1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0});
+    CHECK(axis_ticks({0.0, 639.0}, 4) == std::vector{0.0, 200.0, 400.0, 600.0});
+    CHECK(axis_ticks({0.0, 0.0}, 4) == std::vector{0.0});
 }
 
 TEST_CASE("a plot range grows at once, and shrinks after two seconds") {
     SteadyRange range;
     range.cover(0.0, 0.9, 10.0);
-    CHECK(range.present() == PlotRange{0.0, 1.0});
+    CHECK(range.current() == PlotRange{0.0, 1.0});
     range.cover(-0.2, 7.0, 10.2);
-    CHECK(range.present() == PlotRange{-0.2, 8.0});
+    CHECK(range.current() == PlotRange{-0.2, 8.0});
     range.cover(0.0, 0.9, 11.0);
-    CHECK(range.present() == PlotRange{-0.2, 8.0});
+    CHECK(range.current() == PlotRange{-0.2, 8.0});
     range.cover(-0.2, 7.5, 12.0);  // the full range is needed again
     range.cover(0.0, 0.9, 13.9);
-    CHECK(range.present() == PlotRange{-0.2, 8.0});
+    CHECK(range.current() == PlotRange{-0.2, 8.0});
     range.cover(0.0, 0.9, 14.1);
-    CHECK(range.present() == PlotRange{0.0, 1.0});
+    CHECK(range.current() == PlotRange{0.0, 1.0});
     range.cover(0.0, 0.0, 20.0);
-    CHECK(range.present() == PlotRange{0.0, 1.0});  // all-zero data keeps the range
+    CHECK(range.current() == PlotRange{0.0, 1.0});  // all-zero data keeps the range
 }

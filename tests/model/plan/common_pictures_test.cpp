@@ -75,7 +75,7 @@ TEST_CASE("a chain of any length needs two shared pictures and the last pass's o
     CHECK(plan.targets[0].common == 0);
     CHECK(plan.targets[1].common == 1);
     CHECK(plan.targets[2].common == 0);
-    CHECK(plan.targets[2].held_until == 3);
+    CHECK(plan.targets[2].last_reader == 3);
     CHECK_FALSE(plan.targets[5].common.has_value());
 }
 
@@ -144,7 +144,7 @@ TEST_CASE("two passes with feedback share one spare picture") {
     CHECK(memory_of(planned(bytes, last_seen(bytes))) == 5 * picture_bytes / 2);
     const Plan plan = planned(look, last_seen(look));
     CHECK(plan.targets[1].common == plan.targets[2].common);
-    CHECK(plan.targets[1].held_until == 1);
+    CHECK(plan.targets[1].last_reader == 1);
 }
 
 TEST_CASE("a pass that only later frames read is drawn last where that saves a picture") {
@@ -195,7 +195,7 @@ public:
                 check_reading(pass, input, frame);
             at(pass, 0) = {static_cast<int>(pass), frame};
             for (std::size_t i = 0; i < m_own.size(); ++i)
-                if (m_plan.targets[i].common && m_plan.targets[i].held_until == pass)
+                if (m_plan.targets[i].common && m_plan.targets[i].last_reader == pass)
                     release(i);
         }
         CHECK(at(m_own.size() - 1, 0) == Tag{static_cast<int>(m_own.size()) - 1, frame});

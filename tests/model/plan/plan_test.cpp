@@ -222,22 +222,22 @@ TEST_CASE("the number of samples of an accumulating pass does not affect the sam
 }
 
 TEST_CASE("dependencies of a pass are found through feedback loops") {
-    CHECK(needed_for(scope(), 3) == std::vector<bool>{true, true, true, true});
-    CHECK(needed_for(scope(), 1) == std::vector<bool>{true, true, false, false});
-    CHECK(needed_for(scope(), 0) == std::vector<bool>{true, false, false, false});
+    CHECK(dependencies_of(scope(), 3) == std::vector<bool>{true, true, true, true});
+    CHECK(dependencies_of(scope(), 1) == std::vector<bool>{true, true, false, false});
+    CHECK(dependencies_of(scope(), 0) == std::vector<bool>{true, false, false, false});
 }
 
 TEST_CASE("passes read from past frames are carried over, with their dependencies") {
-    CHECK(carried_passes(scope()) == std::vector<bool>{true, true, false, false});
+    CHECK(feedback_passes(scope()) == std::vector<bool>{true, true, false, false});
     Look look = scope();
     look.passes.back().accumulate = true;
-    CHECK(carried_passes(look) == std::vector<bool>{true, true, true, true});
+    CHECK(feedback_passes(look) == std::vector<bool>{true, true, true, true});
     for (Pass& pass : look.passes) {
         pass.accumulate = false;
         for (Input& input : pass.inputs)
             input.frames_ago = 0;
     }
-    CHECK(carried_passes(look) == std::vector<bool>(4, false));
+    CHECK(feedback_passes(look) == std::vector<bool>(4, false));
 }
 
 TEST_CASE("an override changes the pass and the inputs that read it") {
@@ -310,8 +310,8 @@ TEST_CASE("targets are not shared if they differ or the user has overridden eith
 
 TEST_CASE("the parameter that decides about target sharing is found") {
     Look look = sharing_scope();
-    CHECK(decides_sharing(look, look.parameters.back()));
-    CHECK_FALSE(decides_sharing(look, look.parameters.front()));
+    CHECK(affects_aliasing(look, look.parameters.back()));
+    CHECK_FALSE(affects_aliasing(look, look.parameters.front()));
     CHECK(is_used_by(look, 0, look.parameters.back()));
     look.passes[0].onto->where = "$plan";
     CHECK(problem(look) == "look.json:7: error: 'onto' of pass 'beam': unknown name '$plan'");

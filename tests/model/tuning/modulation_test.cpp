@@ -72,7 +72,7 @@ TEST_CASE("an LFO repeats its shape every period, from its phase") {
 }
 
 TEST_CASE("SplitMix64 gives the published first number for seed 0") {
-    CHECK(RandomNumbers(0).roll() ==
+    CHECK(RandomNumbers(0).next() ==
           std::ldexp(static_cast<double>(0xe220a8397b1dcdafu >> 11), -53));
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("a modulation keeps only the fields of its kind, within their limits")
                          .attack = 1.0,
                          .release = 3.0,
                          .threshold = 1.5};
-    CHECK(tidied(all) ==
+    CHECK(normalised(all) ==
           Modulation{.kind = ModulationKind::beat, .depth = 4.0, .release = 0.5, .threshold = 1.5});
     CHECK(summary_of(lfo(LfoShape::random, 0.5)) ==
           "LFO, random steps, rate 0.5 Hz, phase 0 turns, depth 0.25");

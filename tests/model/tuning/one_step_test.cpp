@@ -21,7 +21,7 @@ double stepped(const Parameter& parameter, double number, bool up) {
     return next->number();
 }
 
-std::string why_not(const Parameter& parameter, const Value& value, bool up = true) {
+std::string disabled_reason(const Parameter& parameter, const Value& value, bool up = true) {
     const auto next = one_step(parameter, value, 0, up);
     REQUIRE_FALSE(next.has_value());
     return next.error().front().message;
@@ -53,8 +53,8 @@ TEST_CASE("a step changes an integer by one, selects the next item of a list and
     list.items = {{0, "none"}, {3, "some"}, {7, "all"}};
     CHECK(stepped(list, 3, true) == 7.0);
     CHECK(stepped(list, 3, false) == 0.0);
-    CHECK(why_not(list, Value(7.0)) == "Knob is at its last item");
-    CHECK(why_not(list, Value(0.0), false) == "Knob is at its first item");
+    CHECK(disabled_reason(list, Value(7.0)) == "Knob is at its last item");
+    CHECK(disabled_reason(list, Value(0.0), false) == "Knob is at its first item");
 
     Parameter toggle = slider(0, 1);
     toggle.type.scalar = Scalar::boolean;
@@ -76,7 +76,7 @@ TEST_CASE("a step changes one component of a vector, all of a colour, and the y 
     REQUIRE(lighter.has_value());
     for (const std::size_t i : {0U, 1U, 2U})  // a tenth of a stop: 2^(1/10) = 1.0717734625
         CHECK(std::abs(lighter->numbers[i] - std::array{0.2, 0.4, 0.0}[i] * 1.0717734625) < 1e-9);
-    CHECK(why_not(vector, Value({0.0, 0.0, 0.0})) == "Knob is black or at its limit");
+    CHECK(disabled_reason(vector, Value({0.0, 0.0, 0.0})) == "Knob is black or at its limit");
 
     vector.control = Control::point;
     vector.type.rows = 2;
@@ -99,13 +99,13 @@ TEST_CASE("a point is stepped over the range of its vertical axis") {
 }
 
 TEST_CASE("a parameter at its limit or without steps returns the reason") {
-    CHECK(why_not(slider(0, 1), Value(1.0)) == "Knob is at its maximum");
-    CHECK(why_not(slider(0, 1), Value(0.0), false) == "Knob is at its minimum");
-    CHECK(why_not(slider(0, 1, 0.25), Value(1.0)) == "Knob is at its maximum");
+    CHECK(disabled_reason(slider(0, 1), Value(1.0)) == "Knob is at its maximum");
+    CHECK(disabled_reason(slider(0, 1), Value(0.0), false) == "Knob is at its minimum");
+    CHECK(disabled_reason(slider(0, 1, 0.25), Value(1.0)) == "Knob is at its maximum");
     Parameter image = slider(0, 1);
     image.control = Control::image;
-    CHECK(why_not(image, Value::of_path("a.png")) == "Knob can't be changed in steps");
+    CHECK(disabled_reason(image, Value::of_path("a.png")) == "Knob can't be changed in steps");
     Parameter matrix = slider(0, 1);
     matrix.type = {Scalar::floating, 2, 2};
-    CHECK(why_not(matrix, Value({1.0, 0.0, 0.0, 1.0})) == "Knob can't be changed in steps");
+    CHECK(disabled_reason(matrix, Value({1.0, 0.0, 0.0, 1.0})) == "Knob can't be changed in steps");
 }

@@ -1,6 +1,6 @@
 #include "signals/audio/spectrum.h"
 
-#include "signals/audio/beat_finder.h"
+#include "signals/audio/beat_detector.h"
 #include "signals/signal_making.h"
 
 #include <algorithm>
@@ -144,7 +144,7 @@ TEST_CASE("frequencies above half the rate are at the floor, and an empty range 
 TEST_CASE("a click track of 120 BPM has one beat every half second") {
     const auto sound = clicks(0.5);
     const SoundInput input(stream_of(sound, {}), {.channels = SoundChannels::left, .upsample = 1});
-    const BeatFinder beats(input, 2.0);
+    const BeatDetector beats(input, 2.0);
     std::vector<double> found;
     for (int i = 0; i < 450; ++i) {
         const auto beat = beats.last_beat(i / 100.0);
@@ -156,7 +156,7 @@ TEST_CASE("a click track of 120 BPM has one beat every half second") {
         CHECK(found[i] > static_cast<double>(i) * 0.5);
         CHECK(found[i] <= static_cast<double>(i) * 0.5 + 0.0201);
     }
-    const BeatFinder deaf(input, 200.0);
+    const BeatDetector deaf(input, 200.0);
     CHECK_FALSE(deaf.last_beat(4.0).has_value());
 }
 
@@ -165,7 +165,7 @@ TEST_CASE("silence and a steady tone have no beats") {
         const auto sound = sines(60.0, amplitude);
         const SoundInput input(stream_of(sound, {.loops = true}),
                                {.channels = SoundChannels::left, .upsample = 1});
-        CHECK_FALSE(BeatFinder(input, 2.0).last_beat(3.0).has_value());
+        CHECK_FALSE(BeatDetector(input, 2.0).last_beat(3.0).has_value());
     }
 }
 

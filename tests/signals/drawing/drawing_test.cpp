@@ -71,11 +71,11 @@ TEST_CASE("an error in a drawing's text gives its stroke and keyframe") {
     CHECK(drawing_refusal("[L0 nan]").starts_with("stroke 1 of keyframe 1: expected pairs"));
     CHECK(drawing_refusal("[L0 1e9]").starts_with("stroke 1 of keyframe 1: expected pairs"));
     std::string keyframes;
-    for (std::size_t i = 0; i <= most_keyframes; ++i)
+    for (std::size_t i = 0; i <= max_keyframes; ++i)
         keyframes += "[]";
     CHECK(drawing_refusal(keyframes) == "too many keyframes; the limit is 100");
     Drawing huge{{{{}}}};
-    huge.keyframes[0][0].points.resize(most_drawing_points + 1);
+    huge.keyframes[0][0].points.resize(max_drawing_points + 1);
     CHECK(drawing_refusal(to_text(huge)) == "too many points; the limit is 20000");
 }
 

@@ -177,6 +177,6 @@ TEST_CASE("a scene that draws nothing or too much is an error") {
     dark.current = 0.0;
     CHECK(refused({.items = {dark}}));
     SceneItem huge;
-    huge.paths = {{std::vector<ScenePoint>(most_scene_points + 1)}};
+    huge.paths = {{std::vector<ScenePoint>(max_scene_points + 1)}};
     CHECK(refused({.items = {huge}}));
 }

@@ -17,11 +17,11 @@ std::size_t strokes_besides(const std::vector<ScenePath>& whole,
 }
 
 double highest(const std::vector<ScenePath>& paths) {
-    double most = -1e9;
+    double maximum = -1e9;
     for (const ScenePath& path : paths)
         for (const ScenePoint& point : path.points)
-            most = std::max(most, point.y);
-    return most;
+            maximum = std::max(maximum, point.y);
+    return maximum;
 }
 }  // namespace
 

@@ -56,10 +56,10 @@ TEST_CASE("x = 1.5 closes after two periods") {
 TEST_CASE("the phase drifts by `speed` turns per second") {
     const auto drifting = signal_of("lissajous:x=3,y=2,phase=0,speed=0.5");
     const auto still = signal_of("lissajous:x=3,y=2,phase=0.5");
-    const BeamPoint after_a_second = beam_of(*drifting, frame_span(60, 60.0)).back();
+    const BeamPoint after_one_second = beam_of(*drifting, frame_span(60, 60.0)).back();
     const BeamPoint half_a_turn_on = beam_of(*still, frame_span(60, 60.0)).back();
-    CHECK(after_a_second.x == doctest::Approx(half_a_turn_on.x).epsilon(1e-6));
-    CHECK(after_a_second.y == doctest::Approx(half_a_turn_on.y).epsilon(1e-6));
+    CHECK(after_one_second.x == doctest::Approx(half_a_turn_on.x).epsilon(1e-6));
+    CHECK(after_one_second.y == doctest::Approx(half_a_turn_on.y).epsilon(1e-6));
 }
 
 TEST_CASE("ages decrease from almost one frame to zero") {

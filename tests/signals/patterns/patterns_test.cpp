@@ -66,24 +66,24 @@ TEST_CASE("an invalid pattern gives a specific error") {
 
 TEST_CASE("every listed pattern can be made, and all differ") {
     std::set<std::vector<float>> pictures;
-    for (const PatternFacts& facts : all_patterns()) {
-        CAPTURE(facts.name);
-        const auto picture = make_pattern(facts.name + ",size=80x60");
+    for (const PatternInfo& info : all_patterns()) {
+        CAPTURE(info.name);
+        const auto picture = make_pattern(info.name + ",size=80x60");
         REQUIRE(picture.has_value());
         CHECK(picture->extent == Extent{80, 60});
         CHECK(pictures.insert(picture->pixels).second);
-        CHECK_FALSE(facts.help.empty());
+        CHECK_FALSE(info.help.empty());
     }
 }
 
 TEST_CASE("a moving pattern depends only on the time, and the others do not move") {
-    for (const PatternFacts& facts : all_patterns()) {
-        CAPTURE(facts.name);
-        const std::string text = facts.name + ",size=96x72";
-        CHECK(is_moving_pattern(text) == facts.moves);
+    for (const PatternInfo& info : all_patterns()) {
+        CAPTURE(info.name);
+        const std::string text = info.name + ",size=96x72";
+        CHECK(is_moving_pattern(text) == info.moves);
         const auto now = make_pattern(text, 1.5);
         CHECK(now->pixels == make_pattern(text, 1.5)->pixels);
-        CHECK((now->pixels != make_pattern(text, 2.5)->pixels) == facts.moves);
+        CHECK((now->pixels != make_pattern(text, 2.5)->pixels) == info.moves);
     }
     CHECK_FALSE(is_moving_pattern("glyph-rian"));
 }

@@ -12,13 +12,13 @@ TEST_CASE("frame n covers the time from (n - 1) / fps to n / fps") {
 }
 
 TEST_CASE("sample k is at (k + 1) / rate, and a span includes its end but not its start") {
-    const Instants first = instants_in({0.0, 0.5}, 10.0);
+    const SampleRange first = samples_in({0.0, 0.5}, 10.0);
     CHECK(first.first == 0);
     CHECK(first.end == 5);  // 0.1 .. 0.5
-    const Instants next = instants_in({0.5, 0.59}, 10.0);
+    const SampleRange next = samples_in({0.5, 0.59}, 10.0);
     CHECK(next.first == 5);
     CHECK(next.count() == 0);  // 0.6 is later
-    CHECK(instants_in({-1.0, 0.05}, 10.0).count() == 0);
+    CHECK(samples_in({-1.0, 0.05}, 10.0).count() == 0);
 }
 
 TEST_CASE("every frame of an hour has the same number of samples, without gaps") {
@@ -28,7 +28,7 @@ TEST_CASE("every frame of an hour has the same number of samples, without gaps")
         std::int64_t next = 0;
         std::int64_t uneven = 0;
         for (std::int64_t n = 1; n <= frames_of_an_hour; ++n) {
-            const Instants instants = instants_in(frame_span(n, 60.0), rate);
+            const SampleRange instants = samples_in(frame_span(n, 60.0), rate);
             uneven += instants.first != next || instants.count() != each;
             next = instants.end;
         }
@@ -42,7 +42,7 @@ TEST_CASE("frames have the same number of samples after days") {
     constexpr std::int64_t frames_of_a_week = 7LL * 24 * 216000;
     std::int64_t uneven = 0;
     for (std::int64_t n = frames_of_a_week; n < frames_of_a_week + 2000; ++n)
-        uneven += instants_in(frame_span(n, 60.0), rate).count() != 3200;
+        uneven += samples_in(frame_span(n, 60.0), rate).count() != 3200;
     CHECK(uneven == 0);
 }
 
@@ -51,8 +51,8 @@ TEST_CASE("accumulated and divided frame times give the same samples") {
     std::int64_t different = 0;
     for (std::int64_t n = 1; n <= 600; ++n) {
         const double next = added + 1.0 / 60.0;
-        const Instants sum = instants_in({added, next}, 48000.0 * 4.0);
-        const Instants quotient = instants_in(frame_span(n, 60.0), 48000.0 * 4.0);
+        const SampleRange sum = samples_in({added, next}, 48000.0 * 4.0);
+        const SampleRange quotient = samples_in(frame_span(n, 60.0), 48000.0 * 4.0);
         different += sum.first != quotient.first || sum.end != quotient.end;
         added = next;
     }
@@ -60,6 +60,6 @@ TEST_CASE("accumulated and divided frame times give the same samples") {
 }
 
 TEST_CASE("non-finite and reversed spans are empty") {
-    CHECK(instants_in({0.0, std::nan("")}, 48000.0).count() == 0);
-    CHECK(instants_in({5.0, 1.0}, 48000.0).count() == 0);
+    CHECK(samples_in({0.0, std::nan("")}, 48000.0).count() == 0);
+    CHECK(samples_in({5.0, 1.0}, 48000.0).count() == 0);
 }

@@ -122,7 +122,7 @@ TEST_CASE("points are appended and lie on the screen") {
 TEST_CASE("every signal stays finite at the limits of its settings") {
     const auto sound = test_sound();
     for (const SignalKind& kind : signal_kinds()) {
-        for (const SettingFacts& setting : kind.settings) {
+        for (const SettingInfo& setting : kind.settings) {
             if (setting.type != SettingType::number)
                 continue;
             for (const double value : {setting.limit.low, setting.limit.high}) {

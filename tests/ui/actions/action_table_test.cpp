@@ -1,5 +1,7 @@
 #include "ui/actions/action_table.h"
 
+#include "ui/panels/panel_table.h"
+
 #include <doctest/doctest.h>
 
 #include <map>
@@ -15,13 +17,13 @@ TEST_CASE("each action and each panel has exactly one row with a label and an ef
         CHECK(action.act);
         ++rows[action.id];
     }
-    for (int id = 0; id <= static_cast<int>(last_action); ++id) {
+    for (int id = 0; id < action_count; ++id) {
         CAPTURE(id);
         const bool is_of_panels = id == static_cast<int>(ActionId::show_panel);
-        CHECK(rows[static_cast<ActionId>(id)] == (is_of_panels ? panel_kinds.size() : 1));
+        CHECK(rows[static_cast<ActionId>(id)] == (is_of_panels ? panels().size() : 1));
     }
-    for (const PanelKind& kind : panel_kinds)
-        CHECK(table.row(kind.id).panel == kind.id);
+    for (const Panel& panel : panels())
+        CHECK(table.row(panel.id).panel == panel.id);
 }
 
 TEST_CASE("no two actions have the same shortcut or the same label") {
@@ -40,6 +42,6 @@ TEST_CASE("a tooltip has the label and the shortcut") {
     const ActionTable table = make_action_table();
     CHECK(table.help(ActionId::undo) == "Undo (Ctrl+Z)");
     CHECK(table.key(ActionId::undo) == "Ctrl+Z");
-    CHECK(table.help(PanelId::timings) == "Timings (Ctrl+6)");
+    CHECK(table.help(panel_id::timings) == "Timings (Ctrl+6)");
     CHECK(table.help(ActionId::about) == "About Afterglow (Shift+F1)");
 }

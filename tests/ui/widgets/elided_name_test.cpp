@@ -12,12 +12,12 @@ float length_of(const std::string& text) {
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string elided(const std::string& name, float most) {
+std::string elided(const std::string& name, float maximum) {
     const std::vector<std::string> all{"beam",       "bloom_down_1",  "bloom_down_2",
                                        "bloom_up_1", "mask-vertical", "mask-horizontal-last",
                                        "blurHalf",   "blurWhole",     "größe 1",
                                        "größe 2"};
-    return elided_to(elided_name(name, all), most, length_of);
+    return elided_to(elided_name(name, all), maximum, length_of);
 }
 }  // namespace
 
@@ -50,8 +50,8 @@ TEST_CASE("names are split only between words") {
 }
 
 TEST_CASE("numbered passes are shown together, with their difference and their numbers") {
-    const auto told_levels = [](float most, const std::vector<std::string>& others) {
-        return elided_to(elided_name("bloom_down_", "1", "6", others), most, length_of);
+    const auto told_levels = [](float maximum, const std::vector<std::string>& others) {
+        return elided_to(elided_name("bloom_down_", "1", "6", others), maximum, length_of);
     };
     CHECK(told_levels(14.0f, {"bloom_up_1"}) == "bloom_down 1–6");
     CHECK(told_levels(12.0f, {"bloom_up_1"}) == "blo…down 1–6");

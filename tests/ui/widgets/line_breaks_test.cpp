@@ -4,9 +4,9 @@
 
 namespace {
 // Every character is one unit wide.
-std::string broken(const std::string& text, float most) {
+std::string broken(const std::string& text, float maximum) {
     return broken_at_blanks(
-        text, most, [](const std::string& line) { return static_cast<float>(line.size()); });
+        text, maximum, [](const std::string& line) { return static_cast<float>(line.size()); });
 }
 }  // namespace
 
