@@ -186,7 +186,7 @@ def files_of(root):
 
 
 def folders_without_a_layer(root, layers):
-    folders = {file.relative_to(root).parts[1] for file in Path(root, "app").glob("*/*.cpp")}
+    folders = {file.relative_to(root).parts[1] for file in Path(root, "app").glob("*/**/*.cpp")}
     return [f"app/{name}: error: app/CMakeLists.txt has no add_layer({name} ...)"
             for name in sorted(folders - set(layers))]
 

@@ -110,6 +110,9 @@ class LayersTest(unittest.TestCase):
         self.assert_breach(
             "app/extra/x.cpp", "\n", "app/extra: error: app/CMakeLists.txt has no add_layer(extra ...)"
         )
+        self.assert_breach(
+            "app/rooms/room/x.cpp", "\n", "app/rooms: error: app/CMakeLists.txt has no add_layer(rooms ...)"
+        )
 
     def test_gl_egl_and_glfw_stay_in_gpu(self):
         for call, name, what in [
