@@ -299,7 +299,8 @@ void FrameDrawer::continue_pass(double seconds) {
     if (m_work.draw < m_work.draws)
         return draw_band(index, seconds);
     if (m_work.draws > m_work.first_draw)
-        m_costs[index].timer->set_elapsed(1000.0 * m_work.pass_seconds, m_work.draws - m_work.first_draw);
+        m_costs[index].timer->set_elapsed(1000.0 * m_work.pass_seconds,
+                                          m_work.draws - m_work.first_draw);
     end_pass(index);
     next_pass();
 }

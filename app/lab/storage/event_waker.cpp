@@ -4,7 +4,7 @@ EventWaker::EventWaker(int descriptor, std::function<void()> wake) : m_wait(desc
     if (!m_wait.is_possible())
         return;
     // The main thread reads the data. Until then, waiting again would only use CPU time.
-    constexpr std::chrono::milliseconds timeout{50};
+    static constexpr std::chrono::milliseconds timeout{50};
     m_thread = std::thread([this, wake = std::move(wake)] {
         while (m_wait.wait()) {
             wake();

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace {
 Picture plain(Extent extent, float value, Encoding encoding = Encoding::display) {
     Picture picture{extent, 4, encoding, {}};

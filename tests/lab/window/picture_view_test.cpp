@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 TEST_CASE("a picture is shown at a whole-number zoom, or completely if larger than its view") {
     const PictureView view;
     CHECK(view.zoom_for({480, 270}, {1000, 600}) == 2.0);
