@@ -8,8 +8,10 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr double seconds_per_update = 0.012;  // of first draws
-}
+// Of first draws. A reload takes less of each update, so that it does not show as a longer frame.
+constexpr double opening_seconds_per_update = 0.012;
+constexpr double reload_seconds_per_update = 0.002;
+}  // namespace
 
 LookLoader::LookLoader(std::unique_ptr<gpu::Context> context, const gpu::Context& screen,
                        const Roots& roots, Messages& messages)
@@ -161,8 +163,9 @@ std::optional<BuiltLook> LookLoader::update(const OpenLook& open_look, double wa
     if (!m_pending)
         return std::nullopt;
     const bool waits = m_pending->built().kind != JobKind::look && open_look.has_unfinished_frame;
-    if (waits ||
-        !m_pending->update({m_programs.shown().get(), open_look.picture}, seconds_per_update))
+    const double seconds =
+        m_pending->built().is_reload ? reload_seconds_per_update : opening_seconds_per_update;
+    if (waits || !m_pending->update({m_programs.shown().get(), open_look.picture}, seconds))
         return std::nullopt;
     BuiltLook built = std::exchange(m_pending, nullptr)->take();
     if (!accept(built))

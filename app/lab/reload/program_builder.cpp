@@ -81,20 +81,39 @@ Result<Programs> ProgramBuilder::link(const Job& job, BuiltLook& built) {
         draw_first(job, known, *programs, built);
     }
     if (!job.progress->is_cancelled())
-        m_linked = *programs;
+        remember(*programs, built);
     return programs;
 }
 
-// For the open look: its current programs and newer ones. For another look: newer ones if it is the
-// same look.
+// A text that returns, after an undo in the editor, finds its programs here.
+void ProgramBuilder::remember(const Programs& programs, const BuiltLook& built) {
+    constexpr std::size_t max_builds = 6;  // each edit adds few programs
+    std::erase_if(m_recent,
+                  [&](const Programs& other) { return other.context != programs.context; });
+    m_recent.push_front(built.specialized ? joined(programs, built.specialized->programs)
+                                          : programs);
+    if (m_recent.size() > max_builds)
+        m_recent.pop_back();
+}
+
+// For the open look: its current programs and those of recent builds. For another look: those of
+// the latest build if it is the same look.
 std::optional<Programs> ProgramBuilder::known_programs(const Job& job, const Look& look) const {
-    const bool serves_linked =
-        m_linked && (job.is_opening ? serves(*m_linked, look) : m_linked->context == job.context);
-    if (serves_linked && job.shown)
-        return joined(*m_linked, *job.shown);
-    if (serves_linked)
-        return m_linked;
-    return job.shown ? std::optional(*job.shown) : std::nullopt;
+    std::optional<Programs> known;
+    const auto add = [&known](const Programs& programs) {
+        known = known ? joined(std::move(*known), programs) : programs;
+    };
+    if (job.is_opening) {
+        if (!m_recent.empty() && serves(m_recent.front(), look))
+            add(m_recent.front());
+    } else {
+        for (const Programs& programs : m_recent)
+            if (programs.context == job.context)
+                add(programs);
+    }
+    if (job.shown)
+        add(*job.shown);
+    return known;
 }
 
 // Built once for all looks that draw in a context.
@@ -240,7 +259,7 @@ void ProgramBuilder::prepare() {
 
 void ProgramBuilder::clear() {
     const gpu::ContextScope scope(m_context.look_context().get());
-    m_linked.reset();
+    m_recent.clear();
     m_images.clear();
     m_warm_up.reset();
 }

@@ -7,6 +7,7 @@
 #include "lab/reload/worker_context.h"
 
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <optional>
 
@@ -37,6 +38,7 @@ public:
 private:
     Result<Programs> link(const Job& job, BuiltLook& built);
     std::optional<Programs> known_programs(const Job& job, const Look& look) const;
+    void remember(const Programs& programs, const BuiltLook& built);
     Result<void> add_view_programs(const Job& job, Programs& programs);
     std::optional<SpecializedLook> specialize(const Job& job, const BuiltLook& built,
                                               const Programs& generic, const Programs* known);
@@ -53,6 +55,6 @@ private:
     std::atomic<int> m_step = 0;  // completed steps of prepare()
     LookImages m_images;
     SpecializedTexts m_specialized_texts;
-    std::optional<Programs> m_linked;       // that the next look may reuse
+    std::deque<Programs> m_recent;          // newest first, of one context, to be reused
     std::optional<WorkerWarmUp> m_warm_up;  // nullopt: the first frame is slower
 };
