@@ -61,7 +61,7 @@ public:
         m_look.parameters.insert(m_look.parameters.begin(), parameters->begin(), parameters->end());
         for (Parameter& parameter : m_look.parameters)
             if (parameter.control == Control::image && parameter.initial.path.empty())
-                parameter.initial = Value::of_path(placeholder_picture(parameter.name));
+                parameter.initial = Value::of_path(default_picture(parameter.name));
         m_look.source_encoding = Encoding::display;
         m_look.output = Encoding::display;
         m_look.settle_frames = frames_shown;

@@ -56,7 +56,7 @@ bool is_drawn_by_viewer(std::string_view sampler) {
                                [&](std::string_view start) { return sampler.starts_with(start); });
 }
 
-const char* placeholder_picture(std::string_view sampler) {
+const char* default_picture(std::string_view sampler) {
     return to_lower(sampler).find("noise") == std::string::npos ? "pattern:harbour"
                                                                 : "pattern:noise";
 }

@@ -27,4 +27,4 @@ bool is_fragment_source(std::string_view sampler);
 bool is_drawn_by_viewer(std::string_view sampler);
 
 /// The default picture for an unset sampler with that name, as Image::made.
-const char* placeholder_picture(std::string_view sampler);
+const char* default_picture(std::string_view sampler);

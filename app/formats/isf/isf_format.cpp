@@ -19,16 +19,16 @@ Result<std::string> read_code(const fs::path& file) {
 // missing, so that a watcher detects a new file.
 Result<void> read_vertex_code(IsfSource& source, std::vector<fs::path>& files) {
     for (const char* extension : {".vs", ".vert"}) {
-        fs::path beside = source.file;
-        beside.replace_extension(extension);
-        files.push_back(beside);
+        fs::path sibling = source.file;
+        sibling.replace_extension(extension);
+        files.push_back(sibling);
         std::error_code error;
-        if (!source.vertex_file.empty() || !fs::is_regular_file(beside, error))
+        if (!source.vertex_file.empty() || !fs::is_regular_file(sibling, error))
             continue;
-        auto text = read_code(beside);
+        auto text = read_code(sibling);
         if (!text)
             return fail(text.error());
-        source.vertex_file = beside;
+        source.vertex_file = sibling;
         source.vertex_text = std::move(*text);
     }
     return {};

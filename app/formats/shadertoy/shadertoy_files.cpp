@@ -91,7 +91,8 @@ public:
 
     Result<Shadertoy> load(const fs::path& file) {
         const auto named = pass_named(file);
-        const std::vector<fs::path> others = named ? beside(file, *named) : std::vector<fs::path>();
+        const std::vector<fs::path> others =
+            named ? siblings(file, *named) : std::vector<fs::path>();
         const bool has_image = std::ranges::any_of(
             others, [](const fs::path& other) { return pass_named(other)->kind == Kind::image; });
         if (has_image)
@@ -115,7 +116,7 @@ private:
     }
 
     // The files of the shader, one per pass, including this one.
-    static std::vector<fs::path> beside(const fs::path& file, const NamedPass& named) {
+    static std::vector<fs::path> siblings(const fs::path& file, const NamedPass& named) {
         std::vector<fs::path> found{file};
         for (const fs::path& other : files_in(file.parent_path())) {
             const auto pass = pass_named(other);

@@ -127,15 +127,15 @@ std::string ShadertoyLook::add_picture(const ShadertoyInput& wired) {
     parameter.control = Control::image;
     parameter.declared = wired.declared;
     const fs::path asset_file(wired.asset);
-    const fs::path beside =
+    const fs::path sibling =
         (m_folder / (wired.is_file ? asset_file : asset_file.filename())).lexically_normal();
     std::error_code error;
-    const bool is_there = !wired.asset.empty() && fs::is_regular_file(beside, error);
+    const bool is_there = !wired.asset.empty() && fs::is_regular_file(sibling, error);
     if (wired.is_file && !is_there)
         warn(wired.declared,
              fmt::format("can't find the picture '{}'; a built-in picture replaces it",
                          wired.asset));
-    parameter.initial = Value::of_path(is_there ? beside.string() : asset.made);
+    parameter.initial = Value::of_path(is_there ? sibling.string() : asset.made);
     if (!is_turned) {
         Image rows;
         rows.name = parameter.name;

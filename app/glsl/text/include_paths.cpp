@@ -42,9 +42,9 @@ IncludePaths::IncludePaths(const fs::path& file, const IncludeRoots& roots, Shad
     fs::path look = roots.look_folder.empty() ? file.parent_path() : roots.look_folder;
     if (look.empty())
         look = ".";
-    const fs::path beside =
+    const fs::path parent =
         look.has_filename() ? look.parent_path() : look.parent_path().parent_path();
-    m_folders = {look, (look == "." ? ".." : beside) / "include"};
+    m_folders = {look, (look == "." ? ".." : parent) / "include"};
     if (!roots.folders.shared.empty())
         m_folders.push_back(roots.folders.shared);
     m_folders.insert(m_folders.end(), roots.folders.named.begin(), roots.folders.named.end());
@@ -58,8 +58,9 @@ bool IncludePaths::is_readable(const fs::path& file) const {
            });
 }
 
-IncludePaths::Found IncludePaths::find(std::string_view name, const fs::path& beside) const {
-    std::vector<fs::path> folders{beside};
+IncludePaths::Found IncludePaths::find(std::string_view name,
+                                       const fs::path& including_folder) const {
+    std::vector<fs::path> folders{including_folder};
     folders.insert(folders.end(), m_folders.begin(), m_folders.end());
     Found found;
     for (const fs::path& folder : folders) {
@@ -67,7 +68,7 @@ IncludePaths::Found IncludePaths::find(std::string_view name, const fs::path& be
         if (std::ranges::find(found.tried, candidate) != found.tried.end())
             continue;
         if (!is_readable(candidate)) {
-            found.escapes_root = found.escapes_root || folder == beside;
+            found.escapes_root = found.escapes_root || folder == including_folder;
             continue;
         }
         found.tried.push_back(candidate);

@@ -18,8 +18,8 @@ public:
         bool escapes_root = false;                  // the path in the including folder is not
                                                     // permitted
     };
-    /// The first file called `name`, as included by a file in the folder `beside`.
-    Found find(std::string_view name, const std::filesystem::path& beside) const;
+    /// The first file called `name`, as included by a file in the folder `including_folder`.
+    Found find(std::string_view name, const std::filesystem::path& including_folder) const;
 
     /// " (did you mean 'Noise.glsl'?)" for a file whose name differs from one of `tried` only in
     /// case; otherwise "".

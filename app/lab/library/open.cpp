@@ -42,9 +42,9 @@ std::optional<StackPart> foreign_part(const std::string& id, const fs::path& pre
     if (!is_foreign_look(name))
         return std::nullopt;
     std::error_code error;
-    const fs::path beside = media_folder(preset_file) / name;
-    if (fs::is_regular_file(beside, error))
-        return StackPart{id, beside, {}};
+    const fs::path sibling = media_folder(preset_file) / name;
+    if (fs::is_regular_file(sibling, error))
+        return StackPart{id, sibling, {}};
     const auto found = RecentMedia(library.roots()).find(name, {});
     return found ? std::optional(StackPart{id, *found, {}}) : std::nullopt;
 }

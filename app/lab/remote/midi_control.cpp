@@ -8,7 +8,7 @@ Result<void> MidiControl::listen(bool listens) {
     m_is_listening = false;
     m_goal.reset();
     m_learnt.reset();
-    m_pick_ups.clear();
+    m_takeovers.clear();
     m_problem.clear();
     m_applied = m_refused = 0;
     if (!listens)
@@ -61,7 +61,7 @@ std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, D
         m_pairs.note(*message_read);
     }
     if (learnt)
-        m_pick_ups.erase({learnt->goal.parameter, learnt->goal.component});
+        m_takeovers.erase({learnt->goal.parameter, learnt->goal.component});
     return learnt;
 }
 
@@ -75,9 +75,9 @@ void MidiControl::set_value(const MidiBinding& binding, double share,
     const Parameter& parameter = **meant;
     const SliderNumber number{parameter, setting_of(parameter.name, document.parameter_settings()),
                               binding.goal.component};
-    SoftTakeover& pick_up = m_pick_ups[{binding.goal.parameter, binding.goal.component}];
+    SoftTakeover& takeover = m_takeovers[{binding.goal.parameter, binding.goal.component}];
     const double current = share_at(number, document.value(parameter));
-    const bool accepts = pick_up.accepts(share, current);
+    const bool accepts = takeover.accepts(share, current);
     if (settings.has_soft_takeover && is_gradual(parameter) && !accepts)
         return;
     const auto done = edits.apply(
@@ -89,7 +89,7 @@ void MidiControl::set_value(const MidiBinding& binding, double share,
         return;
     }
     ++m_applied;
-    pick_up.record(share_at(number, document.value(parameter)));
+    takeover.record(share_at(number, document.value(parameter)));
 }
 
 std::vector<MidiBinding> bindings_of(const Parameter& parameter, const Look& look,

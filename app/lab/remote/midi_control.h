@@ -50,7 +50,7 @@ private:
     std::optional<MidiBinding> m_learnt;  // can become a 14-bit binding
     double m_learnt_seconds = 0.0;
     Midi14BitDecoder m_pairs;
-    std::map<std::pair<std::string, std::size_t>, SoftTakeover> m_pick_ups;  // by goal
+    std::map<std::pair<std::string, std::size_t>, SoftTakeover> m_takeovers;  // by target
     std::optional<MidiControlChange> m_last;
     std::size_t m_applied = 0;
     std::size_t m_refused = 0;

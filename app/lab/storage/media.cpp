@@ -127,9 +127,9 @@ Preset with_found_media(Preset preset, const fs::path& folder, const RecentMedia
     const std::string file = named_file(preset);
     if (file.empty())
         return preset;
-    const fs::path beside = fs::absolute(folder / file).lexically_normal();
-    if (is_there(beside))
-        return with_file(std::move(preset), beside.string());
+    const fs::path sibling = fs::absolute(folder / file).lexically_normal();
+    if (is_there(sibling))
+        return with_file(std::move(preset), sibling.string());
     if (const auto found = recent.find(file, preset.media_digest))
         return with_file(std::move(preset), found->string());
     return preset;
@@ -144,9 +144,9 @@ bool names_file(const Look& look, const std::string& name, const Value& value) {
 Preset with_found_files(Preset preset, const Look& look, const fs::path& folder) {
     for (auto& [name, value] : preset.values)
         if (names_file(look, name, value))
-            if (const fs::path beside = fs::absolute(folder / value.path).lexically_normal();
-                is_there(beside))
-                value.path = beside.string();
+            if (const fs::path sibling = fs::absolute(folder / value.path).lexically_normal();
+                is_there(sibling))
+                value.path = sibling.string();
     return preset;
 }
 

@@ -87,8 +87,8 @@ bool draw_palette_row(const PaletteRow& row) {
     const float keys_at = low.x + row.width - pad - ImGui::CalcTextSize(keys.c_str()).x;
     list.AddText({keys_at, at.y}, theme::packed(is_off ? theme::faint : theme::label),
                  keys.c_str());
-    const std::string& beside = is_off ? row.entry.disabled_reason : row.entry.detail;
-    const std::string cut = elided_to_width(beside, keys_at - end - ImGui::GetFontSize());
+    const std::string& text = is_off ? row.entry.disabled_reason : row.entry.detail;
+    const std::string cut = elided_to_width(text, keys_at - end - ImGui::GetFontSize());
     list.AddText({end, at.y}, theme::packed(theme::dim), cut.c_str());
     return is_clicked;
 }

@@ -243,7 +243,7 @@ bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edit
     const float top = ImGui::GetCursorScreenPos().y;
     const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
     const ParameterMarks marks = parameter_marks(entry.setting, columns);
-    if (form_label(parameter.label, marks.beside(columns), entry.is_changed))
+    if (form_label(parameter.label, marks.reduced(columns), entry.is_changed))
         ImGui::OpenPopup("about");
     edits.mark("label:" + parameter.name);
     draw_parameter_help(entry, scene, edits);

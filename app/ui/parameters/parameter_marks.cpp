@@ -60,7 +60,7 @@ bool is_under_pointer(const ImVec2& low, const ImVec2& high) {
 }
 }  // namespace
 
-FormColumns ParameterMarks::beside(FormColumns columns) const {
+FormColumns ParameterMarks::reduced(FormColumns columns) const {
     columns.label -= width;
     return columns;
 }

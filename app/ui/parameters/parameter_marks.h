@@ -12,7 +12,7 @@ struct ParameterMarks {
     float width = 0.0f;
 
     /// The columns with the label shortened by the marks.
-    FormColumns beside(FormColumns columns) const;
+    FormColumns reduced(FormColumns columns) const;
 };
 
 /// For the row at the cursor.

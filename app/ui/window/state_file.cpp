@@ -294,8 +294,8 @@ std::string state_text(const Scene& scene, const Edits& edits) {
 }
 
 void write_state(const std::filesystem::path& file, const std::string& text) {
-    const std::filesystem::path beside = file.string() + ".new";
-    std::ofstream(beside, std::ios::binary) << text;
+    const std::filesystem::path temporary = file.string() + ".new";
+    std::ofstream(temporary, std::ios::binary) << text;
     std::error_code ignored;
-    std::filesystem::rename(beside, file, ignored);
+    std::filesystem::rename(temporary, file, ignored);
 }

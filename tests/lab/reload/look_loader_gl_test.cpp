@@ -155,6 +155,28 @@ TEST_CASE("an edit, and the same look opened again, keep the look's context") {
     CHECK(context_of(small) == context);
 }
 
+TEST_CASE("a text that returns after two other edits gets its earlier program") {
+    SmallLab small;
+    const auto programs = [&] {
+        return small.lab().renderer()->executor().programs().generic().passes;
+    };
+    const auto edit = [&](const std::string& text, double initial) {
+        small.write("gain.glsl", text);
+        REQUIRE(small.update_until([&] {
+            return find_parameter(small.document().look(), "gain")->initial == Value(initial) &&
+                   !small.lab().loader().is_loading();
+        }));
+    };
+    const double initial = find_parameter(small.document().look(), "gain")->initial.number();
+    const auto before = programs();
+    edit("uniform float gain = 5.0;  // @range 0 8\n", 5.0);
+    CHECK_FALSE(
+        std::ranges::equal(before, programs(), {}, &PassProgram::program, &PassProgram::program));
+    edit("uniform float gain = 6.0;  // @range 0 8\n", 6.0);
+    edit(small_look::gain, initial);
+    CHECK(std::ranges::equal(before, programs(), {}, &PassProgram::program, &PassProgram::program));
+}
+
 TEST_CASE("a look draws nothing before its source is available") {
     SmallLab small;
     add_other_look(small);

@@ -55,16 +55,16 @@ TEST_CASE("a controller maps 0..1 to 127 steps, and a 14-bit pair to 16383") {
 }
 
 TEST_CASE("soft takeover: a controller takes effect once it passes the value") {
-    SoftTakeover pick_up;
-    CHECK_FALSE(pick_up.accepts(0.2, 0.5));
-    CHECK_FALSE(pick_up.accepts(0.4, 0.5));
-    CHECK(pick_up.accepts(0.6, 0.5));  // it passes the value
-    pick_up.record(0.6);
-    CHECK(pick_up.accepts(0.9, 0.6));  // takes effect at any speed
-    pick_up.record(0.9);
-    CHECK_FALSE(pick_up.accepts(0.8, 0.3));  // the value was changed elsewhere
-    CHECK_FALSE(pick_up.accepts(0.4, 0.3));
-    CHECK(pick_up.accepts(0.2, 0.3));
+    SoftTakeover takeover;
+    CHECK_FALSE(takeover.accepts(0.2, 0.5));
+    CHECK_FALSE(takeover.accepts(0.4, 0.5));
+    CHECK(takeover.accepts(0.6, 0.5));  // it passes the value
+    takeover.record(0.6);
+    CHECK(takeover.accepts(0.9, 0.6));  // takes effect at any speed
+    takeover.record(0.9);
+    CHECK_FALSE(takeover.accepts(0.8, 0.3));  // the value was changed elsewhere
+    CHECK_FALSE(takeover.accepts(0.4, 0.3));
+    CHECK(takeover.accepts(0.2, 0.3));
     SoftTakeover close;
     CHECK(close.accepts(0.5 + 1.0 / 127.0, 0.5));
     SoftTakeover far;
