@@ -33,6 +33,7 @@ void Lab::update(double wall_seconds) {
     m_remote.update(wall_seconds);  // OSC and MIDI become edits of the document
     m_work.size.update(wall_seconds);
     m_jobs.update();
+    m_work.programs.update();
     if (m_work.document && m_work.renderer)
         update_drawing(wall_seconds, loading_seconds);
 }

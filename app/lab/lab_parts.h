@@ -15,6 +15,7 @@ struct LabParts {
     const RenderSize& size;
     const FrameLoop& frames;
     const LookLoader& loader;
+    const ExternalPrograms& programs;
     const LookCommands& looks;
     const PresetCommands& presets;
     const RemoteControl& remote;

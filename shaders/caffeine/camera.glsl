@@ -13,7 +13,7 @@ uniform vec3 camera_target = vec3(0.0, 0.0, 0.0);  // @range -5 5  @limit -1000 
                                                    // @help "Point that the camera looks at and orbits."
 uniform float field_of_view = 60.0;  // @range 10 120  @limit 1 170  @label "Field of view"  @unit "°"  @group "Camera"
                                      // @help "Vertical angle of view, from the top to the bottom of the picture."
-uniform float focal_plane = 3.0;     // @range -5 5  @limit -1000 1000  @label "Focal plane"  @unit "Å"  @group "Camera"
+uniform float focal_plane = 3.0;     // @range -5 5  @limit -1000 1000  @label "Focal plane"  @unit "Å"  @group "Camera"  @when aperture > 0
                                      // @help "Distance of the plane in focus, in front of the camera target. Below 0, it is behind the target."
 uniform float aperture = 0.1;        // @range 0 1  @limit 0 100  @label "Aperture"  @unit "Å"  @group "Camera"  @identity 0  @was focal_length
                                      // @help "Radius of the lens. A wider lens blurs more in front of and behind the focal plane. At 0, everything is sharp."

@@ -8,13 +8,13 @@
 uniform sampler2D sum;      // linear light; alpha: number of samples
 uniform sampler2D article;  // the same with the article's method
 
-uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1  @when !as_written
                                  // @help "Brightness of the whole picture, before tone mapping. Changing it keeps the samples."
-uniform int tone_map = 2;        // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"
+uniform int tone_map = 2;        // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"  @when !as_written
                                  // @help "How light brighter than the display is mapped to its range. Clamp cuts it off. Reinhard and ACES compress it softly."
-uniform float white = 0.0;       // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0
+uniform float white = 0.0;       // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0  @when !as_written && tone_map == "Reinhard"
                                  // @help "Light that Reinhard maps to full white. 0 turns it off, so everything stays slightly below white."
-uniform float article_gamma = 2.2;  // @range 1 3  @limit 0.1 10  @label "Article gamma"  @group "Article"
+uniform float article_gamma = 2.2;  // @range 1 3  @limit 0.1 10  @label "Article gamma"  @group "Article"  @when as_written
                                     // @help "Gamma of the article's display curve, which replaces sRGB. Only used with Original article."
 uniform bool dither = true;      // @label "Dither"  @group "Tone mapping"  @identity 0
                                  // @help "Adds noise of half an 8-bit level, so that soft shadows don't show bands."

@@ -7,7 +7,7 @@
 
 #include "material.glsl"
 
-uniform float light_shown = 1.0;  // @range 0 8  @limit 0 10000  @label "Lamp visible brightness"  @group "Lamp"
+uniform float light_shown = 1.0;  // @range 0 8  @limit 0 10000  @label "Lamp visible brightness"  @group "Lamp"  @when !as_written
                                   // @help "Brightness of the lamp itself in the picture, as if behind dark glass. Its light on objects and its reflections stay unchanged."
 
 vec3 lamp_light() {

@@ -5,13 +5,13 @@
 
 #include "scene.glsl"
 
-uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Materials"
+uniform float atom_roughness = 0.0;    // @range 0 1  @limit 0 1  @label "Atom roughness"  @group "Materials"  @when as_written || atom_matt < 1
                                        // @help "How blurred reflections on the atoms are. 0 is polished, 1 is like chalk."
-uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Materials"
+uniform float coffee_roughness = 0.0;  // @range 0 1  @limit 0 1  @label "Coffee roughness"  @group "Materials"  @when as_written || coffee_matt < 1
                                        // @help "How blurred reflections on the coffee are. 0 is polished, 1 is like chalk."
-uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atom diffuse"  @group "Materials"
+uniform float atom_matt = 0.8;         // @range 0 1  @limit 0 1  @label "Atom diffuse"  @group "Materials"  @when !as_written
                                        // @help "Fraction of the light that the atoms scatter in all directions. The rest is reflected, as set by Atom roughness. 0 is metal, 1 is chalk."
-uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee diffuse"  @group "Materials"
+uniform float coffee_matt = 0.8;       // @range 0 1  @limit 0 1  @label "Coffee diffuse"  @group "Materials"  @when !as_written
                                        // @help "Fraction of the light that the coffee scatters in all directions. The rest is reflected, as set by Coffee roughness. 0 is a mirror, 1 is chalk."
 uniform float ray_offset = 1e-4;       // @range 0.00001 0.1  @limit 0 1  @scale log  @label "Ray offset"  @unit "Å"  @group "Sampling"
                                        // @help "How far above a surface its rays start, so that they don't hit it again."

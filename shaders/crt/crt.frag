@@ -14,31 +14,31 @@ uniform int u_frame;
 
 uniform bool crt = true;  // @label "Enable CRT"  @group "CRT"
                           // @help "Off passes the picture through unchanged."
-uniform bool as_written = false;  // @label "Original article"  @group "Article"
+uniform bool as_written = false;  // @label "Original article"  @group "Article"  @when crt
                                   // @help "Uses the original article's formulas, mistakes included. Display values are clipped at 1 and darkened where light should be. Scanlines are sampled at pixel centres, so at 4 px they have two levels and lose 29 % of their depth."
-uniform float aberration = 1.0;   // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Aberration"  @identity 0
+uniform float aberration = 1.0;   // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Aberration"  @identity 0  @when crt
                                   // @help "Colour fringes. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off. The article's formula for blue lacks a minus sign."
-uniform float exposure = 1.0;     // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+uniform float exposure = 1.0;     // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1  @when crt && !as_written
                                   // @help "Brightness before tone mapping. Doubling it doubles the light."
-uniform int tone_map = 0;         // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+uniform int tone_map = 0;         // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6  @when crt && !as_written
                                   // @help "How light brighter than the display is mapped to its range. Clamp cuts off each channel, which shifts the hue of bright colours. Reinhard maps 1 to 1/2. Extended Reinhard maps the white point to 1. ACES and AgX compress light as film does. Khronos PBR Neutral preserves colours up to 0.8. None passes the light on to the next look of a stack."
-uniform float white = 2.0;        // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+uniform float white = 2.0;        // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"  @when crt && !as_written && tone_map == "Extended Reinhard"
                                   // @help "Light that Extended Reinhard maps to full white. At 1, a light of 1 stays unchanged."
-uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0
+uniform float keep_hue = 0.0;     // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0  @when crt && !as_written
                                   // @help "0 maps each channel separately, so bright colours turn white. 1 scales all three channels together and keeps the hue."
-uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0
+uniform float scanline_strength = 0.3;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0  @when crt
                                         // @help "Depth of the scanlines: the fraction of the light that is lost between them. 0 turns them off."
-uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"
+uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"  @when crt && !as_written && scanline_strength > 0
                                         // @help "Unit of the scanline period. With Source lines, each line of the source gets its own scanline, wherever the source is placed in the picture."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px per period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px per period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"  @when crt && scanline_strength > 0 && (as_written || scanline_unit == "Pixels")
                                         // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
-uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $scanline_lines * $LINE * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * ($LINES > 288) * ($LINES <= 576))"
+uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $scanline_lines * $LINE * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * ($LINES > 288) * ($LINES <= 576))"  @when crt && !as_written && scanline_strength > 0 && scanline_unit == "Source lines"
                                         // @help "Number of source lines that each scanline covers. Only used when Period unit is Source lines."
-uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlacing"  @group "Scanlines"
+uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlacing"  @group "Scanlines"  @when crt && !as_written && scanline_strength > 0 && scanline_unit == "Source lines"
                                         // @help "Draws even and odd source lines in alternating fields, 60 fields per second. Auto does this for sources of 289 to 576 lines. Only used when Period unit is Source lines."
-uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness compensation"  @group "Scanlines"
+uniform float scanline_brightness = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness compensation"  @group "Scanlines"  @when crt && !as_written && scanline_strength > 0
                                           // @help "0 lets the mean brightness fall to 1 - strength / 2, as in the article. 1 raises the crests until the mean is unchanged, as far as the display allows."
-uniform bool dither = true;       // @label "Dither"  @group "Tone mapping"  @identity 0
+uniform bool dither = true;       // @label "Dither"  @group "Tone mapping"  @identity 0  @when crt && !as_written
                                   // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;

@@ -19,27 +19,27 @@ uniform int u_frame;
 
 uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
                                       // @help "How much of the blurred light is added to the trace. 0 turns the bloom off."
-uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"
+uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @when !tone_map_every_frame
                                       // @help "Brightness of the whole trace, before tone mapping. Doubling it doubles the light."
-uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"
+uniform int tone_map = 1;             // @items "Clamp" "Reinhard" "ACES"  @label "Tone map"  @group "Tone mapping"  @when !as_written && !tone_map_every_frame
                                       // @help "How light brighter than the display is mapped to its range. Clamp cuts it off. Reinhard and ACES compress it softly."
-uniform float white = 0.0;            // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0
+uniform float white = 0.0;            // @range 0 16  @limit 0 1000  @label "White point"  @group "Tone mapping"  @identity 0  @when !as_written && !tone_map_every_frame && tone_map == "Reinhard"
                                       // @help "Light that Reinhard maps to full white. 0 turns it off, so everything stays slightly below white."
-uniform float keep_hue = 0.8;         // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"
+uniform float keep_hue = 0.8;         // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @when !as_written && !tone_map_every_frame
                                       // @help "0 lets a very bright trace turn white, as on film. 1 keeps the phosphor's hue, as the eye sees it."
-uniform bool display_encode = true;   // @label "sRGB encoding"  @group "Tone mapping"
+uniform bool display_encode = true;   // @label "sRGB encoding"  @group "Tone mapping"  @when !as_written
                                       // @help "Encodes linear light with the sRGB curve for the display. Off shows the linear values directly, which is darker with more contrast."
-uniform bool dither = true;           // @label "Dither"  @group "Tone mapping"  @identity 0
+uniform bool dither = true;           // @label "Dither"  @group "Tone mapping"  @identity 0  @when !as_written
                                       // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Glass"  @identity 0
                                       // @help "Colour fringes of a cheap lens. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off."
 uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanline strength"  @group "Glass"  @identity 0
                                          // @help "Depth of the horizontal scanlines. The mean brightness becomes 1 - strength / 2. 0 turns them off."
-uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px per period"  @group "Glass"
+uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px per period"  @group "Glass"  @when scanline_strength > 0
                                          // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
 uniform float curvature = 0.04;          // @range 0 0.3  @limit 0 2  @label "Curvature"  @group "Glass"  @identity 0
                                          // @help "How far the glass bulges towards the viewer. 0 is flat."
-uniform float corner_radius = 0.03;      // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0
+uniform float corner_radius = 0.03;      // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0  @when !as_written
                                          // @help "Corner radius of the glass. 0 gives square corners, 1 equals half the picture height."
 uniform float vignette = 0.3;            // @range 0 1  @limit 0 2  @label "Vignette"  @group "Glass"  @identity 0
                                          // @help "How much light is lost in the corners. 0 turns the vignette off, 1 makes the corners black."

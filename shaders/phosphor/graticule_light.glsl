@@ -5,11 +5,11 @@
 
 uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Graticule"  @identity 0
                                  // @help "How strongly the graticule lines show. 0 hides them."
-uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Horizontal" "Vertical"  @group "Graticule"
+uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Horizontal" "Vertical"  @group "Graticule"  @when graticule > 0
                                                     // @help "Number of divisions across and up. Most scopes have 10 by 8."
-uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Line type"  @group "Graticule"
+uniform int graticule_lines = 0;  // @items "Lit" "Dark"  @label "Line type"  @group "Graticule"  @when !as_written && graticule > 0
                                   // @help "Lit lines are engraved in the glass and glow in the light of lamps at its edge. Dark lines are printed inside the tube and hide the trace."
-uniform vec3 graticule_color = vec3(0.45, 0.8, 0.55);  // @color  @label "Line colour"  @group "Graticule"
+uniform vec3 graticule_color = vec3(0.45, 0.8, 0.55);  // @color  @label "Line colour"  @group "Graticule"  @when !as_written && graticule > 0 && graticule_lines == "Lit"
                                                        // @help "Colour of the lamps that light the graticule. Only used for lit lines."
 
 // 1 on a line, 0 between lines. `place` is -1..1 on the glass.

@@ -6,7 +6,7 @@
 #include "spot.glsl"
 #include "tube.glsl"
 
-uniform bool one_color = false;  // @label "Monochrome"  @group "Phosphor"
+uniform bool one_color = false;  // @label "Monochrome"  @group "Phosphor"  @when as_written || tube == "Custom"
                                  // @help "Stores one channel per pixel instead of four, for the same picture with less work. All light has the beam colour and fades alike. The signal's own colours and RGB decay speed are ignored. Only used by the tube phosphor Custom."
 
 bool has_one_color() {

@@ -8,7 +8,7 @@
 uniform sampler2D image;
 uniform vec2 direction;  // (1, 0) or (0, 1)
 uniform vec2 u_resolution;
-uniform int bloom_taps = 13;       // @range 3 25 2  @limit 1 65  @label "Tap count"  @group "Bloom"
+uniform int bloom_taps = 13;       // @range 3 25 2  @limit 1 65  @label "Tap count"  @group "Bloom"  @when bloom_intensity > 0 && bloom_kind == "Taps" && !as_written
                                    // @help "Number of taps across the blur, half on each side. Fewer than four sigmas on each side cut the Gaussian short, but are faster. Only used when Blur is Taps."
 
 // The article's table is meant for samples between texels. At whole taps it has two humps, and

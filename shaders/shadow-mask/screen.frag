@@ -15,17 +15,17 @@ uniform int u_frame;
 
 uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
                                        // @help "How much of the blurred light is added. It also fills the dark parts of the mask. 0 turns the bloom off."
-uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
+uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1  @when !as_written
                                        // @help "Brightness before tone mapping. Doubling it doubles the light."
-uniform int tone_map = 0;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+uniform int tone_map = 0;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6  @when !as_written
                                        // @help "How light brighter than the display is mapped to its range. With full brightness compensation, mask stripes are five times as bright as the picture. None passes the light on to the next look of a stack."
-uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"  @when !as_written && tone_map == "Extended Reinhard"
                                        // @help "Light that Extended Reinhard maps to full white."
-uniform float corner_radius = 0.04;    // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0
+uniform float corner_radius = 0.04;    // @range 0 0.5  @limit 0 1  @label "Corner radius"  @unit "× half height"  @group "Glass"  @identity 0  @when !as_written
                                        // @help "Corner radius of the glass. 0 gives square corners, 1 equals half the picture height."
-uniform vec3 border_color = vec3(0.0); // @color  @label "Frame colour"  @group "Glass"
+uniform vec3 border_color = vec3(0.0); // @color  @label "Frame colour"  @group "Glass"  @when !as_written
                                        // @help "Colour of the area outside the glass."
-uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0
+uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0  @when !as_written
                                        // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;

@@ -10,7 +10,7 @@
 #include "reference_height.glsl"
 
 uniform vec2 u_resolution;
-uniform bool decay_by_place = false;  // @label "Approximate decay"  @group "Article"
+uniform bool decay_by_place = false;  // @label "Approximate decay"  @group "Article"  @when !as_written
                                       // @help "The article's shortcut f = 0: light fades by its position along the segment instead of by its age. It looks the same unless segments are short or spots are wide."
 
 flat in vec4 ends;

@@ -9,15 +9,15 @@ uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log
                                     // @help "Beam current. A higher current is brighter and, with Spot growth, also wider."
 uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"
                                     // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high. The line looks about 2.4 times as wide. The total light stays the same, so a wider spot is dimmer."
-uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Spot growth"  @group "Beam"  @identity 0
+uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Spot growth"  @group "Beam"  @identity 0  @when !as_written
                                     // @help "How much a stronger current widens the spot, as electrons repel each other. At full current, the spot is 1 + growth times as large. 0 turns it off."
-uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth exponent"  @group "Beam"
+uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth exponent"  @group "Beam"  @when !as_written && spot_growth > 0
                                     // @help "How the spot grows from no current to full current (1 × intensity). 1 is linear. 0.5 is the square root, so most of the growth comes early."
 uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Beam cutoff"  @unit "σ"  @group "Beam"
                                     // @help "Distance from the beam at which its light is cut off. The article's 5 shows no edge. Below 4, bright lines end visibly."
-uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1
+uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1  @when !as_written
                                     // @help "Brightness of the dots where the beam stops or slows down. 1 is physically correct, more emphasises corners and ends, 0 hides them."
-uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"
+uniform float dwell_speed = 20.0;   // @range 1 1000  @limit 0.001 1000000  @scale log  @label "Dwell speed"  @unit "screen heights/s"  @group "Beam"  @when !as_written && dwell != 1
                                     // @help "Beam speed below which the beam counts as stopped, for Dwell dots."
 // Included here, because the panel lists parameters in declaration order and the beam's come first.
 #include "decay.glsl"

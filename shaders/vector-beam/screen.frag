@@ -12,23 +12,23 @@ uniform int u_frame;
 
 uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Beam colour"  @group "Beam"
                                                  // @help "Colour of the phosphor's light."
-uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Intensity"  @group "Glow"  @identity 0
+uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Intensity"  @group "Glow"  @identity 0  @when !as_written
                                        // @help "How much scattered light is added around the lines. 0 turns the glow off."
-uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide mix"  @group "Glow"
+uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide mix"  @group "Glow"  @when !as_written && glow_amount > 0
                                        // @help "Fraction of the glow in the wide haze. 0 keeps all of it near the lines, 1 puts all of it in the haze."
-uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"
+uniform vec3 glow_color = vec3(1.0);   // @color  @label "Tint"  @group "Glow"  @when !as_written && glow_amount > 0
                                        // @help "Tint of the glow, relative to the beam colour. White leaves it unchanged."
 uniform float exposure = 3.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1
                                        // @help "Brightness of the whole picture, before tone mapping. Doubling it doubles the light."
-uniform int tone_map = 2;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6
+uniform int tone_map = 2;              // @items "Clamp" "Reinhard" "ACES" "Extended Reinhard" "AgX" "Khronos PBR Neutral" "None"  @items_was "" "" "" "" "" "Khronos neutral"  @label "Tone map"  @group "Tone mapping"  @identity 6  @when !as_written
                                        // @help "How light brighter than the display is mapped to its range. Clamp cuts it off, the others compress it softly. Extended Reinhard maps the white point to 1. ACES and AgX compress light as film does. Khronos PBR Neutral preserves colours up to 0.8. None passes the light on to the next look of a stack."
-uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"
+uniform float white = 4.0;             // @range 0.5 16  @limit 0.001 1000  @scale log  @label "White point"  @group "Tone mapping"  @when !as_written && tone_map == "Extended Reinhard"
                                        // @help "Light that Extended Reinhard maps to full white."
-uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0
+uniform float keep_hue = 0.6;          // @range 0 1  @limit 0 1  @label "Preserve hue"  @group "Tone mapping"  @identity 0  @when !as_written
                                        // @help "0 lets the brightest lines turn white, as on film. 1 keeps the phosphor's hue."
-uniform vec3 background = vec3(0.0, 0.001, 0.0005);  // @color  @label "Background"  @group "Screen"
+uniform vec3 background = vec3(0.0, 0.001, 0.0005);  // @color  @label "Background"  @group "Screen"  @when !as_written
                                                      // @help "Light of the dark screen. It lifts the black level. Black turns it off."
-uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0
+uniform bool dither = true;            // @label "Dither"  @group "Tone mapping"  @identity 0  @when !as_written
                                        // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 
 in vec2 uv;

@@ -1,5 +1,6 @@
 // Phosphor's measured tubes compared with the Tektronix decay table and closed forms.
 #include "looks/tube.h"
+#include "model/look/color.h"
 
 #include <doctest/doctest.h>
 
@@ -329,4 +330,25 @@ TEST_CASE("the custom tube stores no charges, and the article has no tubes") {
     article.draw(flash(0));
     CHECK(light > 0.001);
     CHECK(article.sum("persistence") == light);
+}
+
+TEST_CASE("the list of tubes shows the measured time to 10 % and the colour of the flash") {
+    Tube tube({}, small);
+    const Parameter& list = *find_parameter(tube.look(), "tube");
+    REQUIRE(list.items.size() == measured.size() + 1);
+    CHECK(list.items[0].note.empty());
+    CHECK_FALSE(list.items[0].color.has_value());
+    for (const MeasuredLine& line : measured) {
+        CAPTURE(line.name);
+        const Item& item = list.items[static_cast<std::size_t>(line.item)];
+        CHECK(item.label == line.name);
+        CHECK(item.note == fmt::format("{:g} ms", line.milliseconds[0]));
+        tube.restart(
+            {{"tube", Value(line.item)}, {"tail_gain", Value(0.0)}, {"beam_gain", Value(0.001)}});
+        tube.draw(flash(1.0 / 60.0), 60.0);
+        const auto light = scaled_to_1(light_of(tube));
+        REQUIRE(item.color.has_value());
+        for (std::size_t i = 0; i < 3; ++i)
+            CHECK(std::abs(srgb_encode((*item.color)[i]) - srgb_encode(light[i])) < 0.6 / 255.0);
+    }
 }

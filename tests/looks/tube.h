@@ -65,6 +65,7 @@ public:
             draw({}, fps);
     }
 
+    const Look& look() const { return m_executors->picture().look(); }
     Picture target(const char* pass) const {
         m_context->make_current();
         const Executor& executor = m_executors->picture();

@@ -56,6 +56,12 @@ void main() {
     gl_FragColor = vec4(sum.rgb, 1.0);
 }
 """
+HAS_A_GATE = """/*{"INPUTS": [
+    {"NAME": "level", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.25},
+    {"NAME": "hidden", "TYPE": "float", "MIN": 0.0, "MAX": 1.0, "DEFAULT": 0.5},
+    {"NAME": "opens", "TYPE": "bool", "DEFAULT": false}]}*/
+void main() { gl_FragColor = vec4(vec3(level + (opens ? 0.25 * hidden : 0.0)), 1.0); }
+"""
 RED, GREEN, WHITE = (255, 0, 0), (0, 255, 0), (255, 255, 255)
 
 
@@ -100,6 +106,20 @@ class Foreign(Person):
         program.click("reset_levels")
         program.click("channels:RGB")
         program.key("Escape")
+
+    def test_a_parameter_without_effect_is_found_while_the_picture_is_paused(self):
+        program = self.program
+        self.open_text("gate.fs", HAS_A_GATE)
+        program.key("space")
+        program.wait("the picture is paused", lambda s: not s["is_playing"])
+        state = program.wait("one parameter is dimmed", lambda s: "dimmed:hidden" in s["widgets"])
+        self.assertNotIn("dimmed:level", state["widgets"])
+        self.assertNotIn("dimmed:opens", state["widgets"])
+        self.hover("label:hidden")
+        program.wait("the help is shown", lambda s: "help:hidden" in s["widgets"])
+        self.snapshot("no_effect")
+        program.click("parameter:opens")
+        program.wait("it has an effect", lambda s: "dimmed:hidden" not in s["widgets"])
 
     def test_the_left_button_is_the_looks_and_the_middle_one_moves_the_view(self):
         x, y = self.open_text("mouse.glsl", FOLLOWS_THE_MOUSE)

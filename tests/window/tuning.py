@@ -129,6 +129,21 @@ class Tuning(Person):
                      "moire:scanline_lines" in s["widgets"])
         self.snapshot("source_lines")
 
+    def test_a_parameter_without_effect_is_dimmed_and_can_be_changed(self):
+        program = self.program
+        program.set("scanline_strength", "0")
+        program.reveal("scanline_period")
+        program.wait("the period is dimmed", lambda s: "dimmed:scanline_period" in s["widgets"])
+        self.hover("label:scanline_period")
+        program.wait("the help is shown", lambda s: "help:scanline_period" in s["widgets"])
+        self.snapshot("dimmed")
+        program.retype("scanline_period", "6")
+        program.wait("the value changes", lambda s: s["values"]["scanline_period"] == [6])
+        program.set("scanline_strength", "0.5")
+        program.reveal("scanline_period")
+        program.wait("the period is not dimmed",
+                     lambda s: "dimmed:scanline_period" not in s["widgets"])
+
     def test_help_shows_while_the_pointer_rests_on_a_parameter(self):
         program = self.program
         program.reveal("exposure")
@@ -175,15 +190,73 @@ class Tuning(Person):
         program.wait("the padlock is visible and the star is not", lambda s: "lock:exposure" in s["widgets"]
                      and "star:exposure" not in s["widgets"])
         program.key("ctrl+r")
-        state = program.wait("the values are randomised", lambda s: s["undo"] == "Randomise")
+        state = program.wait("the values are randomised", lambda s: s["undo"] == "Randomise"
+                             and "randomised" in s["notice"])
         self.assertEqual(state["values"]["exposure"], default["exposure"])
         self.assertGreater(sum(state["values"][name] != default[name] for name in default),
                            len(default) // 2)
         self.snapshot("randomised")
-        program.key("ctrl+z")
+        program.click("offer:Undo")
         program.wait("one undo restores the defaults", lambda s: s["values"] == default)
         program.click("lock:exposure")
         program.wait("the parameter is unlocked", lambda s: s["locked"] == [])
+
+    def test_outlines_of_controls_have_a_contrast_of_3(self):
+        """WCAG 2.1, success criterion 1.4.11, for a check box, a slider and a list."""
+        def luminance(pixel):
+            linear = [c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4
+                      for c in (value / 255 for value in pixel)]
+            return 0.0722 * linear[0] + 0.7152 * linear[1] + 0.2126 * linear[2]  # blue, green, red
+        for name in ("one_color", "vignette", "tube"):
+            self.program.reveal(name)
+            left, top, _, bottom = self.program.place("parameter:" + name)
+            row = self.screen.rows(left - 3, (top + bottom) // 2, left + 3, (top + bottom) // 2 + 1)[0]
+            pixels = [luminance(row[i:i + 3]) for i in range(0, len(row), 4)]
+            self.assertGreaterEqual((max(pixels[1:]) + 0.05) / (pixels[0] + 0.05), 3, name)
+
+    def test_keys_belong_to_an_open_list(self):
+        program = self.program
+        program.reveal("tube")
+        program.click("parameter:tube")
+        program.place("item:tube:P31")
+        self.snapshot("tubes")
+        program.key("Down", "Down", "Return")
+        program.wait("the second tube after Custom is chosen", lambda s: s["values"]["tube"] == [2])
+        program.click("parameter:tube")
+        program.place("item:tube:P31")
+        program.key("h", "Escape")
+        state = program.wait("the list is closed", lambda s: "item:tube:P31" not in s["widgets"])
+        self.assertEqual(state["values"]["tube"], [2])
+
+    def test_escape_clears_the_search_and_then_leaves_it(self):
+        program = self.program
+        program.key("ctrl+f", "ctrl+a")
+        program.type("expo")
+        program.wait("the list is filtered", lambda s: "parameter:beam_width" not in s["widgets"])
+        program.key("Escape")
+        program.wait("the search is empty", lambda s: "parameter:beam_width" in s["widgets"]
+                     and "search_clear" not in s["widgets"])
+        program.type("vign")  # the box still has the focus
+        program.wait("the list is filtered", lambda s: "parameter:vignette" in s["widgets"]
+                     and "parameter:beam_width" not in s["widgets"])
+        program.click("search_clear")
+        program.wait("the search is empty", lambda s: "parameter:beam_width" in s["widgets"])
+
+    def test_the_die_of_a_group_randomises_it_with_the_chosen_strength(self):
+        program = self.program
+        default = program.state()["values"]
+        self.screen.do("mousemove", *program.middle("randomise"), "click", 3)
+        program.click("random_strength:0.1")
+        program.reveal("vignette")
+        self.hover("group:Glass")
+        self.snapshot("randomise_group")
+        program.click("randomise_group:Glass")
+        values = program.wait("the group is randomised", lambda s: s["undo"] == "Randomise")["values"]
+        self.assertEqual(values["exposure"], default["exposure"])
+        self.assertNotEqual(values["vignette"], default["vignette"])
+        self.assertLessEqual(abs(values["vignette"][0] - default["vignette"][0]), 0.1)  # of 0..1
+        self.screen.do("mousemove", *program.middle("randomise"), "click", 3)
+        program.click("random_strength:1")
 
     def test_the_list_is_cut_to_favourites_changes_or_a_pass(self):
         program = self.program

@@ -13,6 +13,7 @@ from driving import Driving
 from editing import Editing
 from foreign import Foreign
 from keeping import Keeping
+from keyboard import Keyboard
 from looking import Looking
 from moving import Moving
 from owning import Owning
@@ -31,8 +32,8 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
     """The second group."""
 
 
-class Owner(Owning, Foreign):
-    """The third group: content of the user, and looks of other programs."""
+class Owner(Owning, Foreign, Keyboard):
+    """The third group: content of the user, looks of other programs, and the keyboard."""
 
 
 class WindowTest(Tuner, Looker, Owner):

@@ -76,6 +76,27 @@ Json described(const Image& image) {
             {"linear", image.is_linear}};
 }
 
+Json described(const Item& item) {
+    Json json{{"value", item.value}, {"label", item.label}};
+    if (!item.note.empty())
+        json["note"] = item.note;
+    if (item.color)
+        json["color"] = *item.color;
+    return json;
+}
+
+const char* scale_name(Scale scale) {
+    switch (scale) {
+        case Scale::linear:
+            return "linear";
+        case Scale::logarithmic:
+            return "log";
+        case Scale::half_life:
+            return "half-life";
+    }
+    return "";
+}
+
 Json described(const Parameter& parameter, const Look& look, const Values& values) {
     Json json{{"name", parameter.name},
               {"type", type_name(parameter)},
@@ -84,7 +105,7 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
               {"min", parameter.range.low},
               {"max", parameter.range.high},
               {"step", parameter.range.step},
-              {"scale", parameter.scale == Scale::logarithmic ? "log" : "linear"},
+              {"scale", scale_name(parameter.scale)},
               {"label", parameter.label},
               {"unit", parameter.unit},
               {"group", parameter.group},
@@ -95,10 +116,14 @@ Json described(const Parameter& parameter, const Look& look, const Values& value
         json["encoding"] = "display";
     if (parameter.is_constant)
         json["constant"] = true;
+    if (!parameter.when.empty())
+        json["when"] = parameter.when;
+    if (parameter.is_fixed_in_random)
+        json["random"] = false;
     for (const Range& axis : parameter.axes)
         json["axes"].push_back({{"min", axis.low}, {"max", axis.high}});
     for (const Item& item : parameter.items)
-        json["items"].push_back({{"value", item.value}, {"label", item.label}});
+        json["items"].push_back(described(item));
     for (const Binding& binding : parameter.bindings) {
         const std::string& pass = look.passes[static_cast<std::size_t>(binding.pass)].name;
         if (json["passes"].empty() || json["passes"].back() != pass)

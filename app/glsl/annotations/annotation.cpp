@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "glsl/compile/check.h"
+#include "model/look/decay.h"
 
 #include <fmt/format.h>
 
@@ -103,13 +104,24 @@ void apply_limit(const Site& site) {
         site.parameter.limit = Limit{(*numbers)[0], (*numbers)[1]};
 }
 
+std::optional<Scale> scale_from(std::string_view name) {
+    if (name == "linear")
+        return Scale::linear;
+    if (name == "log")
+        return Scale::logarithmic;
+    if (name == "half-life")
+        return Scale::half_life;
+    return std::nullopt;
+}
+
 void apply_scale(const Site& site) {
     const auto& words = site.hint.words;
     if (is_boolean(site.parameter))
         return site.refuse_boolean();
-    if (words.size() != 1 || (words[0] != "linear" && words[0] != "log"))
-        return site.error("@scale must be 'linear' or 'log'");
-    site.parameter.scale = words[0] == "log" ? Scale::logarithmic : Scale::linear;
+    const auto scale = words.size() == 1 ? scale_from(words[0]) : std::nullopt;
+    if (!scale)
+        return site.error("@scale must be 'linear', 'log' or 'half-life'");
+    site.parameter.scale = *scale;
 }
 
 template <std::string Parameter::*Member>
@@ -140,17 +152,24 @@ void apply_items(const Site& site) {
                                count - 1, format_number(initial)));
 }
 
-// Previous labels, "" for an item without one. A previous label must not equal a current label,
-// which would be ambiguous.
+// Whether the words can belong to the items in the same order, "" for an item without one. Reports
+// an error otherwise.
+bool fit_items(const Site& site) {
+    const std::size_t count = site.parameter.items.size();
+    if (count > 0 && !site.hint.words.empty() && site.hint.words.size() <= count)
+        return true;
+    site.error(count == 0 ? fmt::format("{} needs @items in the same order", site.hint.key)
+                          : fmt::format("{} takes up to {} texts, one per item; use \"\" for an "
+                                        "item without one",
+                                        site.hint.key, count));
+    return false;
+}
+
+// A previous label must not equal a current label, which would be ambiguous.
 void apply_items_was(const Site& site) {
     std::vector<Item>& items = site.parameter.items;
-    if (items.empty())
-        return site.error("@items_was needs @items in the same order");
-    if (site.hint.words.empty() || site.hint.words.size() > items.size())
-        return site.error(
-            fmt::format("@items_was takes up to {} labels, one per item; use \"\" for an item "
-                        "that was not renamed",
-                        items.size()));
+    if (!fit_items(site))
+        return;
     for (std::size_t i = 0; i < site.hint.words.size(); ++i) {
         const std::string& was = site.hint.words[i];
         if (const auto same = std::ranges::find(items, was, &Item::label); same != items.end())
@@ -158,6 +177,25 @@ void apply_items_was(const Site& site) {
         if (!was.empty() && std::ranges::find(items, was, &Item::was) != items.end())
             return site.error(fmt::format("@items_was lists '{}' twice", was));
         items[i].was = was;
+    }
+}
+
+void apply_items_note(const Site& site) {
+    if (!fit_items(site))
+        return;
+    for (std::size_t i = 0; i < site.hint.words.size(); ++i)
+        site.parameter.items[i].note = site.hint.words[i];
+}
+
+void apply_items_color(const Site& site) {
+    if (!fit_items(site))
+        return;
+    for (std::size_t i = 0; i < site.hint.words.size(); ++i) {
+        const std::string& word = site.hint.words[i];
+        site.parameter.items[i].color = linear_from_hex(word);
+        if (!word.empty() && !site.parameter.items[i].color)
+            return site.error(
+                fmt::format("@items_color: expected \"#rrggbb\" or \"\", got \"{}\"", word));
     }
 }
 
@@ -221,6 +259,18 @@ void apply_was(const Site& site) {
     site.parameter.was = site.hint.words[0];
 }
 
+void apply_when(const Site& site) {
+    if (site.hint.words.empty())
+        return site.error("@when takes an expression, such as @when mode == 1");
+    site.parameter.when = site.hint.words[0];
+}
+
+void apply_random(const Site& site) {
+    if (site.hint.words != std::vector<std::string>{"no"})
+        return site.error("@random must be 'no'");
+    site.parameter.is_fixed_in_random = true;
+}
+
 void apply_hidden(const Site& site) {
     if (!site.hint.words.empty())
         return site.refuse_arguments();
@@ -239,6 +289,8 @@ constexpr Rule rules[] = {
     {"@angle", apply_angle},
     {"@items", apply_items},
     {"@items_was", apply_items_was},
+    {"@items_note", apply_items_note},
+    {"@items_color", apply_items_color},
     {"@parts", apply_parts},
     {"@range", apply_range},
     {"@limit", apply_limit},
@@ -251,6 +303,8 @@ constexpr Rule rules[] = {
     {"@help", apply_text<&Parameter::help>, true},
     {"@was", apply_was, true},
     {"@hidden", apply_hidden, true},
+    {"@when", apply_when, true},
+    {"@random", apply_random},
 };
 
 void report(const Hint* hint, std::string message, Diagnostics& errors) {
@@ -263,6 +317,8 @@ void check_together(const Parameter& parameter, const Hints& hints, Diagnostics&
     const Hint* const scale = find_hint(hints, "@scale");
     if (parameter.scale == Scale::logarithmic && parameter.range.low <= 0.0)
         report(scale, "@scale log needs a @range with a minimum above 0", errors);
+    if (scale && parameter.scale == Scale::half_life && !can_be_decay(parameter))
+        report(scale, "@scale half-life needs a single float with a @range within 0 and 1", errors);
     const Hint* first = nullptr;
     for (const std::string_view key : {"@color", "@point", "@angle", "@items", "@parts"}) {
         const Hint* const hint = find_hint(hints, key);
@@ -289,6 +345,8 @@ void complete(Parameter& parameter, const Hints& hints) {
     const bool is_angle = find_hint(hints, "@angle") != nullptr;
     if (is_angle && !has_range)
         parameter.range = {-std::numbers::pi, std::numbers::pi, 0.0};
+    if (is_decay(parameter) && !find_hint(hints, "@scale"))
+        parameter.scale = Scale::half_life;
     // An author who sets a range or unit may use degrees.
     if (parameter.control == Control::angle && !is_angle &&
         (has_range || find_hint(hints, "@unit")))

@@ -11,9 +11,9 @@
 namespace {
 const std::vector<std::string>& known_keys() {
     static const std::vector<std::string> keys{
-        "@range",  "@limit", "@scale", "@label",     "@unit",     "@group",
-        "@help",   "@items", "@color", "@point",     "@identity", "@was",
-        "@hidden", "@angle", "@parts", "@items_was", "@period"};
+        "@range", "@limit",     "@scale",      "@label",       "@unit",   "@group", "@help",
+        "@items", "@items_was", "@items_note", "@items_color", "@color",  "@point", "@angle",
+        "@parts", "@identity",  "@was",        "@hidden",      "@period", "@when",  "@random"};
     return keys;
 }
 
@@ -43,6 +43,8 @@ public:
             const Location at = here();
             if (m_text[m_at] == '@')
                 add_key(read_word(), at);
+            else if (is_in_expression())
+                add_word(read_expression(at));
             else if (m_text[m_at] == '"' && m_is_inside)
                 add_word(read_string(at));
             else
@@ -96,6 +98,27 @@ private:
         }
         m_errors.push_back({at.file, at.line, "the string that starts here has no closing '\"'"});
         return word;
+    }
+
+    bool is_in_expression() const {
+        return m_is_inside && m_is_known && m_hints.back().key == "@when";
+    }
+
+    // The text up to the next '@' outside quotes, on one line.
+    std::string read_expression(const Location& at) {
+        std::string text;
+        bool is_quoted = false;
+        for (; m_at < m_text.size() && (is_quoted || m_text[m_at] != '@'); ++m_at) {
+            const char c = m_text[m_at];
+            const bool is_escaped = text.ends_with('\\') && is_quoted;
+            is_quoted = is_quoted != (c == '"' && !is_escaped);
+            if (!(is_blank(c) && text.ends_with(' ')))
+                text += is_blank(c) ? ' ' : c;
+        }
+        if (is_quoted)
+            m_errors.push_back(
+                {at.file, at.line, "the expression that starts here has no closing '\"'"});
+        return std::string(trim(text));
     }
 
     void add_key(const std::string& key, const Location& at) {

@@ -7,6 +7,7 @@
 #include "glsl/text/include.h"
 #include "model/look/orbit.h"
 #include "model/picture/aliasing.h"
+#include "model/plan/condition.h"
 
 #include <fmt/format.h>
 
@@ -101,6 +102,14 @@ void check_counts(const Look& look, const std::vector<Parameter>& parameters, Di
     }
 }
 
+// A condition can name constants, and constants have conditions.
+std::vector<Parameter> with_constants(const Look& look, std::vector<Parameter> parameters) {
+    for (const Parameter& parameter : look.parameters)
+        if (parameter.is_constant)
+            parameters.push_back(parameter);
+    return parameters;
+}
+
 /// The passes that declare the orbit matrices.
 struct OrbitPasses {
     std::vector<int> view;
@@ -161,6 +170,8 @@ Result<std::vector<Parameter>> find_parameters(const Look& look, CheckCache* cac
         check_counts(look, parameters, errors);
     if (errors.empty())
         add_new(errors, check_periods(parameters, look));
+    if (errors.empty())
+        add_new(errors, check_conditions(with_constants(look, parameters)));
     if (!errors.empty())
         return fail(std::move(errors));
     return parameters;

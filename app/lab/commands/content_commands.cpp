@@ -5,7 +5,7 @@
 #include "lab/document/content_edits.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
-#include "lab/frame/frame_loop.h"
+#include "lab/frame/content_problems.h"
 #include "lab/media/source.h"
 
 #include <fmt/format.h>

@@ -4,7 +4,6 @@
 #include "io/system/file_status.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/stack_edits.h"
-#include "lab/storage/editor.h"
 #include "lab/storage/include_store.h"
 #include "lab/window/window_state.h"
 
@@ -119,7 +118,7 @@ void LookCommands::open_in_editor(const Location& location) {
     if (m_work.document && must_duplicate(location.file))
         return offer_duplicate(fmt::format("\"{}\" is a shipped look in a read-only folder",
                                            m_work.document->look().name));
-    m_work.messages.succeeded(::open_in_editor(location));
+    m_work.programs.open_in_editor(location);
 }
 
 void LookCommands::search_includes() {

@@ -6,7 +6,6 @@
 #include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/display_name.h"
-#include "lab/storage/editor.h"
 #include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
@@ -224,7 +223,7 @@ bool PresetCommands::undo_removal() {
 }
 
 void PresetCommands::show_in_folder(const fs::path& file) {
-    m_work.messages.succeeded(open_folder(file.parent_path()));
+    m_work.programs.open_folder(file.parent_path());
 }
 
 void PresetCommands::offer_move() {

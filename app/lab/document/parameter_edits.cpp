@@ -1,8 +1,8 @@
 #include "lab/document/parameter_edits.h"
 
-#include "model/tuning/randomised.h"
-
 #include <fmt/format.h>
+
+#include <random>
 
 bool is_changed(const Document& document, const Parameter& parameter) {
     return document.value(parameter) != parameter.initial;
@@ -75,13 +75,18 @@ void reset_all_parameters(Document& document) {
     document.change(with_locked_parameters(std::move(next), document), "Reset all");
 }
 
-void randomise_parameters(Document& document, std::uint64_t seed) {
+void randomise_parameters(Document& document, const RandomChange& change) {
     if (document.has_pending_stack())
         return;  // the names are about to change
     DocumentState next = document.state();
     next.values =
-        randomised_values(document.look(), next.values, document.parameter_settings(), seed);
+        randomised_values(document.look(), next.values, document.parameter_settings(), change);
     document.change(std::move(next), "Randomise");
+}
+
+std::uint64_t random_seed() {
+    std::random_device chance;
+    return (static_cast<std::uint64_t>(chance()) << 32) | chance();
 }
 
 void set_parameter_setting(Document& document, const std::string& name,

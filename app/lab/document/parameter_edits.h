@@ -2,6 +2,7 @@
 
 #include "lab/document/document.h"
 #include "model/look/orbit.h"
+#include "model/tuning/randomised.h"
 
 #include <cstdint>
 #include <functional>
@@ -30,8 +31,10 @@ void reset_parameters(Document& document, const std::vector<std::string>& names)
 void reset_group(Document& document, const std::vector<std::string>& names);
 /// Resets all unlocked parameters.
 void reset_all_parameters(Document& document);
-/// Randomises all unlocked parameters within their ranges; see model/tuning/randomised.h.
-void randomise_parameters(Document& document, std::uint64_t seed);
+/// Randomises unlocked parameters within their ranges; see model/tuning/randomised.h.
+void randomise_parameters(Document& document, const RandomChange& change);
+/// A random seed.
+std::uint64_t random_seed();
 /// Without an undo step.
 void set_parameter_setting(Document& document, const std::string& name,
                            const ParameterSetting& setting);

@@ -5,7 +5,6 @@
 #include "lab/rendering/frame_limit.h"
 #include "lab/storage/local_date.h"
 #include "model/look/value_changes.h"
-#include "signals/signal_table.h"
 
 #include <algorithm>
 #include <cassert>
@@ -48,17 +47,6 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
     assert(*applied == state);
 }
 }  // namespace
-
-void report_content_problems(Workspace& work) {
-    Diagnostics problems = work.media.problems();
-    const auto add = [&problems](const Diagnostics& more) {
-        problems.insert(problems.end(), more.begin(), more.end());
-    };
-    add(work.pictures.chosen().problems());
-    if (work.document && work.document->look().driven_by == Driver::signal)
-        add(notes_about(work.document->state().signal));
-    work.messages.set_content_problems(problems);
-}
 
 FrameLoop::FrameLoop(Workspace& work, LookLoader& loader, const DrawingBoard& board)
     : m_work(work), m_loader(loader), m_board(board) {}
@@ -217,7 +205,7 @@ void FrameLoop::continue_frame(double wall_seconds) {
             m_slices.missed_events[parameter.name] = Value(1.0);
     m_work.renderer->continue_frame();
     if (!has_unfinished_frame())
-        update_previews();
+        update_previews(wall_seconds);
 }
 
 // For clicks that began and ended while a frame was drawn.
@@ -244,7 +232,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
     draw_picture(wall_seconds);
     m_guard.update();
     if (!has_unfinished_frame())
-        update_previews();
+        update_previews(wall_seconds);
 }
 
 bool FrameLoop::has_converged() const {
@@ -257,7 +245,7 @@ bool FrameLoop::has_converged() const {
 bool FrameLoop::is_moving() const {
     const Renderer* renderer = m_work.renderer.get();
     return (m_work.player.transport().is_playing() && !has_converged()) ||
-           !m_work.redraw.is_empty() || m_previews.is_busy() ||
+           !m_work.redraw.is_empty() || m_previews.is_busy() || m_previews.effects().is_busy() ||
            m_work.pictures.chosen().is_reading() || !m_work.media.loading().empty() ||
            m_work.media.source().is_late() ||
            (renderer && (renderer->has_unfinished_frame() || renderer->replay().is_running() ||
@@ -490,11 +478,16 @@ void FrameLoop::cancel_replay() {
 }
 
 // Called after the picture is drawn.
-void FrameLoop::update_previews() {
+void FrameLoop::update_previews(double wall_seconds) {
     if (m_work.document->has_pending_stack() || TextConstants::are_pending(*m_work.document) ||
         m_work.renderer->executor().plan().targets.empty() ||
         m_work.renderer->replay().is_running())
         return;
+    constexpr double fast_frame_seconds = 0.004;
+    const bool is_idle = !m_loader.is_loading() && !m_work.document->history().is_in_gesture() &&
+                         (!m_work.player.transport().is_playing() ||
+                          m_work.renderer->times().frame_seconds() < fast_frame_seconds);
     m_previews.update({*m_work.document, m_work.player, m_work.media, *m_work.renderer,
-                       m_work.pictures.look_images(), m_work.size.extent()});
+                       m_work.pictures.look_images(), m_work.size.extent()},
+                      is_idle, wall_seconds);
 }

@@ -83,7 +83,7 @@ private:
     void modulate_values(double seconds);
     void replace_drawn_look();
     void restart_samples();
-    void update_previews();
+    void update_previews(double wall_seconds);
 
     Workspace& m_work;
     LookLoader& m_loader;
@@ -106,6 +106,3 @@ private:
         Values missed_events = {};        // of parameters, while the frame was drawn
     } m_slices;
 };
-
-/// Collects the problems of signal, source and images for the list of problems.
-void report_content_problems(Workspace& work);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/document/document.h"
+#include "lab/editor/external_programs.h"
 #include "lab/library/library.h"
 #include "lab/library/opened_files.h"
 #include "lab/media/look_pictures.h"
@@ -17,6 +18,7 @@
 struct Workspace {
     Library library;
     Messages messages = {};
+    ExternalPrograms programs{messages, library.roots()};
     OpenedFiles opened_files = {};
     OpenDocument document = {};
     Player player{machine_sound_devices()};

@@ -14,21 +14,40 @@ void Thumbnails::stop() {
     *this = {};
 }
 
-void Thumbnails::update(Viewer& viewer, const Executor& executor, int height, double seconds) {
+void Thumbnails::update(Viewer& viewer, const Executor& executor, const Values& values, int height,
+                        double seconds) {
     if (height <= 0)
         return stop();
+    m_seconds = seconds;
     const std::vector<std::string> passes = pass_names(executor.look());
     if (m_passes != passes || m_height != height) {
         m_pictures.resize(passes.size());  // the previous ones stay until their update
         m_passes = passes;
         m_height = height;
         m_round_robin.restart(passes.size());
+        m_outdated_at.resize(passes.size());
     }
+    follow_values(values, executor.textures().number());
     const auto pass = m_round_robin.due(executor.textures().number(), seconds);
     if (!pass)
         return;
     draw(viewer, executor, *pass);
+    m_outdated_at[*pass].reset();
     m_round_robin.done(seconds);
+}
+
+// A change of values without a new picture leaves the thumbnails as they are.
+void Thumbnails::follow_values(const Values& values, std::uint64_t picture) {
+    if (m_values != values) {
+        m_values = values;
+        m_has_other_values = true;
+    }
+    if (m_has_other_values && picture != m_number) {
+        m_has_other_values = false;
+        for (auto& outdated_at : m_outdated_at)
+            outdated_at = outdated_at.value_or(m_seconds);
+    }
+    m_number = picture;
 }
 
 // Without memory the thumbnail stays empty, because the passes need the memory.
@@ -41,6 +60,12 @@ void Thumbnails::draw(Viewer& viewer, const Executor& executor, std::size_t pass
         return m_pictures[pass].reset();
     viewer.draw(target, *canvas, {.encoding = encoding_of(executor.look(), index)});
     m_pictures[pass] = std::move(*canvas).take_texture();
+}
+
+bool Thumbnails::is_stale(std::size_t pass) const {
+    constexpr double patience_seconds = 0.5;
+    return pass < m_outdated_at.size() && m_outdated_at[pass] &&
+           m_seconds - *m_outdated_at[pass] >= patience_seconds;
 }
 
 const gpu::Texture* Thumbnails::picture(std::size_t pass) const {

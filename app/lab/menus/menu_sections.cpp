@@ -3,6 +3,7 @@
 #include "lab/commands/look_commands.h"
 #include "lab/document/opened_preset.h"
 #include "lab/drawing/drawing_tool.h"
+#include "lab/editor/external_programs.h"
 #include "lab/lab_parts.h"
 #include "lab/menus/device_menu.h"
 #include "lab/menus/inspector_menu.h"
@@ -155,6 +156,27 @@ MenuSection include_section(const LabParts& lab) {
     return section;
 }
 
+MenuSection editor_section(const ExternalPrograms& programs) {
+    MenuSection section{"Editor", MenuSection::Menu::edit};
+    const auto offer = [&](const std::string& name, const std::string& command) {
+        section.entries.push_back(
+            {.name = name,
+             .commands = {[command](ExternalPrograms& changed) { changed.choose_editor(command); }},
+             .is_present = programs.editor() == command});
+    };
+    offer("Desktop's default", {});
+    for (const EditorInfo& editor : programs.installed())
+        offer(editor.name, editor.command);
+    section.entries.push_back(
+        {.name = "Command with {file} and {line}…",
+         .text = TextPrompt{programs.editor(), [](const std::string& typed) -> std::vector<Edit> {
+                                return {[typed](ExternalPrograms& changed) {
+                                    changed.choose_editor(typed);
+                                }};
+                            }}});
+    return section;
+}
+
 // Actions for NaN or infinity, and for problems in files.
 MenuSection nan_section(const LabParts& lab) {
     MenuSection section{"Problem"};
@@ -237,6 +259,7 @@ std::vector<MenuSection> menu_sections(const LabParts& lab, const WindowState& w
     all.push_back(remote_section(lab.remote.settings(), lab.remote.osc().is_listening(),
                                  lab.remote.midi().is_listening()));
     all.push_back(include_section(lab));
+    all.push_back(editor_section(lab.programs));
     all.push_back(nan_section(lab));
     all.push_back(lab.frames.heavy_pass().section());
     return all;
@@ -249,6 +272,7 @@ std::vector<MenuSection> sections_of_menu(const LabParts& lab, const WindowState
     if (lab.document)
         add_of_look(lab, window, looks, all);
     all.push_back(include_section(lab));
+    all.push_back(editor_section(lab.programs));
     std::erase_if(all, [menu](const MenuSection& section) {
         return section.menu != menu || section.entries.empty();
     });

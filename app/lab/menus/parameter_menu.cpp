@@ -8,6 +8,7 @@
 #include "lab/window/parameter_list.h"
 #include "lab/window/window_state.h"
 #include "model/look/value_text.h"
+#include "model/tuning/randomised.h"
 #include "model/tuning/slider_share.h"
 
 #include <fmt/format.h>
@@ -198,6 +199,24 @@ std::vector<MenuSection> parameter_sections(const Document& document, const Para
     return {parameter_section(document, parameter), modulation_section(document, parameter)};
 }
 
+namespace {
+MenuSection randomise_section(const Document& document, const WindowState& window) {
+    MenuSection section{"Randomise"};
+    for (const auto& [strength, name] : random_strengths)
+        section.entries.push_back({.name = fmt::format("Strength {}", name),
+                                   .commands = {[chosen = strength](WindowState& changed) {
+                                       changed.parameters.random_strength = chosen;
+                                   }},
+                                   .is_present = strength == window.parameters.random_strength});
+    for (const ParameterGroup& group : listed_parameters(document, {}))
+        if (can_be_randomised(document.look(), group))
+            section.entries.push_back(
+                {.name = group.name.empty() ? "Ungrouped parameters" : group.name,
+                 .commands = {randomise_group(group, window.parameters.random_strength)}});
+    return section;
+}
+}  // namespace
+
 std::vector<MenuSection> parameter_list_sections(const Document& document,
                                                  const WindowState& window) {
     MenuSection shown{"Parameters"};
@@ -227,7 +246,22 @@ std::vector<MenuSection> parameter_list_sections(const Document& document,
                                             : fmt::format("Reset {}", group.name),
                  .commands = {[names](Document& changed) { reset_group(changed, names); }}});
     }
-    return {shown};
+    return {shown, randomise_section(document, window)};
+}
+
+bool can_be_randomised(const Look& look, const ParameterGroup& group) {
+    return std::ranges::any_of(group.parameters, [&look](const Parameter* parameter) {
+        return is_randomised(look, *parameter);
+    });
+}
+
+Edit randomise_group(const ParameterGroup& group, double strength) {
+    std::vector<std::string> names;
+    for (const Parameter* parameter : group.parameters)
+        names.push_back(parameter->name);
+    return [names, strength](Document& document) {
+        randomise_parameters(document, {random_seed(), strength, names});
+    };
 }
 
 bool can_be_varied(const Parameter& parameter) {

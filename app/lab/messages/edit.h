@@ -12,6 +12,7 @@ class ComparisonView;
 class ContentCommands;
 class Document;
 class DrawingTool;
+class ExternalPrograms;
 class FrameLoop;
 class Lab;
 class LookCommands;
@@ -31,9 +32,9 @@ struct WindowState;
 /// no look is open. `Lab` is for edits that open a session.
 using MutableParts =
     std::tuple<AudioControl*, Automation*, BackgroundJobs*, ComparisonView*, ContentCommands*,
-               Document*, DrawingTool*, FrameLoop*, Lab*, LookCommands*, MediaInput*, Messages*,
-               ParameterSettingsStore*, PassControl*, Player*, PresetCommands*, Previews*,
-               RemoteControl*, RenderSize*, Renderer*, WindowState*>;
+               Document*, DrawingTool*, ExternalPrograms*, FrameLoop*, Lab*, LookCommands*,
+               MediaInput*, Messages*, ParameterSettingsStore*, PassControl*, Player*,
+               PresetCommands*, Previews*, RemoteControl*, RenderSize*, Renderer*, WindowState*>;
 
 /// A change of some parts: a function that takes references to them, such as
 /// [](Player& player) { player.pause(); }.

@@ -17,5 +17,5 @@ void StripView::update(const Executor& executor, const Values& values, int heigh
     if (m_measures_gains)
         m_context->gains.update(executor, values, seconds);
     else
-        m_thumbnails.update(m_context->viewer, executor, height, seconds);
+        m_thumbnails.update(m_context->viewer, executor, values, height, seconds);
 }

@@ -15,6 +15,7 @@ public:
     void update(const Executor& executor, const Values& values, int height, double seconds);
 
     ViewImage thumbnail(std::size_t pass) const { return image_of(m_thumbnails.picture(pass)); }
+    bool is_stale(std::size_t pass) const { return m_thumbnails.is_stale(pass); }
     /// The level of a pass; null: not measured.
     const TargetLevel* gain(std::size_t pass) const {
         return m_context ? m_context->gains.gain(pass) : nullptr;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 
 /// The parameter and component under the pointer.
 struct Pointed {
@@ -33,4 +35,9 @@ struct ParameterListing {
     std::string listed_look;    // the look listed last
     Revealed revealed;
     std::optional<Pointed> pointed;
+    double random_strength = 1.0;  // of Randomise, 0..1
 };
+
+/// Strengths of Randomise, with their names.
+inline constexpr std::array<std::pair<double, const char*>, 3> random_strengths{
+    {{0.1, "10 %"}, {0.3, "30 %"}, {1.0, "Full range"}}};

@@ -157,6 +157,7 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
         {"vsync", window.frame_rate.waits_for_display ? 1.0 : 0.0},
         {"frame_cap", window.frame_rate.cap},
         {"comfort", window.flashes.limit.is_on ? 1.0 : 0.0},
+        {"random_strength", window.parameters.random_strength},
         {"comfort_rate", window.flashes.limit.max_per_second},
         {"budget_ms", window.frame_rate.budget_milliseconds},
         {"starred_presets", window.presets.only_starred ? 1.0 : 0.0},
@@ -231,6 +232,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
     restore(numbers, "budget_ms", {0.1, 1000.0}, window.frame_rate.budget_milliseconds);
     if (const auto monitor = whole(numbers, "output_monitor", 0.0, 63.0))
         window.output.monitor = static_cast<std::size_t>(*monitor);
+    restore(numbers, "random_strength", {0.01, 1.0}, window.parameters.random_strength);
     restore_presets(numbers, window.presets);
     restore_panels(numbers, window.layout.panels);
     for (const auto& [name, size] : sizes)

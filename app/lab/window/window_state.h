@@ -20,6 +20,8 @@
 struct KeyboardFocus {
     bool is_in_menus = false;
     bool is_in_look = false;  // the look under the pointer
+    bool has_focus = false;        // a control has the focus, see ui/window/focus_keys.h
+    unsigned int wanted_pane = 0;  // id of the pane that gets the focus; 0: none
 };
 
 /// The flash meter and the flash limiter.
@@ -72,4 +74,5 @@ struct WindowState {
     ExportRange exporting;
     FirstSteps first_steps;
     Dialog dialog;
+    std::string copied;  // for the clipboard, until it is there; "": nothing
 };

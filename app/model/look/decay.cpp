@@ -8,9 +8,14 @@
 #include <cmath>
 #include <limits>
 
-bool is_decay(const Parameter& parameter) {
+bool can_be_decay(const Parameter& parameter) {
     return parameter.control == Control::slider && parameter.type == NumberType{} &&
-           parameter.unit == "per 1/60 s" && parameter.range.high <= 1.0;
+           parameter.range.low >= 0.0 && parameter.range.high <= 1.0;
+}
+
+bool is_decay(const Parameter& parameter) {
+    return can_be_decay(parameter) &&
+           (parameter.unit == "per 1/60 s" || parameter.scale == Scale::half_life);
 }
 
 double seconds_to(double share, double factor) {

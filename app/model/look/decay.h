@@ -9,7 +9,10 @@
 // Light that decays by a constant factor per 1/60 s: after t seconds factor^(60 t) is left. The
 // half-life is h seconds if factor = 2^(-1 / (60 h)).
 
-/// Whether a parameter is such a factor: a number of at most 1 with the unit "per 1/60 s".
+/// Whether a parameter can be such a factor: a slider with a float from 0 to at most 1.
+bool can_be_decay(const Parameter& parameter);
+
+/// Whether it is one: its unit is "per 1/60 s", or its scale is the half-life.
 bool is_decay(const Parameter& parameter);
 
 /// Seconds until `share` of the light is left; 0 for a factor of at most 0, infinite for at least

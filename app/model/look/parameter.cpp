@@ -55,6 +55,18 @@ std::string component_label(const Parameter& parameter, std::size_t component) {
     return component < std::size(axes) ? axes[component] : std::to_string(component + 1);
 }
 
+std::optional<std::array<double, 3>> linear_from_hex(std::string_view text) {
+    unsigned code = 0;
+    const char* const end = text.data() + text.size();
+    if (text.size() != 7 || text.front() != '#' ||
+        std::from_chars(text.data() + 1, end, code, 16).ptr != end)
+        return std::nullopt;
+    const auto channel = [code](unsigned shift) {
+        return srgb_decode(static_cast<double>((code >> shift) & 0xffu) / 255.0);
+    };
+    return std::array{channel(16), channel(8), channel(0)};
+}
+
 namespace {
 double clamped_number(const Parameter& parameter, double number) {
     if (!std::isfinite(number))
@@ -75,14 +87,10 @@ double clamped_number(const Parameter& parameter, double number) {
 }
 
 std::optional<Value> color_from_hex(std::string_view text, std::size_t components) {
-    unsigned code = 0;
-    const char* const end = text.data() + text.size();
-    if (text.size() != 7 || text.front() != '#' ||
-        std::from_chars(text.data() + 1, end, code, 16).ptr != end)
+    const auto light = linear_from_hex(text);
+    if (!light)
         return std::nullopt;
-    std::vector<double> numbers;
-    for (const unsigned shift : {16u, 8u, 0u})
-        numbers.push_back(srgb_decode(static_cast<double>((code >> shift) & 0xffu) / 255.0));
+    std::vector<double> numbers(light->begin(), light->end());
     numbers.resize(components, 1.0);
     return Value(std::move(numbers));
 }

@@ -4,6 +4,7 @@
 #include "model/look/picture.h"
 #include "model/look/value.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,9 @@ std::string glsl_name(const NumberType& type);
 /// The type of control for a parameter.
 enum class Control { slider, list, color, point, angle, event, image, sound };
 
-enum class Scale { linear, logarithmic };
+/// The spacing of values on a slider. `half_life` is for a factor per 1/60 s: equal ratios of the
+/// half-life, see decay.h.
+enum class Scale { linear, logarithmic, half_life };
 
 /// The range of a slider; typed values may exceed it.
 struct Range {
@@ -50,7 +53,9 @@ struct Limit {
 struct Item {
     double value = 0.0;
     std::string label;
-    std::string was = {};  // previous label, still accepted; "" without one
+    std::string was = {};   // previous label, still accepted; "" without one
+    std::string note = {};  // shown after the label in the list
+    std::optional<std::array<double, 3>> color = {};  // of a swatch before it, linear light
 
     bool operator==(const Item&) const = default;
 };
@@ -73,6 +78,7 @@ struct Parameter {
     std::string unit;
     std::string period;  // expression: px of a pattern that repeats on the pixel grid; 0: no
                          // pattern
+    std::string when;    // condition for an effect, see model/plan/condition.h; "": always
     std::string group;   // "": listed under the name of its first pass
     std::string help;
     NumberType type;
@@ -87,6 +93,7 @@ struct Parameter {
     std::optional<Value> identity;   // the value without an effect
     std::string was;                 // previous name; "" without one
     bool is_hidden = false;
+    bool is_fixed_in_random = false;       // Randomise keeps its value
     bool is_constant = false;              // not a uniform: a new value rebuilds the look
     Encoding encoding = Encoding::linear;  // of a colour in shaders; its value is linear
     OrbitPart orbit = OrbitPart::none;     // not none: its value becomes part of a matrix
@@ -107,6 +114,9 @@ std::string component_label(const Parameter& parameter, std::size_t component);
 
 /// The nearest valid value: within the limit, with the number of components, rounded for integers.
 Value clamped(const Parameter& parameter, Value value);
+
+/// The linear light of a display-encoded sRGB colour "#rrggbb". nullopt for other text.
+std::optional<std::array<double, 3>> linear_from_hex(std::string_view text);
 
 /// The error for a wrong number of components.
 std::string wrong_count(std::string_view name, std::size_t expected, std::size_t given);

@@ -36,7 +36,7 @@ private:
     static constexpr int deepest = 64;
 
     double choice() {
-        const double condition = comparison();
+        const double condition = disjunction();
         if (!accept('?'))
             return condition;
         if (m_depth + 1 >= deepest)
@@ -47,6 +47,24 @@ private:
         const double no = choice();
         --m_depth;
         return condition != 0.0 ? yes : no;
+    }
+
+    double disjunction() {
+        double value = conjunction();
+        while (accept("||")) {
+            const bool is_true = conjunction() != 0.0;
+            value = is_true || value != 0.0 ? 1.0 : 0.0;
+        }
+        return value;
+    }
+
+    double conjunction() {
+        double value = comparison();
+        while (accept("&&")) {
+            const bool is_true = comparison() != 0.0;
+            value = is_true && value != 0.0 ? 1.0 : 0.0;
+        }
+        return value;
     }
 
     double comparison() {
@@ -96,7 +114,9 @@ private:
         if (m_depth >= deepest)
             return stop("the expression is nested too deeply");
         ++m_depth;
-        const double value = accept('-') ? -factor() : atom();
+        const double value = accept('-')   ? -factor()
+                             : accept('!') ? (factor() == 0.0 ? 1.0 : 0.0)
+                                           : atom();
         --m_depth;
         return value;
     }

@@ -5,12 +5,14 @@
 #include <optional>
 
 /// The position of a value on a slider, 0 low .. 1 high, and back. A logarithmic slider whose low
-/// end is not above zero uses a cubic instead, which also gives small values the most room.
+/// end is not above zero uses a cubic instead, which also gives small values the most room. On a
+/// half-life slider, equal distances are equal ratios of half-lives within 1 ms .. 100 s.
 double ratio_in(const Range& range, Scale scale, double value);
 double value_at(const Range& range, Scale scale, double ratio);
 
-/// The nearest short decimal within `range`. A slider has about a thousand of them (a logarithmic
-/// slider: the same number per magnitude), divided by `coarseness`.
+/// The nearest short decimal within `range`. A slider has about a thousand of them, divided by
+/// `coarseness`. A logarithmic slider has as many per magnitude, a half-life slider per magnitude
+/// of 1 - value.
 double readable(const Range& range, Scale scale, double value, double coarseness = 1.0);
 
 /// The values of a slider with steps.

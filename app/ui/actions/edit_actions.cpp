@@ -96,6 +96,8 @@ std::vector<Action> edit_actions::list() {
         {ActionId::remote, Menu::edit, "Remote control…", {}, true, show_remote}};
     actions[0].current_label = undo_label;
     actions[1].current_label = redo_label;
+    actions[2].undo_notice = "All unlocked parameters were reset";
+    actions[3].undo_notice = "A drawing replaced the signal";
     const std::vector<Action> of_panels = panel_actions::list(Menu::edit);
     actions.insert(actions.begin() + 2, of_panels.begin(), of_panels.end());
     return actions;

@@ -1,8 +1,12 @@
 #include "ui/actions/pass_switch_actions.h"
 
+#include "lab/frame/pass_control.h"
+#include "lab/messages/messages.h"
 #include "ui/actions/file_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
+
+#include <fmt/format.h>
 
 namespace {
 std::string chosen_pass(const Scene& scene) {
@@ -27,11 +31,17 @@ bool is_on(const Scene& scene) {
 }
 
 void clear_chosen(const Scene& scene, Edits& edits) {
-    edits.change([pass = chosen_pass(scene)](PassControl& passes) { passes.clear_history(pass); });
+    edits.change([pass = chosen_pass(scene)](PassControl& passes, Messages& messages) {
+        passes.clear_history(pass);
+        messages.say(fmt::format("The history of '{}' was cleared", pass));
+    });
 }
 
 void clear_all(const Scene&, Edits& edits) {
-    edits.change([](PassControl& passes) { passes.clear_history(); });
+    edits.change([](PassControl& passes, Messages& messages) {
+        passes.clear_history();
+        messages.say("The history of all passes was cleared");
+    });
 }
 
 void switch_nothing(const Scene&, Edits& edits) {

@@ -20,6 +20,13 @@ bool repeats(int key) {
     return key == '.' || key == 'Z' || (key >= gpu::key::right && key <= gpu::key::up);
 }
 
+// Keys of the control with the focus.
+bool moves_focus(const Chord& chord) {
+    return !chord.control &&
+           (chord.key == gpu::key::enter || chord.key == gpu::key::pad_enter ||
+            (chord.key >= gpu::key::right && chord.key <= gpu::key::page_down + 2));
+}
+
 bool is_pressed(const Chord& chord) {
     const ImGuiIO& io = ImGui::GetIO();
     return chord.key != 0 && io.KeyCtrl == chord.control && io.KeyShift == chord.shift &&
@@ -29,6 +36,18 @@ bool is_pressed(const Chord& chord) {
 void end_line(Edits& edits) {
     edits.change([](DrawingTool& drawing) {
         drawing.edit([](DrawingBoard& board, Document& document) { board.end_line(document); });
+    });
+}
+
+// Names what a key has discarded. Called after the effect of the action, whose edits come first.
+void offer_undo(const Action& action, const Scene& scene, Edits& edits) {
+    if (!action.undo_notice || !scene.lab.document)
+        return;
+    edits.change([text = action.undo_notice, before = scene.lab.document->state()](
+                     const Document& document, Messages& messages) {
+        if (document.state() != before)
+            messages.offer(
+                text, {.name = "Undo", .commands = {[](Document& changed) { changed.undo(); }}});
     });
 }
 
@@ -71,14 +90,21 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
     for (const Action& action : scene.actions.rows())
         if (action.on_release && ImGui::IsKeyReleased(action.chord.key))
             action.on_release(scene, edits);
-    if (scene.window.dialog.kind != Dialog::Kind::none || scene.window.keyboard.is_in_menus)
+    const KeyboardFocus& keyboard = scene.window.keyboard;
+    const bool is_menu_open =
+        keyboard.is_in_menus && (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup) ||
+                                 ImGui::GetCurrentContext()->NavLayer == ImGuiNavLayer_Menu);
+    if (scene.window.dialog.kind != Dialog::Kind::none || is_menu_open)
         return;
-    if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive())
+    const bool is_typing = ImGui::GetIO().WantTextInput;  // also if Escape has just ended it
+    // The plain keys of this frame may have closed a menu, or moved the focus.
+    const bool has_plain_keys = !keyboard.is_in_menus && !is_typing;
+    if (ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive() &&
+        has_plain_keys && !keyboard.has_focus)
         escape(scene, edits);
-    const bool is_typing = ImGui::GetIO().WantTextInput;
     const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
                             ImGui::IsKeyPressed(gpu::key::pad_enter, false);
-    if (is_entered && !is_typing && scene.lab.drawing.board().open_line())
+    if (is_entered && has_plain_keys && scene.lab.drawing.board().open_line())
         end_line(edits);
     for (const Action& action : scene.actions.rows()) {
         // An active text field handles copy, paste, undo and letters. Other Ctrl shortcuts always
@@ -86,10 +112,14 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
         const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
                                      action.id == ActionId::paste_line ||
                                      action.id == ActionId::undo || action.id == ActionId::redo;
-        const bool is_of_look = !action.chord.control && is_key_of_look(action.chord.key, scene);
-        if (is_pressed(action.chord) && !is_of_look && !(is_typing && is_text_field_s) &&
-            is_enabled(action, scene))
+        const bool is_taken = (is_typing && is_text_field_s) ||
+                              (keyboard.has_focus && moves_focus(action.chord)) ||
+                              (!action.chord.control &&
+                               (keyboard.is_in_menus || is_key_of_look(action.chord.key, scene)));
+        if (is_pressed(action.chord) && !is_taken && is_enabled(action, scene)) {
             action.act(scene, edits);
+            offer_undo(action, scene, edits);
+        }
     }
     if (is_pressed({'Y', true}) && !is_typing)
         run(ActionId::redo, scene, edits);

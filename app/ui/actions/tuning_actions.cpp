@@ -6,13 +6,10 @@
 #include "ui/frame/scene.h"
 #include "ui/parameters/step_view.h"
 
-#include <random>
-
 namespace {
-void randomise(const Scene&, Edits& edits) {
-    std::random_device chance;
-    const std::uint64_t seed = (static_cast<std::uint64_t>(chance()) << 32) | chance();
-    edits.change([seed](Document& document) { randomise_parameters(document, seed); });
+void randomise(const Scene& scene, Edits& edits) {
+    edits.change([change = RandomChange{random_seed(), scene.window.parameters.random_strength}](
+                     Document& document) { randomise_parameters(document, change); });
 }
 
 template <ParameterFilter filter>
@@ -88,6 +85,7 @@ std::vector<Action> tuning_actions::list() {
                                  true,
                                  randomise,
                                  file_actions::has_document}};
+    actions.back().undo_notice = "Unlocked parameters were randomised";
     const std::vector<Action> steps = step_actions();
     actions.insert(actions.end() - 1, steps.begin(), steps.end());
     return actions;

@@ -37,11 +37,20 @@ DialogFrame::~DialogFrame() {
         ImGui::EndPopup();
 }
 
-bool draw_close_button(const char* label, Edits& edits) {
+namespace {
+bool is_enter_pressed() {
+    return ImGui::IsKeyPressed(gpu::key::enter, false) ||
+           ImGui::IsKeyPressed(gpu::key::pad_enter, false);
+}
+}  // namespace
+
+bool draw_close_button(const char* label, Edits& edits, bool is_default) {
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 6.5f;
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - width);
-    const bool is_left = ImGui::Button(label, {width, 0.0f});
+    const ScopedColor color(ImGuiCol_Button, is_default ? theme::accent_filled : theme::field);
+    const bool is_entered = is_default && !ImGui::GetIO().WantTextInput && is_enter_pressed();
+    const bool is_left = ImGui::Button(label, {width, 0.0f}) || is_entered;
     edits.mark("dialog_cancel");
     if (is_left)
         close_dialog(edits);
@@ -60,9 +69,7 @@ bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits) {
     ImGui::SameLine();
     const ScopedDisabled disabled(!can_do);
     const ScopedColor color(ImGuiCol_Button, theme::accent_filled);
-    const bool is_entered = ImGui::IsKeyPressed(gpu::key::enter, false) ||
-                            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
-    const bool is_asked = ImGui::Button(label, {width, 0.0f}) || is_entered;
+    const bool is_asked = ImGui::Button(label, {width, 0.0f}) || is_enter_pressed();
     edits.mark("dialog_ok");
     return is_asked && can_do;
 }

@@ -20,8 +20,9 @@ private:
 
 void close_dialog(Edits& edits);
 
-/// The only button of an informational dialog. Returns true when it is clicked.
-bool draw_close_button(const char* label, Edits& edits);
+/// The only button of a dialog. Enter activates it if `is_default`. Returns true when it is
+/// activated.
+bool draw_close_button(const char* label, Edits& edits, bool is_default = true);
 
 /// Cancel and the default button, which Enter activates too. Returns true when the default
 /// button is activated and `can_do`. Cancel closes the dialog.

@@ -29,7 +29,7 @@ void draw_work(const BackgroundWork<Outcome>& work, const char* doing, const Dra
         const ScopedColor color(ImGuiCol_Text, theme::warning);
         ImGui::TextWrapped("%s", work.outcome()->error().front().message.c_str());
     }
-    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits);
+    const bool is_left = draw_close_button(is_running ? "Cancel" : "Close", edits, !is_running);
     if (is_left || ImGui::IsKeyPressed(gpu::key::escape, false))
         edits.change(cancel);
 }

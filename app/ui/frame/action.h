@@ -155,6 +155,7 @@ struct Action {
     std::function<std::string(const Scene& scene)> current_label =
         {};                             // "Undo: Decay"; null: label
     std::optional<PanelId> panel = {};  // of show_panel
+    const char* undo_notice = nullptr;  // shown with an Undo button if its key changed the document
 };
 
 /// All actions in the order of the menus. Each ActionId and each panel has exactly one row.

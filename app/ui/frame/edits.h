@@ -45,6 +45,7 @@ public:
 
     /// Records the position of the last widget under this name, for scripts that drive the window.
     void mark(const std::string& name);
+    void mark(const std::string& name, const WidgetRect& rect) { m_widget_rects[name] = rect; }
 
     void apply(Lab& lab, WindowState& window) const;
     const std::optional<std::string>& copied() const { return m_copied; }

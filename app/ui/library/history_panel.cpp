@@ -95,7 +95,7 @@ void draw_history_panel(const Scene& scene, Edits& edits) {
     const float height = ImGui::GetFontSize() * 2.7f;
     {  // only for the list: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##steps");
+        ImGui::BeginChild("##steps", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
     }
     follow(*document, scene.window, height + between, edits);
     ImGuiListClipper clipper;

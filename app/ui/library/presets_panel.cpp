@@ -5,11 +5,11 @@
 #include "ui/library/preset_menu.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
+#include "ui/widgets/search_box.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
-#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -39,11 +39,10 @@ PresetCell preset_cell() {
 }
 
 void draw_search(const PresetBrowsing& wanted, Edits& edits) {
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 11.0f);
     std::string search = wanted.search;
-    if (ImGui::InputTextWithHint("##search", "Search presets", &search))
+    if (draw_search_box({"preset_search", "Search presets", ImGui::GetFontSize() * 11.0f}, search,
+                        edits))
         edits.arrange([search](WindowState& window) { window.presets.search = search; });
-    edits.mark("preset_search");
 }
 
 void draw_star_filter(const PresetBrowsing& wanted, Edits& edits) {
@@ -236,7 +235,7 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
     draw_count(scene, listed);
     if (listed.empty())
         return wrapped_dim_text(why_no_preset(wanted));
-    ImGui::BeginChild("##pictures");
+    ImGui::BeginChild("##pictures", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
     const PresetCell cell = preset_cell();
     for (std::size_t i = 0; i < listed.size(); ++i) {
         const ScopedId id(listed[i].preset.entry.file.string());

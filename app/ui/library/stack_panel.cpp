@@ -1,6 +1,7 @@
 #include "ui/library/stack_panel.h"
 
 #include "lab/menus/stack_menu.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/menu_items.h"
 #include "ui/widgets/scoped.h"
@@ -51,13 +52,14 @@ void draw_part(const Stack& stack, std::size_t i, const std::string& name, Edits
 }
 
 void draw_add(const Scene& scene, Edits& edits) {
-    if (begin_combo("##add_look", "Add a look after this one…", ImGui::GetContentRegionAvail().x)) {
+    if (begin_combo("##add_look", "Add a look after this one…", form_width())) {
         for (const ListedLook& look : scene.library_view.looks()) {
             if (look.is_stack())
                 continue;
             const ScopedId id(look.entry.folder.string());
             if (ImGui::Selectable(look.name.c_str()))
                 add_to_stack(look, edits);
+            focus_list_item(look.name, false);
             edits.mark("stack_add:" + look.entry.id);
             tooltip(look.about);
         }

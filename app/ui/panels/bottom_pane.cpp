@@ -32,7 +32,7 @@ void draw_bottom_pane(const Scene& scene, Edits& edits) {
         edits.arrange([id = shown.id](WindowState& window) { window.layout.panels.hide(id); });
     {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##content");
+        ImGui::BeginChild("##content", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
     }
     shown.draw(scene, edits);
     ImGui::EndChild();

@@ -56,6 +56,7 @@ void draw_kinds(const ParameterEntry& entry, const FormColumns& columns, Edits& 
             const double depth = entry.modulation ? entry.modulation->depth : Modulation{}.depth;
             turn(entry, Modulation{.kind = kind.value, .depth = depth}, false, edits);
         }
+        focus_list_item(kind.label, current == kind.label);
         edits.mark("modulation:" + kind.key);
     }
     ImGui::EndCombo();
@@ -89,7 +90,7 @@ void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
     double number = entry.modulation->*figure.number;
     const SliderInfo info{.low = figure.range.low,
                           .high = figure.range.high,
-                          .is_logarithmic = figure.scale == Scale::logarithmic,
+                          .scale = figure.scale,
                           .initial = Modulation{}.*figure.number,
                           .unit = figure.unit,
                           .limit = figure.limit};

@@ -1,6 +1,7 @@
 #include "ui/parameters/parameter_control.h"
 
 #include "lab/media/look_media.h"
+#include "model/look/color.h"
 #include "model/look/decay.h"
 #include "model/look/value_text.h"
 #include "model/picture/aliasing.h"
@@ -12,6 +13,7 @@
 #include "ui/widgets/form.h"
 #include "ui/widgets/point_pad.h"
 #include "ui/widgets/scoped.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
@@ -26,7 +28,7 @@ SliderInfo info_for(const ParameterEntry& entry, std::size_t component) {
         .low = parameter.range.low,
         .high = parameter.range.high,
         .step = step_of(parameter),
-        .is_logarithmic = parameter.scale == Scale::logarithmic,
+        .scale = parameter.scale,
         .is_changed = entry.is_changed,
         .unit = parameter.control == Control::angle ? "°" : std::string(shown_unit(parameter)),
         .limit = parameter.limit,
@@ -116,19 +118,66 @@ ValueEdit draw_check_boxes(const Parameter& parameter, Value& value) {
     return edited;
 }
 
-ValueEdit draw_list(const ParameterEntry& entry, Value& value, const FormColumns& columns) {
-    std::vector<const char*> labels;
-    int chosen = -1;
-    for (const Item& item : entry.parameter.items) {
-        if (item.value == value.number())
-            chosen = static_cast<int>(labels.size());
-        labels.push_back(item.label.c_str());
+constexpr float swatch_size = 0.8f;  // in font sizes
+
+// The width of a row in the list: swatch, label and note.
+float width_of_row(const Parameter& list) {
+    float label = 0.0f;
+    float note = 0.0f;
+    for (const Item& item : list.items) {
+        label = std::max(label, ImGui::CalcTextSize(item.label.c_str()).x);
+        note = std::max(note, ImGui::CalcTextSize(item.note.c_str()).x);
     }
-    if (!form_list("##list", labels.data(), static_cast<int>(labels.size()), chosen,
-                   columns.control_and_number()))
+    return label + note + 3.0f * ImGui::GetFontSize();
+}
+
+void draw_swatch(const std::array<double, 3>& light, const ImVec2& at) {
+    const float size = std::round(ImGui::GetFontSize() * swatch_size);
+    const float top = at.y + std::round((ImGui::GetTextLineHeight() - size) * 0.5f);
+    const ImVec4 color(static_cast<float>(srgb_encode(light[0])),
+                       static_cast<float>(srgb_encode(light[1])),
+                       static_cast<float>(srgb_encode(light[2])), 1.0f);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, top}, {at.x + size, top + size},
+                                              theme::packed(color));
+}
+
+bool draw_row(const Item& item, bool is_chosen, float indent, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const bool is_clicked =
+        ImGui::Selectable(("##" + item.label).c_str(), is_chosen, 0, {width, 0.0f});
+    focus_list_item(item.label, is_chosen);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    if (item.color)
+        draw_swatch(*item.color, at);
+    list.AddText({at.x + indent, at.y}, theme::packed(theme::text), item.label.c_str());
+    const float end = at.x + std::max(width, ImGui::GetItemRectSize().x);
+    list.AddText({end - ImGui::CalcTextSize(item.note.c_str()).x, at.y}, theme::packed(theme::dim),
+                 item.note.c_str());
+    return is_clicked;
+}
+
+ValueEdit draw_list(const ParameterEntry& entry, Value& value, const FormColumns& columns,
+                    Edits& edits) {
+    const std::vector<Item>& items = entry.parameter.items;
+    const auto chosen = std::ranges::find(items, value.number(), &Item::value);
+    if (!begin_combo("##list", chosen == items.end() ? "" : chosen->label,
+                     columns.control_and_number()))
         return {};
-    value = Value(entry.parameter.items[static_cast<std::size_t>(chosen)].value);
-    return {true, true};
+    const bool has_swatches =
+        std::ranges::any_of(items, [](const Item& item) { return item.color.has_value(); });
+    const float indent = has_swatches ? ImGui::GetFontSize() * (swatch_size + 0.6f) : 0.0f;
+    const float width = std::max(indent + width_of_row(entry.parameter),
+                                 columns.control_and_number() - 2.0f * ImGui::GetFontSize());
+    ValueEdit edited;
+    for (auto item = items.begin(); item != items.end(); ++item) {
+        if (draw_row(*item, item == chosen, indent, width) && item != chosen) {
+            value = Value(item->value);
+            edited = {true, true};
+        }
+        edits.mark(fmt::format("item:{}:{}", entry.parameter.name, item->label));
+    }
+    ImGui::EndCombo();
+    return edited;
 }
 
 ValueEdit draw_matrix(const ParameterEntry& entry, Value& value, const FormColumns& columns,
@@ -175,7 +224,7 @@ ValueEdit draw_control(const ParameterEntry& entry, Value& value, const FormColu
     const Parameter& parameter = entry.parameter;
     switch (parameter.control) {
         case Control::list:
-            return draw_list(entry, value, columns);
+            return draw_list(entry, value, columns, edits);
         case Control::color:
             return draw_color(parameter, value, columns, fonts);
         case Control::point:
@@ -217,6 +266,16 @@ int expected_lines(const Parameter& parameter) {
 }
 
 namespace {
+// Dims the rows drawn since `top`. Labels keep a contrast of 3:1.
+void dim_rows_since(float top) {
+    theme::Color veil = theme::pane;
+    veil.alpha = theme::dimming;
+    const float left = ImGui::GetWindowPos().x;
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        {left, top}, {left + ImGui::GetWindowWidth(), ImGui::GetCursorScreenPos().y},
+        theme::packed(veil));
+}
+
 // Stores which of the rows drawn since `top` is under the pointer. The components of a vector are
 // below its label.
 void tell_pointed(const ParameterEntry& entry, float top, Edits& edits) {
@@ -241,7 +300,8 @@ bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edit
     const Parameter& parameter = entry.parameter;
     const ScopedId scope(parameter.name);
     const float top = ImGui::GetCursorScreenPos().y;
-    const FormColumns columns = is_check_box(parameter) ? check_box_columns() : form_columns();
+    const FormColumns columns =
+        is_check_box(parameter) ? check_box_columns() : form_columns(entry.longest_label);
     const ParameterMarks marks = parameter_marks(entry.setting, columns);
     if (form_label(parameter.label, marks.reduced(columns), entry.is_changed))
         ImGui::OpenPopup("about");
@@ -268,6 +328,10 @@ bool draw_parameter(const ParameterEntry& entry, const Scene& scene, Edits& edit
         edits.finish();
     if (!is_vector)
         draw_reset(entry, columns, edits);
+    if (!entry.without_effect.empty()) {
+        dim_rows_since(top);
+        edits.mark("dimmed:" + parameter.name);
+    }
     tell_pointed(entry, top, edits);
     return is_held;
 }

@@ -20,6 +20,8 @@ struct ParameterEntry {
     PeriodInfo period = {};                  // of a pattern of pixels
     std::optional<std::size_t> typed = {};   // number to focus for typing
     std::vector<MidiBinding> midi = {};      // its controllers
+    std::string without_effect = {};         // why it has no effect now; dims it
+    float longest_label = 0.0f;              // width, of all parameters of the look
 };
 
 /// Number of rows the parameter needs, before it has been drawn.

@@ -118,6 +118,10 @@ void draw_info(const ParameterEntry& entry, const Fonts& fonts) {
         ImGui::TextUnformatted(parameter.help.c_str());
         ImGui::PopTextWrapPos();
     }
+    if (!entry.without_effect.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::dim);
+        ImGui::TextUnformatted(wrapped(entry.without_effect, ImGui::GetFontSize() * 24.0f).c_str());
+    }
     ImGui::Spacing();
     fact("Name", fmt::format("{}  ({})", parameter.name, type_name(parameter)));
     fact("Value", help_value(parameter, entry.value));
@@ -133,7 +137,9 @@ void draw_info(const ParameterEntry& entry, const Fonts& fonts) {
     }
     fact("Default", help_value(parameter, parameter.initial));
     fact("Range", range_text(parameter));
-    fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic" : "");
+    fact("Scale", parameter.scale == Scale::logarithmic ? "Logarithmic"
+                  : parameter.scale == Scale::half_life ? "Half-life"
+                                                        : "");
     for (const MidiBinding& binding : entry.midi)
         fact("MIDI", to_string(binding));
     if (entry.modulation)
@@ -205,7 +211,7 @@ void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits&
     const Fonts& fonts = scene.fonts;
     const Parameter& parameter = entry.parameter;
     if (is_hover_delayed() && !ImGui::IsPopupOpen("about")) {
-        ImGui::BeginTooltip();
+        begin_tooltip();
         draw_info(entry, fonts);
         edits.mark("help:" + parameter.name);
         ImGui::EndTooltip();

@@ -1,18 +1,22 @@
 #include "ui/parameters/parameters_panel.h"
 
 #include "lab/document/parameter_edits.h"
+#include "lab/document/parameter_effect.h"
+#include "lab/menus/parameter_menu.h"
+#include "lab/previews/previews.h"
 #include "lab/remote/remote_control.h"
 #include "lab/window/parameter_list.h"
+#include "model/tuning/slider_range.h"
 #include "ui/frame/action.h"
 #include "ui/parameters/parameter_control.h"
 #include "ui/parameters/reveal.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
+#include "ui/widgets/search_box.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
-#include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
 #include <array>
@@ -20,15 +24,12 @@
 
 namespace {
 void draw_search(const WindowState& window, float width, Edits& edits) {
-    ImGui::SetNextItemWidth(width);
-    if (window.parameters.is_searching) {
-        ImGui::SetKeyboardFocusHere();
+    const bool wants_focus = window.parameters.is_searching;
+    if (wants_focus)
         edits.arrange([](WindowState& state) { state.parameters.is_searching = false; });
-    }
     std::string search = window.parameters.search;
-    if (ImGui::InputTextWithHint("##search", "Search parameters", &search))
+    if (draw_search_box({"search", "Search parameters", width, wants_focus}, search, edits))
         edits.arrange([search](WindowState& state) { state.parameters.search = search; });
-    edits.mark("search");
 }
 
 struct FilterChoice {
@@ -73,6 +74,29 @@ void draw_filter(const WindowState& window, Edits& edits) {
     ImGui::EndCombo();
 }
 
+void draw_randomise_button(const Scene& scene, Edits& edits) {
+    const double strength = scene.window.parameters.random_strength;
+    const auto* const present =
+        std::ranges::find(random_strengths, strength, &std::pair<double, const char*>::first);
+    const std::string how_far = present == random_strengths.end() ? "" : present->second;
+    if (icon_button("##randomise", Icon::dice,
+                    fmt::format("{}\nStrength: {}. Right-click to change it.",
+                                scene.actions.help(ActionId::randomise), how_far),
+                    theme::text))
+        run(ActionId::randomise, scene, edits);
+    edits.mark("randomise");
+    if (!ImGui::BeginPopupContextItem("##random_strength"))
+        return;
+    for (const auto& [choice, name] : random_strengths) {
+        if (ImGui::MenuItem(name, nullptr, choice == strength))
+            edits.arrange([chosen = choice](WindowState& state) {
+                state.parameters.random_strength = chosen;
+            });
+        edits.mark(fmt::format("random_strength:{:g}", choice));
+    }
+    ImGui::EndPopup();
+}
+
 void draw_toolbar(const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -81,12 +105,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     draw_filter(scene.window, edits);
     ImGui::SameLine();
-    if (icon_button("##randomise", Icon::dice,
-                    fmt::format("{}\nSets each unlocked parameter to a random value in its range.",
-                                scene.actions.help(ActionId::randomise)),
-                    theme::text))
-        run(ActionId::randomise, scene, edits);
-    edits.mark("randomise");
+    draw_randomise_button(scene, edits);
     ImGui::SameLine(0.0f, 0.0f);
     const bool can_reset = !document.values().empty();
     const ScopedDisabled disabled(!can_reset);
@@ -97,10 +116,7 @@ void draw_toolbar(const Scene& scene, Edits& edits) {
     edits.mark("reset_all");
 }
 
-void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edits& edits) {
-    if (changed == 0)
-        return;
-    same_line_right(ImGui::GetFrameHeight());
+void draw_group_reset(const ParameterGroup& group, Edits& edits) {
     const bool is_asked = icon_button("##reset_group", Icon::reset,
                                       "Reset unlocked parameters in this group", theme::dim);
     edits.mark("reset_group:" + group.name);
@@ -110,6 +126,31 @@ void draw_group_header_end(const ParameterGroup& group, std::size_t changed, Edi
     for (const Parameter* parameter : group.parameters)
         names.push_back(parameter->name);
     edits.change([names](Document& document) { reset_group(document, names); });
+}
+
+// The buttons of a heading. The die is only drawn under the pointer.
+void draw_group_buttons(const ParameterGroup& group, bool has_changes, const Scene& scene,
+                        Edits& edits) {
+    const float size = ImGui::GetFrameHeight();
+    const float top = ImGui::GetItemRectMin().y;
+    const float left = ImGui::GetWindowPos().x;
+    const bool is_pointed =
+        ImGui::IsWindowHovered() &&
+        ImGui::IsMouseHoveringRect({left, top}, {left + ImGui::GetWindowWidth(), top + size});
+    same_line_right(2.0f * size);
+    if (is_pointed && can_be_randomised(scene.lab.document->look(), group)) {
+        if (icon_button("##randomise_group", Icon::dice,
+                        "Randomise unlocked parameters in this group", theme::dim))
+            edits.change(randomise_group(group, scene.window.parameters.random_strength));
+        edits.mark("randomise_group:" + group.name);
+    } else {
+        ImGui::Dummy({size, size});
+    }
+    ImGui::SameLine(0.0f, 0.0f);
+    if (has_changes)
+        draw_group_reset(group, edits);
+    else
+        ImGui::Dummy({size, size});
 }
 
 /// A row of the list. Outside the visible area it only reserves the height of its last drawing.
@@ -153,10 +194,22 @@ PeriodInfo period_info(const Parameter& parameter, const Scene& scene) {
                        period_terms(parameter, document, scene.lab.renderer));
 }
 
-void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& edits) {
+// Of the labels before a slider, whatever the list is filtered to.
+float longest_label(const Look& look) {
+    float longest = 1.0f;
+    for (const Parameter& parameter : look.parameters)
+        if (!parameter.is_hidden && !has_parts(parameter) &&
+            parameter.type.scalar != Scalar::boolean)
+            longest = std::max(longest, ImGui::CalcTextSize(parameter.label.c_str()).x);
+    return longest;
+}
+
+void draw_parameter_row(const Parameter& parameter, float label_width, const Scene& scene,
+                        Edits& edits) {
     const Document& document = *scene.lab.document;
     ParameterRow row(parameter);
-    if (!row.is_in_sight()) {
+    // Controls out of sight can get the focus.
+    if (!row.is_in_sight() && !scene.window.keyboard.has_focus) {
         row.pass_over();
         return;
     }
@@ -171,7 +224,10 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
         .look = document.look(),
         .modulation = modulation_of(document, parameter),
         .period = period_info(parameter, scene),
-        .midi = bindings_of(parameter, document.look(), scene.lab.remote.settings())};
+        .midi = bindings_of(parameter, document.look(), scene.lab.remote.settings()),
+        .without_effect = why_without_effect(
+            document, parameter, scene.lab.frames.previews().effects().has_effect(parameter.name)),
+        .longest_label = label_width};
     const Revealed& revealed = scene.window.parameters.revealed;
     if (revealed.wants_focus && revealed.parameter == parameter.name)
         entry.typed = revealed.component;
@@ -180,7 +236,7 @@ void draw_parameter_row(const Parameter& parameter, const Scene& scene, Edits& e
     row.end(draw_parameter(entry, scene, edits));
 }
 
-void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
+void draw_group(const ParameterGroup& group, float label_width, const Scene& scene, Edits& edits) {
     const Document& document = *scene.lab.document;
     const ScopedId id(group.name);
     const auto changed = static_cast<std::size_t>(std::count_if(
@@ -192,15 +248,15 @@ void draw_group(const ParameterGroup& group, const Scene& scene, Edits& edits) {
         const std::string title = group.name.empty() ? "Parameters" : group.name;
         if (is_to_be_shown(group.parameters, scene.window.parameters))
             open_section(title);
-        is_open = section(title, true) || !scene.window.parameters.search.empty();
+        is_open = section(title, true, 2) || !scene.window.parameters.search.empty();
         edits.mark("group:" + group.name);
     }
-    draw_group_header_end(group, changed, edits);
+    draw_group_buttons(group, changed > 0, scene, edits);
     if (!is_open)
         return;
     for (const Parameter* parameter : group.parameters) {
         const float top = ImGui::GetCursorPosY();
-        draw_parameter_row(*parameter, scene, edits);
+        draw_parameter_row(*parameter, label_width, scene, edits);
         show_if_revealed(*parameter, top, scene.window.parameters, edits);
     }
     ImGui::Spacing();
@@ -254,13 +310,14 @@ void draw_parameters_panel(const Scene& scene, Edits& edits) {
     ImGui::Spacing();
     {  // only for the list: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##groups");
+        ImGui::BeginChild("##groups", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
     }
     if (is_other)
         ImGui::SetScrollY(0.0f);
     const std::vector<ParameterGroup> groups = listed_parameters(*document, query_of(scene.window));
+    const float label_width = longest_label(document->look());
     for (const ParameterGroup& group : groups)
-        draw_group(group, scene, edits);
+        draw_group(group, label_width, scene, edits);
     if (groups.empty())
         draw_nothing_to_show(*document, scene.window, edits);
     draw_orphans(*document);

@@ -44,6 +44,7 @@ bool draw_parameter_choice(const char* id, const Look& look, std::string& chosen
             continue;
         if (ImGui::Selectable(long_label(parameter).c_str(), parameter.name == chosen))
             chosen = parameter.name;
+        focus_list_item(long_label(parameter), parameter.name == chosen);
         edits.mark("sheet_choice:" + parameter.name);
     }
     ImGui::EndCombo();

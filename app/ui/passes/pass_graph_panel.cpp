@@ -279,7 +279,8 @@ void draw_pass_graph(const Scene& scene, Edits& edits) {
     const auto inspected =
         static_cast<std::size_t>(inspected_pass(executor.look(), scene.window.views.inspected));
     const PassGraph graph = graph_of_current(executor, inspected);
-    ImGui::BeginChild("##graph", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::BeginChild("##graph", {0.0f, 0.0f}, false,
+                      ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NavFlattened);
     const Paper paper = paper_for(graph);
     const std::string& name = executor.look().passes[inspected].name;
     const auto found = std::ranges::find(graph.nodes, name, &Node::name);

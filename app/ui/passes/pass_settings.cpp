@@ -48,6 +48,7 @@ void draw_format(const std::string& pass, const PassSetting& now, float width, E
                 changed.format = info.format;
                 set_override(pass, changed, edits);
             }
+            focus_list_item(name, info.format == now.format);
             edits.mark("format:" + name);
         }
         ImGui::EndCombo();

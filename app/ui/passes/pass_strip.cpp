@@ -191,7 +191,8 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
             [wanted](WindowState& window) { window.views.sizes.thumbnail_height = wanted; });
     {  // only for the strip: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##cells", {0.0f, 0.0f}, false, ImGuiWindowFlags_HorizontalScrollbar);
+        ImGui::BeginChild("##cells", {0.0f, 0.0f}, false,
+                          ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NavFlattened);
     }
     const std::vector<StripPass> passes = present_passes(scene);
     draw_blocks(arrange_strip(passes, ImGui::GetContentRegionAvail().x, scene), image_height, scene,

@@ -98,7 +98,7 @@ void draw_strip_cell(const StripPass& pass, const Scene& scene, const Rect& rect
     const bool is_hovered =
         draw_button(pass, {rect.width, rect.height + text_height}, scene, edits);
     draw_image(scene.views.strip().thumbnail(pass.index), rect, scene.density, part,
-               pass.state.ends_with("not drawn"));
+               pass.state.ends_with("not drawn") || scene.views.strip().is_stale(pass.index));
     const ImVec2 low(rect.left, rect.top);
     const ImVec2 high(rect.right(), rect.bottom());
     if (!pass.change && pass.gain && headroom_stops(*pass.gain).value_or(0.0) <= meter_stops)

@@ -2,6 +2,7 @@
 
 #include "lab/drawing/drawing_tool.h"
 #include "ui/frame/action.h"
+#include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -22,7 +23,7 @@ void draw_pen_button(const Scene& scene, Edits& edits) {
     const bool has_pen = scene.lab.drawing.board().has_pen();
     const ScopedColor back(ImGuiCol_Button, has_pen ? theme::accent_filled : theme::field);
     const char* label = has_pen ? "Done drawing" : "Draw on the picture";
-    if (ImGui::Button(label, {ImGui::GetContentRegionAvail().x, 0.0f}))
+    if (ImGui::Button(label, {form_width(), 0.0f}))
         run(ActionId::draw, scene, edits);
     edits.mark("pen");
     tooltip(has_pen
@@ -99,7 +100,7 @@ struct KeyframeButton {
 void draw_buttons(const std::vector<KeyframeButton>& buttons, Edits& edits) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const auto count = static_cast<float>(buttons.size());
-    const float width = (ImGui::GetContentRegionAvail().x - (count - 1.0f) * gap) / count;
+    const float width = (form_width() - (count - 1.0f) * gap) / count;
     for (const KeyframeButton& button : buttons) {
         if (&button != &buttons.front())
             ImGui::SameLine(0.0f, gap);
@@ -149,7 +150,7 @@ void draw_keyframes(const DrawingBoard& board, Edits& edits) {
 
 void draw_files(const DrawingBoard& board, Edits& edits) {
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+    const float width = 0.5f * (form_width() - gap);
     if (ImGui::Button("Load SVG…", {width, 0.0f}))
         edits.show({.kind = Dialog::Kind::load_drawing});
     edits.mark("load_drawing");

@@ -43,7 +43,7 @@ SliderInfo info_of(const SettingInfo& setting, double value, const Document& doc
     return {.low = setting.low,
             .high = setting.high,
             .step = setting.step,
-            .is_logarithmic = setting.logarithmic,
+            .scale = setting.logarithmic ? Scale::logarithmic : Scale::linear,
             .initial = usual,
             .is_changed = value != usual,
             .unit = setting.unit,
@@ -182,8 +182,7 @@ void draw_kinds(const std::string& current, Edits& edits) {
             chosen = static_cast<int>(labels.size());
         labels.push_back(kind.label.c_str());
     }
-    if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen,
-                  ImGui::GetContentRegionAvail().x))
+    if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen, form_width()))
         run({command_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
     edits.mark("signal");
     if (const SignalKind* kind = find_kind(current))
@@ -197,7 +196,7 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
     if (wanted.empty())
         return;
     wrapped_dim_text("The graticule doesn't match this scope's divisions.");
-    if (ImGui::Button("Show 10 × 8 divisions", {ImGui::GetContentRegionAvail().x, 0.0f}))
+    if (ImGui::Button("Show 10 × 8 divisions", {form_width(), 0.0f}))
         edits.change([wanted](Document& changed) { set_values(changed, wanted, "Graticule"); });
     edits.mark("scope_graticule");
     tooltip("Sets the look's graticule to 10 × 8 divisions over the whole picture.");

@@ -22,8 +22,7 @@ void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits)
     double position = length > 0.0 ? std::fmod(time, length) : 0.0;
     const SliderInfo info{
         .low = 0.0, .high = length, .step = 0.01, .unit = "s", .limit = Limit{0.0, length}};
-    const ValueEdit edited =
-        draw_slider("##seek", position, info, ImGui::GetContentRegionAvail().x);
+    const ValueEdit edited = draw_slider("##seek", position, info, form_width());
     edits.mark("seek");
     if (edited.is_changed)
         edits.change([position](Player& player) { player.seek(position); });
@@ -62,7 +61,7 @@ enum class Way { out, in };
 void draw_device(Way way, const Scene& scene, Edits& edits) {
     const bool is_out = way == Way::out;
     const ScopedId id(std::string(is_out ? "output" : "input"));
-    const FormColumns columns = form_columns(false);
+    const FormColumns columns = form_columns();
     begin_line(is_out ? "Output" : "Input",
                is_out ? "Audio device for playback."
                       : "Audio device for live input. A monitor records what other programs play.",
@@ -77,7 +76,9 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
     if (ImGui::IsWindowAppearing())
         edits.change([](AudioControl& audio) { audio.find_devices(); });
     const auto offer = [&](const std::string& name, const std::string& label) {
-        if (!ImGui::Selectable(label.c_str(), name == chosen))
+        const bool is_clicked = ImGui::Selectable(label.c_str(), name == chosen);
+        focus_list_item(label, name == chosen);
+        if (!is_clicked)
             return;
         chosen = name;
         apply(settings, edits);
@@ -92,7 +93,7 @@ void draw_device(Way way, const Scene& scene, Edits& edits) {
 void draw_number_choice(const char* label, const char* help, int SoundSettings::*setting,
                         const std::vector<int>& numbers, const Scene& scene, Edits& edits) {
     const ScopedId id{std::string(label)};
-    const FormColumns columns = form_columns(false);
+    const FormColumns columns = form_columns();
     begin_line(label, help, columns);
     SoundSettings settings = scene.lab.player.devices().settings();
     std::vector<std::string> labels;
@@ -115,7 +116,7 @@ void draw_number_choice(const char* label, const char* help, int SoundSettings::
 
 void draw_delay(const Scene& scene, Edits& edits) {
     const ScopedId id(std::string("delay"));
-    const FormColumns columns = form_columns(false);
+    const FormColumns columns = form_columns();
     begin_line("Picture delay",
                "Delays the picture to match loudspeakers with latency, such as Bluetooth.",
                columns);
@@ -141,7 +142,7 @@ void draw_beam_output(const Scene& scene, Edits& edits) {
     if (!settings.plays_beam)
         return;
     const ScopedId id(std::string("beam_level"));
-    const FormColumns columns = form_columns(false);
+    const FormColumns columns = form_columns();
     begin_line("Beam level", "Output level at full deflection. 1 is the output's maximum.",
                columns);
     const ValueEdit edited =

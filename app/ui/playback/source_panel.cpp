@@ -34,10 +34,11 @@ std::string label_of(const SourceSpec& source) {
 void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     const std::string label = label_of(source);
     const std::string current = name_of_pattern(source);
-    if (begin_combo("##source", label, ImGui::GetContentRegionAvail().x)) {
+    if (begin_combo("##source", label, form_width())) {
         for (const PatternInfo& pattern : all_patterns()) {
             if (ImGui::Selectable(pattern.label.c_str(), pattern.name == current))
                 set_source(with_pattern(source, pattern.name), edits);
+            focus_list_item(pattern.label, pattern.name == current);
             edits.mark("pattern:" + pattern.name);
             tooltip(pattern.help);
         }
@@ -151,7 +152,7 @@ void draw_own_aspect(const SourceSpec& source, const Scene& scene, Edits& edits)
                   .number = &SourceSpec::aspect,
                   .info = {.low = 0.5,
                            .high = 2.0,
-                           .is_logarithmic = true,
+                           .scale = Scale::logarithmic,
                            .initial = 1.0,
                            .is_changed = source.aspect != 1.0,
                            .limit = Limit{1.0 / 16.0, 16.0}}},

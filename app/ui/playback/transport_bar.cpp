@@ -37,7 +37,7 @@ void draw_speed(const Scene& scene, Edits& edits) {
     double speed = scene.lab.player.transport().speed();
     const SliderInfo info{.low = 0.01,
                           .high = 4.0,
-                          .is_logarithmic = true,
+                          .scale = Scale::logarithmic,
                           .initial = 1.0,
                           .is_changed = speed != 1.0,
                           .unit = "×",

@@ -190,7 +190,7 @@ void draw_timings_panel(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, gap);
     {  // only for this child: popups above it keep their own padding
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::BeginChild("##passes");
+        ImGui::BeginChild("##passes", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
     }
     draw_passes(scene);
     ImGui::EndChild();

@@ -18,26 +18,32 @@ float FormColumns::control_and_number() const {
     return control + column_gap() + number;
 }
 
-FormColumns form_columns(bool has_button) {
+FormColumns form_columns(float longest_label) {
     const float room = ImGui::GetContentRegionAvail().x;
     FormColumns columns;
-    columns.button = has_button ? ImGui::GetFrameHeight() : -column_gap();
+    columns.button = ImGui::GetFrameHeight();
     const bool is_narrow = room < ImGui::GetFontSize() * 18.0f;
-    columns.number = std::round(ImGui::GetFontSize() * (is_narrow ? 3.9f : 4.4f));
+    columns.number = std::round(ImGui::GetFontSize() * (is_narrow ? 3.4f : 4.4f));
     const float rest =
         std::max(60.0f, room - columns.button - columns.number - 3.0f * column_gap());
-    columns.label = std::floor(rest * (is_narrow ? 0.6f : 0.54f));
+    constexpr float usual_label = 6.2f;  // em
+    const float label = longest_label > 0.0f ? longest_label : usual_label * ImGui::GetFontSize();
+    columns.label = std::floor(std::clamp(label, 0.25f * rest, 0.6f * rest));
     columns.control = std::floor(rest - columns.label);
     return columns;
 }
 
 FormColumns check_box_columns() {
-    FormColumns columns = form_columns();
+    FormColumns columns = form_columns(0.0f);
     const float box = ImGui::GetFrameHeight();
     columns.label += columns.control_and_number() - box;
     columns.control = box;
     columns.number = -column_gap();
     return columns;
+}
+
+float form_width() {
+    return ImGui::GetContentRegionAvail().x - ImGui::GetFrameHeight() - column_gap();
 }
 
 bool form_label(const std::string& label, const FormColumns& columns, bool is_changed) {
@@ -87,11 +93,14 @@ bool form_list(const char* id, const char* const* labels, int count, int& chosen
     bool is_changed = false;
     if (!begin_combo(id, chosen >= 0 && chosen < count ? labels[chosen] : otherwise, width))
         return false;
-    for (int i = 0; i < count; ++i)
-        if (ImGui::Selectable(labels[i], i == chosen) && i != chosen) {
+    const int before = chosen;
+    for (int i = 0; i < count; ++i) {
+        if (ImGui::Selectable(labels[i], i == before) && i != before) {
             chosen = i;
             is_changed = true;
         }
+        focus_list_item(labels[i], i == before);
+    }
     ImGui::EndCombo();
     return is_changed;
 }

@@ -16,11 +16,14 @@ struct FormColumns {
 
     float control_and_number() const;
 };
-/// For the current pane. `has_button`: reserves space for form_reset().
-FormColumns form_columns(bool has_button = true);
+/// For the current pane, whose longest label has this width; 0: a usual one. Sliders get what
+/// labels and numbers leave. All rows end at the same edge, with space for form_reset() behind it.
+FormColumns form_columns(float longest_label = 0.0f);
 /// A row with a check box at the right end of the number column; the label gets the remaining
 /// width.
 FormColumns check_box_columns();
+/// The width from the cursor to the right edge of the rows.
+float form_width();
 
 /// Starts a row with its label; draw the control next. Returns whether the label was clicked. The
 /// label is the last item, so a tooltip can follow.

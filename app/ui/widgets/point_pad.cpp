@@ -28,6 +28,7 @@ ImVec2 point_in(const Parameter& parameter, double x, double y, const ImVec2& lo
 void draw_cross(const ImVec2& low, const ImVec2& high, const ImVec2& at, bool is_changed) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::packed(theme::field), ImGui::GetStyle().FrameRounding);
+    list.AddRect(low, high, theme::packed(theme::outline), ImGui::GetStyle().FrameRounding);
     const ImVec2 middle((low.x + high.x) * 0.5f, (low.y + high.y) * 0.5f);
     const ImU32 faint = theme::packed(theme::line);
     list.AddLine({middle.x, low.y}, {middle.x, high.y}, faint);

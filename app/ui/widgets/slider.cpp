@@ -17,10 +17,6 @@ Range range_of(const SliderInfo& info) {
     return {info.low, info.high, info.step};
 }
 
-Scale scale_of(const SliderInfo& info) {
-    return info.is_logarithmic ? Scale::logarithmic : Scale::linear;
-}
-
 std::optional<Steps> steps_of(const SliderInfo& info) {
     return steps_in(range_of(info), info.steps_from.value_or(info.low));
 }
@@ -32,11 +28,11 @@ double factor_of(DragPace pace) {
 }  // namespace
 
 double slider_ratio(double value, const SliderInfo& info) {
-    return ratio_in(range_of(info), scale_of(info), value);
+    return ratio_in(range_of(info), info.scale, value);
 }
 
 double slider_value(double ratio, const SliderInfo& info) {
-    return value_at(range_of(info), scale_of(info), ratio);
+    return value_at(range_of(info), info.scale, ratio);
 }
 
 double dragged_share(double ratio, double moved, DragPace pace) {
@@ -47,7 +43,7 @@ double dragged_value(double ratio, const SliderInfo& info, DragPace pace) {
     const double value = slider_value(ratio, info);
     if (const auto steps = steps_of(info))
         return steps->nearest(value);
-    return readable(range_of(info), scale_of(info), value, factor_of(pace));
+    return readable(range_of(info), info.scale, value, factor_of(pace));
 }
 
 std::vector<double> notch_ratios(const SliderInfo& info, double width) {
@@ -98,10 +94,6 @@ bool wants_typing(const ImRect& box, bool is_hovered) {
     const ImGuiIO& io = ImGui::GetIO();
     return is_hovered && box.Contains(io.MousePos) &&
            ((io.MouseClicked[0] && io.KeyCtrl && !io.KeyShift) || io.MouseDoubleClicked[0]);
-}
-
-Typing& typing() {
-    return *static_cast<Typing*>(ImGui::GetIO().UserData);
 }
 
 // Parses the text of a field when it loses the focus.
@@ -192,6 +184,7 @@ void draw_bar(const ImRect& box, double value, const SliderInfo& info, bool is_h
     const theme::Color fill = info.is_changed ? theme::accent_filled : theme::filled;
     list.AddRectFilled({std::min(origin, ratio), box.Min.y}, {std::max(origin, ratio), box.Max.y},
                        theme::packed(fill), rounding);
+    list.AddRect(box.Min, box.Max, theme::packed(theme::outline), rounding);
     draw_marks(box, info);
     draw_note(box, info.note, ratio, !info.warning.empty());
     if (info.initial && info.is_changed) {
@@ -244,6 +237,35 @@ double dragged(double value, const ImRect& box, ImGuiID id, const SliderInfo& in
         drag.ratio = dragged_share(drag.ratio, io.MouseDelta.x / width, pace);
     return dragged_value(drag.ratio, info, pace);
 }
+
+// Whether the control has the keyboard focus and Enter was pressed. It then becomes a text field.
+bool is_entered(ImGuiID id) {
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.NavActivateId != id && context.NavActivateInputId != id)
+        return false;
+    context.NavActivateInputId = id;
+    return true;
+}
+
+// The value after Left or Right, if the slider has the keyboard focus: a step, or 1/100 of the
+// slider. Shift is ten times finer.
+double stepped(double value, ImGuiID id, const SliderInfo& info) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (context.NavId != id || context.NavDisableHighlight ||
+        (context.IO.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) == 0)
+        return value;
+    const double sign = ImGui::IsKeyPressed(gpu::key::right)  ? 1.0
+                        : ImGui::IsKeyPressed(gpu::key::left) ? -1.0
+                                                              : 0.0;
+    if (sign == 0.0)
+        return value;
+    ImGui::NavMoveRequestCancel();  // the focus stays
+    if (const auto steps = steps_of(info))
+        return std::clamp(steps->nearest(value) + sign * steps->step, info.low, info.high);
+    constexpr double share = 0.01;
+    const DragPace pace = context.IO.KeyShift ? DragPace::fine : DragPace::direct;
+    return dragged_value(dragged_share(slider_ratio(value, info), sign * share, pace), info, pace);
+}
 }  // namespace
 
 ValueEdit draw_slider(const char* id_text, double& value, const SliderInfo& info, float width) {
@@ -252,13 +274,13 @@ ValueEdit draw_slider(const char* id_text, double& value, const SliderInfo& info
     const ImRect box(window->DC.CursorPos,
                      window->DC.CursorPos + ImVec2(width, ImGui::GetFrameHeight()));
     ImGui::ItemSize(box, ImGui::GetStyle().FramePadding.y);
-    if (!ImGui::ItemAdd(box, id, &box, ImGuiItemFlags_Inputable))
+    if (!ImGui::ItemAdd(box, id, &box))
         return {};
     bool is_hovered = false;
     bool is_held = false;
     if (ImGui::TempInputIsActive(id))
         return type_number(box, id, id_text, value, number_info(info));
-    if (wants_typing(box, ImGui::ItemHoverable(box, id))) {
+    if (is_entered(id) || wants_typing(box, ImGui::ItemHoverable(box, id))) {
         ImGui::ClearActiveID();
         return type_number(box, id, id_text, value, number_info(info));
     }
@@ -272,6 +294,10 @@ ValueEdit draw_slider(const char* id_text, double& value, const SliderInfo& info
         value = next;
         if (edited.is_changed)
             ImGui::MarkItemEdited(id);
+    }
+    if (const double next = stepped(value, id, info); next != value) {
+        value = next;
+        edited = {true, true};
     }
     draw_bar(box, value, info, is_hovered || is_held);
     if (info.now)
@@ -330,7 +356,7 @@ ValueEdit draw_number(const char* id_text, double& value, float width, const Num
                                ImGuiItemStatusFlags_FocusedByTabbing) != 0;
     if (info.wants_focus)
         ImGui::GetCurrentContext()->NavActivateInputId = id;
-    if (ImGui::TempInputIsActive(id) || is_tabbed_to || info.wants_focus ||
+    if (ImGui::TempInputIsActive(id) || is_tabbed_to || is_entered(id) || info.wants_focus ||
         (is_hovered && ImGui::IsMouseClicked(0)))
         return type_number(box, id, id_text, value, info);
     const ValueEdit edited = read_if_left(id, value, info);

@@ -11,7 +11,7 @@ struct SliderInfo {
     double low = 0.0;
     double high = 1.0;
     double step = 0.0;  // 0: any value
-    bool is_logarithmic = false;
+    Scale scale = Scale::linear;
     std::optional<double> initial = {};  // marked by a tick
     bool is_changed = false;
     std::string unit = {};

@@ -13,7 +13,7 @@ void set_sizes(ImGuiStyle& style) {
     style.WindowBorderSize = 0.0f;
     style.ChildBorderSize = 0.0f;
     style.PopupBorderSize = 1.0f;
-    style.FrameBorderSize = 0.0f;
+    style.FrameBorderSize = 1.0f;
     style.WindowRounding = 0.0f;
     style.ChildRounding = 0.0f;
     style.PopupRounding = 5.0f;
@@ -29,7 +29,7 @@ void set_surfaces(ImVec4* colors) {
     colors[ImGuiCol_WindowBg] = theme::pane;
     colors[ImGuiCol_ChildBg] = theme::none;
     colors[ImGuiCol_PopupBg] = theme::popup;
-    colors[ImGuiCol_Border] = theme::line;
+    colors[ImGuiCol_Border] = theme::outline;
     colors[ImGuiCol_BorderShadow] = theme::none;
     colors[ImGuiCol_MenuBarBg] = theme::pane;
     colors[ImGuiCol_ScrollbarBg] = theme::none;

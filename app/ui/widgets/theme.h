@@ -22,12 +22,16 @@ constexpr Color line{0.165f, 0.165f, 0.170f, 1.0f};
 constexpr Color text{0.790f, 0.790f, 0.780f, 1.0f};
 constexpr Color label{0.640f, 0.640f, 0.635f, 1.0f};
 constexpr Color dim{0.570f, 0.570f, 0.570f, 1.0f};
-constexpr Color faint{0.340f, 0.340f, 0.345f, 1.0f};
+constexpr Color faint{0.440f, 0.440f, 0.445f, 1.0f};    // inactive text
+constexpr Color outline{0.420f, 0.420f, 0.425f, 1.0f};  // of controls
 constexpr Color accent{0.850f, 0.610f, 0.330f, 1.0f};
 constexpr Color accent_filled{0.420f, 0.315f, 0.195f, 1.0f};
 constexpr Color problem{0.900f, 0.430f, 0.380f, 1.0f};
 constexpr Color problem_pane{0.160f, 0.085f, 0.080f, 0.940f};
 constexpr Color warning{0.840f, 0.710f, 0.380f, 1.0f};
+
+/// Opacity of the pane's colour over controls without an effect.
+constexpr float dimming = 0.42f;
 
 /// Colours and sizes of all widgets at scale 1.
 ImGuiStyle style();

@@ -4,6 +4,7 @@
 #include "model/look/decay.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,4 +64,8 @@ TypedNumber read_typed_number(std::string_view text, const NumberInfo& info) {
         value = std::clamp(value, info.limit->low, info.limit->high);
     }
     return {value, complaint};
+}
+
+Typing& typing() {
+    return *static_cast<Typing*>(ImGui::GetIO().UserData);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/look/parameter.h"
+#include "ui/widgets/typed_prefix.h"
 
 #include <optional>
 #include <string>
@@ -41,10 +42,13 @@ struct SliderDrag {
     double ratio = 0.0;  // unrounded position
 };
 
-/// Text fields and drags in progress. Stored as ImGui's user data; the toolkit owns it.
+/// Typed text and drags in progress. Stored as ImGui's user data; the toolkit owns it.
 struct Typing {
     TypedField open;
     TypedField left;        // lost the focus, not parsed yet
     std::string complaint;  // about the last typed text, reported once
     SliderDrag drag;
+    TypedPrefix list_item;  // of the open list
 };
+
+Typing& typing();

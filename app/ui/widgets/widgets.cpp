@@ -4,7 +4,9 @@
 #include "ui/widgets/line_breaks.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip_place.h"
 #include "ui/widgets/truncated_text.h"
+#include "ui/widgets/typed_number.h"
 
 #include <fmt/format.h>
 #include <imgui/imgui_internal.h>
@@ -22,7 +24,9 @@ Pane::Pane(const char* id, const Rect& rect, const ImVec4& background, bool is_p
     const ScopedColor color(ImGuiCol_ChildBg, background);
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
                                       is_padded ? ImGui::GetStyle().WindowPadding : ImVec2(0, 0));
-    ImGuiWindowFlags flags = is_padded ? ImGuiWindowFlags_AlwaysUseWindowPadding : 0;
+    ImGuiWindowFlags flags = ImGuiWindowFlags_NavFlattened;
+    if (is_padded)
+        flags |= ImGuiWindowFlags_AlwaysUseWindowPadding;
     if (!is_padded || !scrolls)
         flags |= ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     ImGui::BeginChild(id, {std::max(rect.width, 1.0f), std::max(rect.height, 1.0f)}, false, flags);
@@ -82,9 +86,42 @@ void tooltip(const std::string& text) {
         return;
     const ScopedColor color(ImGuiCol_Text, theme::text);         // independent of the item's colour
     const ScopedFont font(ImGui::GetIO().Fonts->Fonts.front());  // and of its font
-    ImGui::BeginTooltip();
-    ImGui::TextUnformatted(wrapped(text, ImGui::GetFontSize() * 24.0f).c_str());
+    const std::string lines = wrapped(text, ImGui::GetFontSize() * 24.0f);
+    begin_tooltip(ImGui::CalcTextSize(lines.c_str()));
+    ImGui::TextUnformatted(lines.c_str());
     ImGui::EndTooltip();
+}
+
+namespace {
+Rect rect_of(const ImRect& rect) {
+    return {rect.Min.x, rect.Min.y, rect.GetWidth(), rect.GetHeight()};
+}
+
+// The pane, dialog or menu with the current item.
+const ImGuiWindow& pane_of_item() {
+    const ImGuiWindow* pane = ImGui::GetCurrentWindow();
+    while ((pane->Flags & ImGuiWindowFlags_ChildWindow) != 0 &&
+           (pane->ParentWindow->Flags & ImGuiWindowFlags_ChildWindow) != 0)
+        pane = pane->ParentWindow;
+    return *pane;
+}
+}  // namespace
+
+void begin_tooltip(const ImVec2& size) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImVec2 padding = ImGui::GetStyle().WindowPadding;
+    const ImGuiWindow* previous = ImGui::FindWindowByName("##Tooltip_00");
+    ImVec2 inner = size;
+    if (size.x == 0.0f && previous)
+        inner = previous->DC.CursorMaxPos - previous->DC.CursorStartPos;
+    const ImVec2 outer{inner.x + 2.0f * padding.x, inner.y + 2.0f * padding.y};
+    const float em = ImGui::GetFontSize();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const Rect place = tooltip_place(
+        rect_of(context.LastItemData.Rect), rect_of(pane_of_item().Rect()),
+        {0.0f, 0.0f, display.x, display.y}, {outer.x, outer.y, 0.5f * em, 26.0f * em});
+    ImGui::SetNextWindowPos({place.left, place.top});
+    ImGui::BeginTooltip();
 }
 
 void editor_tooltip(const std::filesystem::path& file) {
@@ -105,13 +142,14 @@ void heading_with_button(const std::string& text) {
     ImGui::SameLine(width - ImGui::GetFrameHeight());
 }
 
-bool section(const std::string& label, bool opens_first) {
+bool section(const std::string& label, bool opens_first, int buttons) {
     ImGuiStorage& storage = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID(label.c_str());
     bool is_open = storage.GetBool(id, opens_first);
     const float height = ImGui::GetFrameHeight();
-    if (ImGui::InvisibleButton(label.c_str(),
-                               {ImGui::GetContentRegionAvail().x - height, height})) {
+    if (ImGui::InvisibleButton(
+            label.c_str(),
+            {ImGui::GetContentRegionAvail().x - static_cast<float>(buttons) * height, height})) {
         is_open = !is_open;
         storage.SetBool(id, is_open);
     }
@@ -120,7 +158,7 @@ bool section(const std::string& label, bool opens_first) {
     const float middle = at.y + height * 0.5f;
     const float size = ImGui::GetFontSize();
     const float room = ImGui::GetItemRectSize().x - size * 0.95f;
-    const std::string shown = elided_to_width(label, room);  // a small button can follow
+    const std::string shown = elided_to_width(label, room);  // small buttons can follow
     draw_chevron({at.x + size * 0.3f, middle}, is_open,
                  ImGui::IsItemHovered() ? theme::accent : theme::dim);
     ImGui::GetWindowDrawList()->AddText({at.x + size * 0.95f, middle - size * 0.5f},
@@ -146,14 +184,27 @@ void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color) {
                                             ImGui::GetFontSize() * 0.1f);
 }
 
+void focus_list_item(std::string_view label, bool is_chosen) {
+    if (is_chosen)
+        ImGui::SetItemDefaultFocus();
+    if (typing().list_item.is_found(label))
+        ImGui::SetKeyboardFocusHere(-1);
+}
+
 bool begin_combo(const char* id, const std::string& current, float width) {
     ImGui::SetNextItemWidth(width);
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const std::string cut = elided_to_width(current, width - ImGui::GetFontSize() * 1.6f);
     const bool is_open = ImGui::BeginCombo(
         id, cut.c_str(), ImGuiComboFlags_NoArrowButton | ImGuiComboFlags_HeightLarge);
-    if (is_open)
+    if (is_open) {
+        std::string letters;
+        for (const ImWchar letter : ImGui::GetIO().InputQueueCharacters)
+            if (letter < 0x80)
+                letters += static_cast<char>(letter);
+        typing().list_item.add(letters, ImGui::GetTime());
         return true;  // now the list is drawn
+    }
     draw_chevron(
         {low.x + width - ImGui::GetFontSize() * 0.7f, low.y + ImGui::GetFrameHeight() * 0.5f}, true,
         theme::dim);
@@ -162,6 +213,7 @@ bool begin_combo(const char* id, const std::string& current, float width) {
 
 bool quiet_button(const std::string& label) {
     const ScopedColor back(ImGuiCol_Button, theme::none);
+    const ScopedStyle<float> border(ImGuiStyleVar_FrameBorderSize, 0.0f);
     return ImGui::Button(label.c_str());
 }
 

@@ -2,23 +2,13 @@
 
 #include "model/look/extent.h"
 #include "ui/frame/edits.h"
+#include "ui/widgets/rect.h"
 
 #include <imgui/imgui.h>
 
 #include <filesystem>
 #include <string>
-
-/// An area of the window, in window coordinates from the top left corner.
-struct Rect {
-    float left = 0.0f;
-    float top = 0.0f;
-    float width = 0.0f;
-    float height = 0.0f;
-
-    float right() const { return left + width; }
-    float bottom() const { return top + height; }
-    bool is_shown() const { return width > 0.0f && height > 0.0f; }
-};
+#include <string_view>
 
 /// ImGui's texture handle: the GL name, stored as a pointer.
 ImTextureID texture_id(std::uintptr_t handle);
@@ -46,6 +36,9 @@ std::string elided_to_width(const std::string& text, float width);
 bool is_hover_delayed();
 /// Shows a wrapped text when the last item is hovered for a moment.
 void tooltip(const std::string& text);
+/// ImGui::BeginTooltip for the last item, beside its pane. `size`: of the contents; zero: of the
+/// tooltip in the previous frame.
+void begin_tooltip(const ImVec2& size = {});
 /// A tooltip for a file that opens in the user's editor on click.
 void editor_tooltip(const std::filesystem::path& file);
 
@@ -54,15 +47,18 @@ void heading(const std::string& text);
 /// As heading(), with space for a small button, which is drawn next.
 void heading_with_button(const std::string& text);
 
-/// A collapsible header with space for a small button at its end.
-bool section(const std::string& label, bool opens_first);
+/// A collapsible header with space for small buttons at its end.
+bool section(const std::string& label, bool opens_first, int buttons = 1);
 /// Opens the next section with this label.
 void open_section(const std::string& label);
 
 /// An arrowhead centred at `middle`, pointing down or right.
 void draw_chevron(const ImVec2& middle, bool is_down, const ImVec4& color);
 
-/// ImGui::BeginCombo with a less prominent arrow.
+/// Call it after each item of an open list. The chosen item gets the focus when the list opens, and
+/// the first item that starts with the typed letters.
+void focus_list_item(std::string_view label, bool is_chosen);
+/// ImGui::BeginCombo with a less prominent arrow. Letters select an item, see focus_list_item().
 bool begin_combo(const char* id, const std::string& current, float width);
 
 /// A text button without a background until it is hovered.

@@ -170,6 +170,8 @@ void Application::apply(const Edits& edits) {
         m_panels.library().refresh();
     if (edits.copied())
         m_window.set_clipboard(*edits.copied());
+    if (!m_state.copied.empty())
+        m_window.set_clipboard(std::exchange(m_state.copied, {}));
     m_is_quitting = edits.is_quitting();
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());
@@ -197,6 +199,7 @@ Result<bool> run_once(const ApplicationOptions& options) {
         return fail(window.error());
     Lab lab(Library(options.roots), (*window)->context(), nullptr);
     lab.loader().worker().set_wake(gpu::WindowEvents::wake);
+    lab.work().programs.set_wake(gpu::WindowEvents::wake);
     if (!start.state.views.sizes.picture.is_empty())
         lab.work().size.set_view(
             start.state.views.sizes.picture);  // the last size, until the panels report theirs

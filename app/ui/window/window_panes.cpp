@@ -11,6 +11,7 @@
 #include "ui/status/status_bar.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
+#include "ui/window/focus_keys.h"
 #include "ui/window/layout.h"
 #include "ui/window/menu_bar.h"
 
@@ -28,11 +29,13 @@ void draw_panel(PanelPlace place, const Scene& scene, const Layout& layout, Edit
         return;
     if (place == PanelPlace::bottom) {
         const Pane pane("bottom", found->second, theme::pane);
+        begin_pane_focus(scene);
         return draw_bottom_pane(scene, edits);
     }
     const Panel& panel = panel_of(*id);
     const Pane pane(panel.title, found->second, background_of(panel.frame),
                     panel.frame != PanelFrame::own, panel.frame == PanelFrame::scrolling);
+    begin_pane_focus(scene);
     panel.draw(scene, edits);
 }
 
@@ -40,10 +43,12 @@ void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
     draw_panel(PanelPlace::left, scene, layout, edits);
     if (layout.transport.is_shown()) {
         const Pane pane("transport", layout.transport, theme::pane, true, false);
+        begin_pane_focus(scene);
         draw_transport_bar(scene, edits);
     }
     {
         const Pane pane("picture", layout.picture, theme::none, false);
+        begin_pane_focus(scene);
         draw_picture_panel(scene, layout.picture, edits);
     }
     for (const PanelPlace place :
@@ -51,6 +56,7 @@ void draw_panes(const Scene& scene, const Layout& layout, Edits& edits) {
         draw_panel(place, scene, layout, edits);
     if (layout.status.is_shown()) {
         const Pane pane("status", layout.status, theme::pane, true, false);
+        begin_pane_focus(scene);
         draw_status_bar(scene, edits);
     }
 }
@@ -66,9 +72,10 @@ void draw_window(const Scene& scene, Edits& edits) {
                              ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground;
     if (!scene.window.layout.is_picture_only)
         flags |= ImGuiWindowFlags_MenuBar;
+    follow_focus_keys(scene, edits);
     {
         const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-        ImGui::Begin("Afterglow", nullptr, flags);
+        ImGui::Begin(main_window_name, nullptr, flags);
     }
     if (!scene.window.layout.is_picture_only)
         draw_menu_bar(scene, edits);
@@ -78,6 +85,7 @@ void draw_window(const Scene& scene, Edits& edits) {
     draw_panes(scene, layout, edits);
     draw_splitters(layout, scene.scale, edits);
     ImGui::End();
+    draw_focus_frame(scene, edits);
     follow_pointer(scene, edits);
     leave_hidden_sheet(scene, edits);
     draw_dialogs(scene, edits);

@@ -63,6 +63,15 @@ TEST_CASE("previous labels of items are in the order of the items") {
           std::vector<Item>{{0, "Clamp", ""}, {1, "Reinhard", "Soft"}, {2, "ACES", ""}});
 }
 
+TEST_CASE("items can have a note and a colour") {
+    const Parameter parameter = parameter_of(
+        "uniform int a = 1;  // @items \"A\" \"B\" @items_note \"\" \"27 ms\" @items_color \"\" "
+        "\"#ff00ff\"");
+    CHECK(parameter.items[0] == Item{0, "A"});
+    CHECK(parameter.items[1].note == "27 ms");
+    CHECK(parameter.items[1].color == std::array{1.0, 0.0, 1.0});
+}
+
 TEST_CASE("annotations select the control") {
     CHECK(parameter_of("uniform vec3 a = vec3(0.2, 1, 0.3);  // @color").control == Control::color);
     CHECK(parameter_of("uniform vec2 a;  // @point").control == Control::point);
@@ -76,6 +85,25 @@ TEST_CASE("annotations select the control") {
     CHECK(list.control == Control::list);
     CHECK(list.items == std::vector<Item>{{0.0, "Clamp"}, {1.0, "Reinhard"}, {2.0, "ACES"}});
     CHECK(list.range == Range{0.0, 2.0, 1.0});
+}
+
+TEST_CASE("an expression continues up to the next annotation outside quotes") {
+    const Parameter list = parameter_of(
+        "uniform int a = 1;  // @when a==\"Two @ words\"\n"
+        "  //   || a  > 2\n"
+        "  // @items \"One\" \"Two @ words\" \"Three\" @random no");
+    CHECK(list.when == "a==\"Two @ words\" || a > 2");
+    CHECK(list.items.size() == 3);
+    CHECK(list.is_fixed_in_random);
+}
+
+TEST_CASE("a decay has a half-life scale unless its author chooses another one") {
+    const std::string decay = "uniform float a = 0.9;  // @range 0.5 0.999 @unit \"per 1/60 s\"";
+    CHECK(parameter_of(decay).scale == Scale::half_life);
+    CHECK(parameter_of(decay + " @scale linear").scale == Scale::linear);
+    CHECK(parameter_of("uniform float a = 0.9;  // @range 0 1 @scale half-life").scale ==
+          Scale::half_life);
+    CHECK(parameter_of("uniform float a = 0.9;  // @range 0 1").scale == Scale::linear);
 }
 
 TEST_CASE("components of a vector are named by the author or by axis") {
@@ -136,57 +164,82 @@ TEST_CASE("a comment belongs to all declarations of its line, up to the previous
     }
 }
 
-TEST_CASE("every error in an annotation is reported on its own line") {
-    const auto error = [](const std::string& uniform, const std::string& message) {
-        CHECK(error_of("\nuniform " + uniform) == "a.frag:3: error: " + message + "\n");
-    };
-    error("float a; // @rnage 0 1", "unknown annotation '@rnage' (did you mean '@range'?)");
-    error("float a; // @", "unknown annotation '@'");
-    error("float a; // @range 0 1 @range 0 1", "@range is used twice");
-    error("float a; // @range 0", "@range takes a minimum, a maximum and an optional step");
-    error("float a; // @range 0 x", "@range: expected a number, got 'x'");
-    error("float a; // @range 0 1e39", "@range: 1e39 is not a valid float");
-    error("float a; // @range 0 nan", "@range: expected a number, got 'nan'");
-    error("float a; // @range 4 1", "@range: the minimum must be below the maximum, got 4 and 1");
-    error("float a; // @range 1 1", "@range: the minimum must be below the maximum, got 1 and 1");
-    error("float a; // @range 0 1 -1", "@range: the step must be above 0, got -1");
-    error("int a; // @range 0 1.5", "@range: 1.5 is not a valid int");
-    error("int a; // @range 0 2147483648", "@range: 2147483648 is not a valid int");
-    error("uint a; // @limit -1 5", "@limit: -1 is not a valid uint");
-    error("bool a; // @range 0 1", "@range is only for numbers; 'a' is a bool");
-    error("float a = 2.0; // @limit 0 1", "the default 2 is outside @limit");
-    error("float a; // @limit 0 1 @range 0 2", "@range must lie within @limit");
-    error("float a; // @scale log @range 0 1", "@scale log needs a @range with a minimum above 0");
-    error("float a; // @scale log", "@scale log needs a @range with a minimum above 0");
-    error("float a; // @scale cubic", "@scale must be 'linear' or 'log'");
-    error("float a; // @label", "@label takes one text in quotes: @label \"...\"");
-    error("float a; // @label Beam strength", "@label takes one text in quotes: @label \"...\"");
-    error("float a; // @label \"Beam", "the string that starts here has no closing '\"'");
-    error("int a; // @items \"one\"", "@items takes at least two labels, for the values 0, 1, ...");
-    error("int a = 2; // @items \"one\" \"two\"",
-          "@items: the default must be a whole number from 0 to 1, got 2");
-    error("bool a; // @items A B C", "@items of a bool takes two labels, for false and true");
-    error(
-        "int a; // @items A B @items_was X Y Z",
-        "@items_was takes up to 2 labels, one per item; use \"\" for an item that was not renamed");
-    error("int a; // @items A B @items_was B", "@items_was: 'B' is also in @items");
-    error("int a; // @items A B @items_was X X", "@items_was lists 'X' twice");
-    error("int a; // @items_was X", "@items_was needs @items in the same order");
-    error("vec2 a; // @items A B", "@items is only for single values; 'a' is a vec2");
-    error("float a; // @color", "@color is only for vec3 and vec4; 'a' is a float");
-    error("vec3 a; // @color red", "@color takes no arguments");
-    error("ivec2 a; // @point", "@point is only for vec2; 'a' is an ivec2");
-    error("vec2 a; // @angle", "@angle is only for float; 'a' is a vec2");
-    error("vec3 a; // @identity 1 2", "@identity takes one number or 3");
-    error("float a; // @was", "@was takes one name, the previous name of the parameter");
-    error("float a; // @was a", "@was must be a previous name, not the current one");
-    error("float a; // @hidden yes", "@hidden takes no arguments");
-    error("float a; // @angle @items A B", "@items can't be combined with @angle");
-    error("float a; // @parts A", "@parts is only for vectors; 'a' is a float");
-    error("mat2 a; // @parts A B", "@parts is only for vectors; 'a' is a mat2");
-    error("ivec2 a; // @parts A", "@parts of an ivec2 takes 2 labels");
-    error("vec3 a; // @color @parts A B C", "@parts can't be combined with @color");
-    error("sampler2D a; // @range 0 1", "@range is only for numbers; 'a' is a sampler");
+namespace {
+void check_error(const std::string& uniform, const std::string& message) {
+    CHECK(error_of("\nuniform " + uniform) == "a.frag:3: error: " + message + "\n");
+}
+}  // namespace
+
+TEST_CASE("every error in a range, a condition or a text is reported on its own line") {
+    check_error("float a; // @rnage 0 1", "unknown annotation '@rnage' (did you mean '@range'?)");
+    check_error("float a; // @", "unknown annotation '@'");
+    check_error("float a; // @range 0 1 @range 0 1", "@range is used twice");
+    check_error("float a; // @range 0", "@range takes a minimum, a maximum and an optional step");
+    check_error("float a; // @range 0 x", "@range: expected a number, got 'x'");
+    check_error("float a; // @range 0 1e39", "@range: 1e39 is not a valid float");
+    check_error("float a; // @range 0 nan", "@range: expected a number, got 'nan'");
+    check_error("float a; // @range 4 1",
+                "@range: the minimum must be below the maximum, got 4 and 1");
+    check_error("float a; // @range 1 1",
+                "@range: the minimum must be below the maximum, got 1 and 1");
+    check_error("float a; // @range 0 1 -1", "@range: the step must be above 0, got -1");
+    check_error("int a; // @range 0 1.5", "@range: 1.5 is not a valid int");
+    check_error("int a; // @range 0 2147483648", "@range: 2147483648 is not a valid int");
+    check_error("uint a; // @limit -1 5", "@limit: -1 is not a valid uint");
+    check_error("bool a; // @range 0 1", "@range is only for numbers; 'a' is a bool");
+    check_error("float a = 2.0; // @limit 0 1", "the default 2 is outside @limit");
+    check_error("float a; // @limit 0 1 @range 0 2", "@range must lie within @limit");
+    check_error("float a; // @scale log @range 0 1",
+                "@scale log needs a @range with a minimum above 0");
+    check_error("float a; // @scale log", "@scale log needs a @range with a minimum above 0");
+    check_error("float a; // @scale cubic", "@scale must be 'linear', 'log' or 'half-life'");
+    check_error("float a; // @scale half-life @range 0 2",
+                "@scale half-life needs a single float with a @range within 0 and 1");
+    check_error("int a; // @scale half-life",
+                "@scale half-life needs a single float with a @range within 0 and 1");
+    check_error("float a; // @when", "@when takes an expression, such as @when mode == 1");
+    check_error("float a; // @when a == \"x",
+                "the expression that starts here has no closing '\"'");
+    check_error("float a; // @when b > 0", "@when of 'a': no parameter 'b'");
+    check_error("float a; // @random yes", "@random must be 'no'");
+    check_error("float a; // @label", "@label takes one text in quotes: @label \"...\"");
+    check_error("float a; // @label Beam strength",
+                "@label takes one text in quotes: @label \"...\"");
+    check_error("float a; // @label \"Beam", "the string that starts here has no closing '\"'");
+}
+
+TEST_CASE("every error in a list, a control or a name is reported on its own line") {
+    check_error("int a; // @items \"one\"",
+                "@items takes at least two labels, for the values 0, 1, ...");
+    check_error("int a = 2; // @items \"one\" \"two\"",
+                "@items: the default must be a whole number from 0 to 1, got 2");
+    check_error("bool a; // @items A B C", "@items of a bool takes two labels, for false and true");
+    check_error("int a; // @items A B @items_was X Y Z",
+                "@items_was takes up to 2 texts, one per item; use \"\" for an item without one");
+    check_error("int a; // @items A B @items_note X Y Z",
+                "@items_note takes up to 2 texts, one per item; use \"\" for an item without one");
+    check_error("int a; // @items_color \"#ffffff\"",
+                "@items_color needs @items in the same order");
+    check_error("int a; // @items A B @items_color red",
+                "@items_color: expected \"#rrggbb\" or \"\", got \"red\"");
+    check_error("int a; // @items A B @items_was B", "@items_was: 'B' is also in @items");
+    check_error("int a; // @items A B @items_was X X", "@items_was lists 'X' twice");
+    check_error("int a; // @items_was X", "@items_was needs @items in the same order");
+    check_error("vec2 a; // @items A B", "@items is only for single values; 'a' is a vec2");
+    check_error("float a; // @color", "@color is only for vec3 and vec4; 'a' is a float");
+    check_error("vec3 a; // @color red", "@color takes no arguments");
+    check_error("ivec2 a; // @point", "@point is only for vec2; 'a' is an ivec2");
+    check_error("vec2 a; // @angle", "@angle is only for float; 'a' is a vec2");
+    check_error("vec3 a; // @identity 1 2", "@identity takes one number or 3");
+    check_error("float a; // @was", "@was takes one name, the previous name of the parameter");
+    check_error("float a; // @was a", "@was must be a previous name, not the current one");
+    check_error("float a; // @hidden yes", "@hidden takes no arguments");
+    check_error("float a; // @angle @items A B", "@items can't be combined with @angle");
+    check_error("float a; // @parts A", "@parts is only for vectors; 'a' is a float");
+    check_error("mat2 a; // @parts A B", "@parts is only for vectors; 'a' is a mat2");
+    check_error("ivec2 a; // @parts A", "@parts of an ivec2 takes 2 labels");
+    check_error("vec3 a; // @color @parts A B C", "@parts can't be combined with @color");
+    check_error("sampler2D a; // @range 0 1", "@range is only for numbers; 'a' is a sampler");
 }
 
 TEST_CASE("an error in a continuation line is reported on that line") {

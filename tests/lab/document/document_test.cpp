@@ -231,7 +231,7 @@ TEST_CASE("locked values stay when many values change at once") {
         CHECK(document.values() == Values{{"decay", Value(0.5)}});
     }
     SUBCASE("randomise") {
-        randomise_parameters(document, 1);
+        randomise_parameters(document, {.seed = 1});
         CHECK(document.values().at("decay") == Value(0.5));
     }
     document.undo();
@@ -242,7 +242,7 @@ TEST_CASE("locked values stay when many values change at once") {
 
 TEST_CASE("randomise is one undo step") {
     Document document(document_look());
-    randomise_parameters(document, 1);
+    randomise_parameters(document, {.seed = 1});
     CHECK(document.values().size() == 2);
     CHECK(document.history().undo_name() == "Randomise");
     document.undo();

@@ -50,6 +50,18 @@ TEST_CASE("a condition selects one of two values, and conditions nest") {
     CHECK(problem(chain) == "the '? :' conditions are nested too deeply");
 }
 
+TEST_CASE("logical operators give 1 or 0, and bind like those of C") {
+    CHECK(value("2 && 3") == 1.0);
+    CHECK(value("2 && 0") == 0.0);
+    CHECK(value("0 || 0.5") == 1.0);
+    CHECK(value("0 || 0") == 0.0);
+    CHECK(value("!0 + !7") == 1.0);
+    CHECK(value("1 || 1 && 0") == 1.0);
+    CHECK(value("(1 || 1) && 0") == 0.0);
+    CHECK(value("0 == 1 || 2 > 1 ? 5 : 6") == 5.0);
+    CHECK(value("!(1 > 2)") == 1.0);
+}
+
 TEST_CASE("an expression that cannot be parsed gives a specific error") {
     CHECK(problem("$HEIGHT") == "unknown name '$HEIGHT'");
     CHECK(problem("sin(1)") == "unknown function 'sin'");

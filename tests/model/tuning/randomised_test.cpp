@@ -29,7 +29,7 @@ std::vector<Value> rolls(const Parameter& parameter, int count = 4000,
     std::vector<Value> values;
     for (int seed = 0; seed < count; ++seed)
         values.push_back(randomised_values(look, {}, {{parameter.name, setting}},
-                                           static_cast<std::uint64_t>(seed))
+                                           {static_cast<std::uint64_t>(seed)})
                              .at(parameter.name));
     return values;
 }
@@ -126,14 +126,16 @@ TEST_CASE(
     turn.orbit = OrbitPart::turn;
     Parameter matrix = parameter_named("matrix", {0.0, 1.0});
     matrix.type = {Scalar::floating, 2, 2};
+    Parameter fixed = parameter_named("fixed", {0.0, 1.0});
+    fixed.is_fixed_in_random = true;
     Look look =
-        look_of({parameter_named("locked", {0.0, 1.0}), parameter_named("free", {0.0, 1.0}),
+        look_of({fixed, parameter_named("locked", {0.0, 1.0}), parameter_named("free", {0.0, 1.0}),
                  parameter_named("samples", {1.0, 64.0}), hidden, event, file, turn, matrix});
     look.passes.resize(1);
     look.passes[0].repeat = std::string("samples");
     const Values values{{"locked", Value(0.25)}, {"orphan", Value(3.0)}};
     const ParameterSettings settings{{"locked", {.is_locked = true}}};
-    const Values next = randomised_values(look, values, settings, 7);
+    const Values next = randomised_values(look, values, settings, {7});
     CHECK(next.at("locked") == Value(0.25));
     CHECK(next.at("orphan") == Value(3.0));
     CHECK(next.count("free") == 1);
@@ -142,10 +144,38 @@ TEST_CASE(
 
 TEST_CASE("a seed gives the same values, whatever else is locked") {
     const Look look = look_of({parameter_named("a", {0.0, 1.0}), parameter_named("b", {0.0, 1.0})});
-    const Values both = randomised_values(look, {}, {}, 1);
-    CHECK(both == randomised_values(look, {}, {}, 1));
+    const Values both = randomised_values(look, {}, {}, {1});
+    CHECK(both == randomised_values(look, {}, {}, {1}));
     CHECK(both.at("a") != both.at("b"));
-    CHECK(both.at("a") != randomised_values(look, {}, {}, 2).at("a"));
-    const Values one = randomised_values(look, {}, {{"a", {.is_locked = true}}}, 1);
+    CHECK(both.at("a") != randomised_values(look, {}, {}, {2}).at("a"));
+    const Values one = randomised_values(look, {}, {{"a", {.is_locked = true}}}, {1});
     CHECK(one == Values{{"b", both.at("b")}});
+}
+
+TEST_CASE("a strength moves sliders by this share towards the random value") {
+    const Look look = look_of(
+        {parameter_named("a", {0.0, 4.0}), parameter_named("b", {1.0, 100.0}, Scale::logarithmic)});
+    const Values start{{"a", Value(1.0)}, {"b", Value(10.0)}};
+    const Values whole = randomised_values(look, start, {}, {.seed = 3});
+    const Values part = randomised_values(look, start, {}, {.seed = 3, .strength = 0.25});
+    CHECK(std::abs(part.at("a").number() - (0.75 + 0.25 * whole.at("a").number())) < 0.02);
+    const double ratio = std::pow(whole.at("b").number() / 10.0, 0.25);
+    CHECK(std::abs(part.at("b").number() / (10.0 * ratio) - 1.0) < 0.02);
+}
+
+TEST_CASE("a strength is the probability that a list or switch changes") {
+    Parameter list = parameter_named("a", {0.0, 3.0});
+    list.control = Control::list;
+    list.items = {{0, "A"}, {1, "B"}, {2, "C"}, {3, "D"}};
+    int changed = 0;
+    for (std::uint64_t seed = 0; seed < 4000; ++seed)
+        changed +=
+            randomised_values(look_of({list}), {}, {}, {seed, 0.4}).at("a") == Value(0.0) ? 0 : 1;
+    CHECK(std::abs(changed / 4000.0 - 0.4 * 0.75) < spread);  // a quarter keep the item by chance
+}
+
+TEST_CASE("names limit the change to these parameters") {
+    const Look look = look_of({parameter_named("a", {0.0, 1.0}), parameter_named("b", {0.0, 1.0})});
+    const Values next = randomised_values(look, {}, {}, {.seed = 1, .names = {"b"}});
+    CHECK(next == Values{{"b", randomised_values(look, {}, {}, {1}).at("b")}});
 }

@@ -38,6 +38,22 @@ TEST_CASE("a share maps to the slider linearly, or by equal ratios on a logarith
     CHECK(is_close(share_at({plain, ends}, Value(0.25)), 0.5));
 }
 
+TEST_CASE("a half-life slider has equal ratios of half-lives") {
+    // A factor d has the half-life ln(1/2) / (60 ln d).
+    const auto factor = [](double seconds) { return std::pow(0.5, 1.0 / (60.0 * seconds)); };
+    const Parameter decay = ranged({factor(0.01), factor(1.0)}, Scale::half_life);
+    CHECK(is_close(number(decay, 0.0), factor(0.01)));
+    CHECK(is_close(number(decay, 0.5), factor(0.1)));
+    CHECK(is_close(number(decay, 1.0), factor(1.0)));
+    CHECK(is_close(share_at({decay, {}}, Value(factor(0.1))), 0.5));
+    const Parameter whole = ranged({0.0, 1.0}, Scale::half_life);  // 1 ms to 100 s, then the ends
+    CHECK(number(whole, 0.0) == 0.0);
+    CHECK(number(whole, 1.0) == 1.0);
+    CHECK(is_close(number(whole, 0.4), factor(0.1)));
+    CHECK(share_at({whole, {}}, Value(0.0)) == 0.0);
+    CHECK(share_at({whole, {}}, Value(1.0)) == 1.0);
+}
+
 TEST_CASE("steps, integers, lists and switches map to exact values") {
     Parameter odd = ranged({3.0, 25.0, 2.0});
     CHECK(number(odd, 0.45) == 13.0);  // 12.9

@@ -41,7 +41,7 @@ TEST_CASE("notches mark the steps between the ends if there is room for all of t
     CHECK(notch_ratios({.low = 0.0, .high = 4.0}, 100.0).empty());  // no steps
     CHECK(notch_ratios({.low = 0.0, .high = 1e9, .step = 1e-3}, 100.0).empty());
     // 1, 2 .. 8 over three octaves: 7 and 8 are log2(8/7)/3 apart, 6.4 pixels of 100.
-    const SliderInfo ratios{.low = 1.0, .high = 8.0, .step = 1.0, .is_logarithmic = true};
+    const SliderInfo ratios{.low = 1.0, .high = 8.0, .step = 1.0, .scale = Scale::logarithmic};
     CHECK(notch_ratios(ratios, 100.0).size() == 6);
     CHECK(notch_ratios(ratios, 75.0).empty());
 }

@@ -28,3 +28,23 @@ TEST_CASE("all text colours have a contrast of at least 4.5") {
         for (const theme::Color& ground : {theme::pane, theme::popup, theme::field})
             CHECK(contrast(words, ground) >= 4.5);
 }
+
+TEST_CASE("inactive text and outlines of controls have a contrast of at least 3") {
+    for (const theme::Color& ground : {theme::pane, theme::popup})
+        CHECK(contrast(theme::outline, ground) >= 3.0);
+    for (const theme::Color& ground : {theme::pane, theme::popup, theme::field})
+        CHECK(contrast(theme::faint, ground) >= 3.0);
+    const auto dimmed = [](float value, float ground) {
+        return value + (ground - value) * theme::dimming;
+    };
+    const theme::Color label{dimmed(theme::label.red, theme::pane.red),
+                             dimmed(theme::label.green, theme::pane.green),
+                             dimmed(theme::label.blue, theme::pane.blue), 1.0f};
+    CHECK(contrast(label, theme::pane) >= 3.0);
+}
+
+TEST_CASE("the style of all widgets has the theme's outline") {
+    const ImGuiStyle style = theme::style();
+    CHECK(style.FrameBorderSize == 1.0f);
+    CHECK(theme::packed(style.Colors[ImGuiCol_Border]) == theme::packed(theme::outline));
+}

@@ -1,4 +1,4 @@
-#include "lab/storage/editor.h"
+#include "lab/editor/editor.h"
 
 #include "io/temporary_folder.h"
 
@@ -85,9 +85,41 @@ TEST_CASE("without a file there is no command, and without a line it is line 1")
           Words{"gvim", "+1", "/looks/look.json"});
 }
 
-TEST_CASE("a missing editor is reported by its name") {
-    setenv("VISUAL", "/no/such/editor", 1);
-    const auto opened = open_in_editor(place);
-    REQUIRE_FALSE(opened.has_value());
-    CHECK(opened.error().front().message.find("/no/such/editor") != std::string::npos);
+TEST_CASE("a chosen command comes first, with {file} and {line} anywhere") {
+    setenv("VISUAL", "gvim", 1);
+    CHECK(editor_command(place, "ed --at={line} --open {file}").value() ==
+          Words{"ed", "--at=12", "--open", "/looks/a b.frag"});
+    CHECK(editor_command(place, "ed {file}:{line}").value() == Words{"ed", "/looks/a b.frag:12"});
+    CHECK(editor_command(place, "kate -b").value() ==
+          Words{"kate", "-b", "+12", "/looks/a b.frag"});  // as in $VISUAL
+    CHECK(editor_command({"/looks/{line}.frag", 3}, "ed {file} {line}").value() ==
+          Words{"ed", "/looks/{line}.frag", "3"});
+}
+
+TEST_CASE("installed editors are suggested, terminal editors only with a terminal") {
+    const TemporaryFolder folder;
+    const auto install = [&](const char* name) {
+        const auto file = folder.write(name, "");
+        std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    };
+    const char* const path = getenv("PATH");
+    const std::string before = path ? path : "";
+    setenv("PATH", folder.path().c_str(), 1);
+    CHECK(installed_editors().empty());
+    install("vim");
+    install("code");
+    REQUIRE(installed_editors().size() == 1);
+    CHECK(installed_editors()[0].name == "Visual Studio Code");
+    install("x-terminal-emulator");
+    CHECK(installed_editors().size() == 2);
+    setenv("PATH", before.c_str(), 1);
+}
+
+TEST_CASE("the chosen command is stored") {
+    const TemporaryFolder folder;
+    Roots roots;
+    roots.state = folder.path();
+    CHECK(load_editor(roots).empty());
+    REQUIRE(save_editor(roots, "ed {file}").has_value());
+    CHECK(load_editor(roots) == "ed {file}");
 }

@@ -1,4 +1,4 @@
-#include "lab/storage/split_command.h"
+#include "lab/editor/split_command.h"
 
 #include <utility>
 
