@@ -85,11 +85,12 @@ std::optional<OscMessage::Argument> read_argument(char tag, OscReader& reader) {
         case 'd':
             return as_argument(as_float<double>(reader.number<std::uint64_t>()));
         case 's':
+        case 'S':
             if (auto text = reader.text())
                 return std::move(*text);
             return std::nullopt;
         default:
-            return tag == 'T' ? 1.0 : 0.0;
+            return tag == 'F' ? 0.0 : 1.0;
     }
 }
 
@@ -105,7 +106,7 @@ Result<void> read_message(OscReader reader, Messages& messages) {
     if (!tags || !tags->starts_with(','))
         return fail({{}, 0, fmt::format("the type tags of '{}' are invalid", message.address)});
     for (const char tag : tags->substr(1)) {
-        if (std::string_view("ifshdTF").find(tag) == std::string_view::npos)
+        if (std::string_view("ifshdSTFI").find(tag) == std::string_view::npos)
             return fail({{},
                          0,
                          fmt::format("'{}' has an argument of unsupported type '{}'",
@@ -164,4 +165,33 @@ Result<std::vector<OscMessage>> parse_osc(std::span<const std::uint8_t> packet) 
     if (auto read = read_packet(packet, 0, messages); !read)
         return fail(std::move(read.error()));
     return messages;
+}
+
+namespace {
+void append_text(std::string_view text, std::vector<std::uint8_t>& packet) {
+    text = text.substr(0, text.find('\0'));
+    packet.insert(packet.end(), text.begin(), text.end());
+    packet.insert(packet.end(), part_size - text.size() % part_size, 0);
+}
+
+void append_float(float number, std::vector<std::uint8_t>& packet) {
+    const auto bits = std::bit_cast<std::uint32_t>(number);
+    for (const int shift : {24, 16, 8, 0})
+        packet.push_back(static_cast<std::uint8_t>(bits >> shift));
+}
+}  // namespace
+
+std::vector<std::uint8_t> osc_packet(const OscMessage& message) {
+    std::vector<std::uint8_t> packet;
+    append_text(message.address, packet);
+    std::string tags = ",";
+    for (const OscMessage::Argument& argument : message.arguments)
+        tags += std::holds_alternative<std::string>(argument) ? 's' : 'f';
+    append_text(tags, packet);
+    for (const OscMessage::Argument& argument : message.arguments)
+        if (const auto* text = std::get_if<std::string>(&argument))
+            append_text(*text, packet);
+        else
+            append_float(static_cast<float>(std::get<double>(argument)), packet);
+    return packet;
 }

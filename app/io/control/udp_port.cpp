@@ -10,28 +10,34 @@
 #include <system_error>
 
 namespace {
-sockaddr_in local_address(int port) {
+sockaddr_in internet_address(const UdpAddress& from) {
     sockaddr_in address{};
     address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    address.sin_port = htons(static_cast<std::uint16_t>(from.port));
+    address.sin_addr.s_addr = htonl(from.host);
     return address;
+}
+
+std::string system_error_text(int reason) {
+    return std::generic_category().message(reason);
 }
 }  // namespace
 
-Result<UdpPort> UdpPort::open(int port) {
+Result<UdpPort> UdpPort::open(int port, NetworkReach reach) {
     const auto refused = [port](int reason) {
-        return fail({{},
-                     0,
-                     reason == EADDRINUSE
-                         ? fmt::format("can't listen on port {}: another program is using it", port)
-                         : fmt::format("can't listen on port {}: {}", port,
-                                       std::generic_category().message(reason))});
+        return fail(
+            {{},
+             0,
+             reason == EADDRINUSE
+                 ? fmt::format("can't listen on port {}: another program is using it", port)
+                 : fmt::format("can't listen on port {}: {}", port, system_error_text(reason))});
     };
     Descriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
     if (!socket.is_open())
         return refused(errno);
-    sockaddr_in address = local_address(port);
+    const bool is_open_to_network = reach == NetworkReach::local_network;
+    sockaddr_in address =
+        internet_address({is_open_to_network ? INADDR_ANY : INADDR_LOOPBACK, port});
     socklen_t size = sizeof(address);
     auto* const any = reinterpret_cast<sockaddr*>(&address);
     if (::bind(socket.get(), any, size) != 0 || ::getsockname(socket.get(), any, &size) != 0)
@@ -39,11 +45,25 @@ Result<UdpPort> UdpPort::open(int port) {
     return UdpPort(std::move(socket), ntohs(address.sin_port));
 }
 
-std::optional<std::vector<std::uint8_t>> UdpPort::take() const {
+std::optional<UdpPacket> UdpPort::take() const {
     constexpr std::size_t largest = 65536;
     std::array<std::uint8_t, largest> buffer;
-    const auto size = ::recv(m_socket.get(), buffer.data(), buffer.size(), 0);
+    sockaddr_in sender{};
+    socklen_t sender_size = sizeof(sender);
+    const auto size = ::recvfrom(m_socket.get(), buffer.data(), buffer.size(), 0,
+                                 reinterpret_cast<sockaddr*>(&sender), &sender_size);
     if (size < 0)
         return std::nullopt;
-    return std::vector<std::uint8_t>(buffer.begin(), buffer.begin() + size);
+    return UdpPacket{{buffer.begin(), buffer.begin() + size},
+                     {ntohl(sender.sin_addr.s_addr), ntohs(sender.sin_port)}};
+}
+
+Result<void> UdpPort::send(std::span<const std::uint8_t> bytes, const UdpAddress& to) const {
+    const sockaddr_in address = internet_address(to);
+    const auto sent = ::sendto(m_socket.get(), bytes.data(), bytes.size(), 0,
+                               reinterpret_cast<const sockaddr*>(&address), sizeof(address));
+    if (sent < 0)
+        return fail(
+            {{}, 0, fmt::format("can't send to {}: {}", to_string(to), system_error_text(errno))});
+    return {};
 }

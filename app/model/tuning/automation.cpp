@@ -3,10 +3,10 @@
 #include <algorithm>
 
 namespace {
-constexpr double slack = 1e-6;  // s, the resolution of a file
+constexpr double time_slack = 1e-6;  // s, the resolution of a file
 
 bool is_reserved_later(double seconds, const AutomationPoint& point) {
-    return seconds + slack < point.seconds;
+    return seconds + time_slack < point.seconds;
 }
 
 // Searches the points at the end of the list.
