@@ -3,9 +3,11 @@
 #include "base/elapsed.h"
 #include "formats/preset/modulation_format.h"
 #include "formats/preset/preset_format.h"
+#include "lab/commands/remote_commands.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
+#include "lab/lab_parts.h"
 #include "lab/offline/thumbnail.h"
 #include "lab/session.h"
 
@@ -17,7 +19,8 @@ namespace fs = std::filesystem;
 Lab::Lab(Library library, const gpu::Context& screen, std::unique_ptr<gpu::Context> worker,
          std::unique_ptr<MidiInputs> midi)
     : m_work(std::move(library)),
-      m_remote(m_work.document, m_work.library.roots(), m_work.messages, std::move(midi)),
+      m_remote(m_work.document, m_work.library.roots(), m_work.messages, std::move(midi),
+               remote_commands()),
       m_loader(std::move(worker), screen, m_work.library.roots(), m_work.messages) {}
 
 void Lab::edit(const std::function<void(Document&)>& change) {
@@ -25,12 +28,12 @@ void Lab::edit(const std::function<void(Document&)>& change) {
         change(*m_work.document);
 }
 
-void Lab::update(double wall_seconds) {
+void Lab::update(double wall_seconds, WindowState* window) {
     const auto start = std::chrono::steady_clock::now();
     m_work.messages.update(wall_seconds);
     update_loading(wall_seconds);
     const double loading_seconds = seconds_since(start);
-    m_remote.update(wall_seconds);  // OSC and MIDI become edits of the document
+    m_remote.update(wall_seconds, mutable_parts(*this, window));
     m_work.size.update(wall_seconds);
     m_jobs.update();
     m_work.programs.update();

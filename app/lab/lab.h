@@ -65,8 +65,9 @@ public:
     BackgroundJobs& jobs() { return m_jobs; }
     const BackgroundJobs& jobs() const { return m_jobs; }
 
-    /// One iteration: reads changed files, takes built looks, applies edits, draws.
-    void update(double wall_seconds);
+    /// One iteration: reads changed files, takes built looks, applies edits, draws. `window` is for
+    /// remote commands; null: without a window.
+    void update(double wall_seconds, WindowState* window = nullptr);
     /// Whether the next update has work without any event.
     bool is_moving() const;
 

@@ -4,6 +4,7 @@
 #include "formats/preset/preset_format.h"
 #include "lab/document/opened_preset.h"
 #include "lab/library/library_view.h"
+#include "lab/library/named_preset.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,33 @@ void PresetNavigation::step(int by, bool only_starred) {
         return;
     m_loader.open(*request);
     m_step = next;
+}
+
+Result<void> PresetNavigation::open_named(const std::string& name, std::optional<double> seconds) {
+    if (!m_work.document)
+        return fail(Diagnostic{{}, 0, "no look is open"});
+    const Look& look = m_work.document->look();
+    const auto file = find_named_preset(m_work.library, look.id, name);
+    if (!file)
+        return fail(file.error());
+    const auto request =
+        resolve(file->empty() ? argument_of(look) : file->string(), m_work.library);
+    if (!request)
+        return fail(request.error());
+    if (seconds && *seconds > 0.0 && (!request->preset || request->preset->look == look.id))
+        morph_to(*file, *seconds);
+    else
+        m_loader.open(*request);
+    return {};
+}
+
+std::vector<std::string> PresetNavigation::names() const {
+    std::vector<std::string> names;
+    if (m_work.document)
+        for (const PresetEntry& entry :
+             in_listed_order(m_work.library.presets(m_work.document->look().id)))
+            names.push_back(entry.id);
+    return names;
 }
 
 void PresetNavigation::note_opened(const OpenRequest& request, bool had_changes) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// Next, previous and favourite presets, opened immediately or morphed to.
 class PresetNavigation {
@@ -24,6 +25,11 @@ public:
     /// Opens the preset `by` entries further in the list of the open look, or of its favourites. If
     /// the last step has not opened yet, continues from its preset.
     void step(int by, bool only_starred = false);
+    /// Opens a preset by name, see find_named_preset(). With `seconds`, morphs to it if it belongs
+    /// to the open look.
+    Result<void> open_named(const std::string& name, std::optional<double> seconds = {});
+    /// The names of the presets of the open look, in the order of the list.
+    std::vector<std::string> names() const;
     /// Morphs to a preset of the open look, as one undo step, and opens it at the end; "": to the
     /// look's defaults.
     void morph_to(const std::filesystem::path& preset, double seconds);

@@ -92,6 +92,21 @@ Edit change_remote(const std::function<void(RemoteSettings&)>& change) {
         remote.set_settings(settings);
     };
 }
+
+MenuEntry port_entry(const char* name, int current, double lowest, int RemoteSettings::*port,
+                     std::string help) {
+    const auto answer = [port](double typed) -> std::vector<Edit> {
+        return {change_remote([port, typed](RemoteSettings& changed) {
+            changed.*port = static_cast<int>(std::lround(typed));
+        })};
+    };
+    return {.name = name,
+            .number = NumberPrompt{.current = static_cast<double>(current),
+                                   .limit = {lowest, 65535.0},
+                                   .is_whole = true,
+                                   .help = std::move(help),
+                                   .answer = answer}};
+}
 }  // namespace
 
 MenuSection sound_section(const SoundInfo& info) {
@@ -119,6 +134,11 @@ MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool 
     };
     offer("Listen to OSC", hears_osc,
           [next = !hears_osc](RemoteSettings& changed) { changed.listens_to_osc = next; });
+    for (const auto& [name, reach] :
+         {std::pair{"OSC from this machine", NetworkReach::this_machine},
+          std::pair{"OSC from the local network", NetworkReach::local_network}})
+        offer(name, settings.osc_reach == reach,
+              [chosen = reach](RemoteSettings& changed) { changed.osc_reach = chosen; });
     offer("Listen to MIDI", hears_midi,
           [next = !hears_midi](RemoteSettings& changed) { changed.listens_to_midi = next; });
     offer("Soft takeover", settings.has_soft_takeover,
@@ -127,17 +147,17 @@ MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool 
         {.name = "Rescan MIDI devices",
          .commands = {[](RemoteControl& remote) { remote.find_midi_devices(); }}});
     section.entries.push_back(
-        {.name = "OSC port…",
-         .number = NumberPrompt{.current = static_cast<double>(settings.osc_port),
-                                .limit = {1.0, 65535.0},
-                                .is_whole = true,
-                                .answer = [](double typed) -> std::vector<Edit> {
-                                    return {change_remote([typed](RemoteSettings& changed) {
-                                        changed.osc_port = static_cast<int>(std::lround(typed));
-                                    })};
-                                }}});
+        port_entry("OSC port…", settings.osc_port, 1.0, &RemoteSettings::osc_port, {}));
+    section.entries.push_back(port_entry("OSC reply port…", settings.osc_reply_port, 0.0,
+                                         &RemoteSettings::osc_reply_port,
+                                         "0: the port that the sender uses"));
     for (const MidiBinding& binding : settings.midi)
         offer(fmt::format("Unmap {} ({})", binding.goal.parameter, to_string(binding)), false,
               [goal = binding.goal](RemoteSettings& changed) { changed.unbind(goal); });
+    for (const MidiCommand& bound : settings.midi_commands)
+        offer(fmt::format("Unmap {} ({})", bound.command, to_string(bound.trigger)), false,
+              [command = bound.command](RemoteSettings& changed) {
+                  changed.unbind_command(command);
+              });
     return section;
 }

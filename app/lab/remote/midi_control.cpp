@@ -3,11 +3,13 @@
 #include "lab/document/naming.h"
 #include "model/tuning/slider_share.h"
 
+#include <fmt/format.h>
+
 Result<void> MidiControl::listen(bool listens) {
     m_inputs->close();
     m_is_listening = false;
-    m_goal.reset();
-    m_learnt.reset();
+    learn({});
+    m_last.clear();
     m_takeovers.clear();
     m_problem.clear();
     m_applied = m_refused = 0;
@@ -21,6 +23,12 @@ Result<void> MidiControl::listen(bool listens) {
 void MidiControl::learn(std::optional<MidiTarget> goal) {
     m_goal = std::move(goal);
     m_learnt.reset();
+    m_triggers.learn({});
+}
+
+void MidiControl::learn_command(std::optional<std::string> command) {
+    learn({});
+    m_triggers.learn(std::move(command));
 }
 
 // A 14-bit device sends the lower half immediately after the upper one. Then both are bound.
@@ -40,29 +48,43 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& chang
     return previous;
 }
 
-std::optional<MidiBinding> MidiControl::update(const RemoteSettings& settings, Document* document,
-                                               RemoteEdits& edits, double now_seconds) {
-    std::optional<MidiBinding> learnt;
+MidiNews MidiControl::update(const RemoteSettings& settings, Document* document, RemoteEdits& edits,
+                             double now_seconds) {
+    MidiNews news;
     constexpr int maximum = 1000;  // per update, so that endless input cannot block the picture
     for (int i = 0; i < maximum; ++i) {
         const auto message = m_inputs->take();
         if (!message)
             break;
-        const auto message_read = parse_midi(*message);
-        if (!message_read)
-            continue;
-        m_last = message_read;
-        if (auto now = learnt_of(*message_read, now_seconds))
-            learnt = now;
-        else if (document && !document->has_pending_stack())
-            for (const MidiBinding& binding : settings.midi)
-                if (const auto share = m_pairs.share(binding, *message_read))
-                    set_value(binding, *share, settings, *document, edits, now_seconds);
-        m_pairs.note(*message_read);
+        take(*message, settings, document, edits, now_seconds, news);
     }
-    if (learnt)
-        m_takeovers.erase({learnt->goal.parameter, learnt->goal.component});
-    return learnt;
+    if (news.learnt)
+        m_takeovers.erase({news.learnt->goal.parameter, news.learnt->goal.component});
+    return news;
+}
+
+void MidiControl::take(std::span<const std::uint8_t> message, const RemoteSettings& settings,
+                       Document* document, RemoteEdits& edits, double now_seconds, MidiNews& news) {
+    const auto press = parse_midi_press(message);
+    const auto change = parse_midi(message);
+    if (press)
+        m_last = change ? fmt::format("{}, value {}", to_string(press->trigger), change->value)
+                        : fmt::format("{}{}", to_string(press->trigger),
+                                      press->is_down ? "" : ", released");
+    if (!m_goal)
+        if (auto command = m_triggers.take(message, settings, news.pressed)) {
+            news.learnt_command = std::move(command);
+            return;
+        }
+    if (!change)
+        return;
+    if (auto learnt = learnt_of(*change, now_seconds))
+        news.learnt = learnt;
+    else if (document && !document->has_pending_stack())
+        for (const MidiBinding& binding : settings.midi)
+            if (const auto share = m_pairs.share(binding, *change))
+                set_value(binding, *share, settings, *document, edits, now_seconds);
+    m_pairs.note(*change);
 }
 
 // A parameter that the open look does not have belongs to another look and is ignored.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "io/control/midi_inputs.h"
+#include "lab/remote/midi_triggers.h"
 #include "lab/remote/remote_edits.h"
 #include "model/devices/remote_settings.h"
 
@@ -12,7 +13,14 @@
 #include <utility>
 #include <vector>
 
-/// Controls parameters by MIDI devices, and learns their mapping.
+/// What the messages of an update learnt, and the commands that they run.
+struct MidiNews {
+    std::optional<MidiBinding> learnt = {};
+    std::optional<MidiCommand> learnt_command = {};
+    std::vector<PressedCommand> pressed = {};
+};
+
+/// Controls parameters and commands by MIDI devices, and learns their mapping.
 class MidiControl {
 public:
     explicit MidiControl(std::unique_ptr<MidiInputs> inputs) : m_inputs(std::move(inputs)) {}
@@ -27,19 +35,24 @@ public:
     /// Binds the next moved controller to `goal`; nullopt: stops learning.
     void learn(std::optional<MidiTarget> goal);
     const std::optional<MidiTarget>& learning() const { return m_goal; }
+    /// Binds the next pressed note, program or button to a command; nullopt: stops learning.
+    void learn_command(std::optional<std::string> command);
+    const std::optional<std::string>& learning_command() const { return m_triggers.learning(); }
 
-    /// Applies the received messages; `document` null: no look is open. Returns a learnt binding.
-    std::optional<MidiBinding> update(const RemoteSettings& settings, Document* document,
-                                      RemoteEdits& edits, double now_seconds);
+    /// Applies the received messages; `document` null: no look is open.
+    MidiNews update(const RemoteSettings& settings, Document* document, RemoteEdits& edits,
+                    double now_seconds);
 
-    /// The last received controller value, bound or not.
-    const std::optional<MidiControlChange>& last() const { return m_last; }
+    /// The last received message, bound or not: "CC 21, channel 1, value 64"; "": none.
+    const std::string& last() const { return m_last; }
     /// The number of applied and refused changes, and the last reason for refusal; "": not refused.
     std::size_t applied() const { return m_applied; }
     std::size_t refused() const { return m_refused; }
     const std::string& problem() const { return m_problem; }
 
 private:
+    void take(std::span<const std::uint8_t> message, const RemoteSettings& settings,
+              Document* document, RemoteEdits& edits, double now_seconds, MidiNews& news);
     std::optional<MidiBinding> learnt_of(const MidiControlChange& change, double now_seconds);
     void set_value(const MidiBinding& binding, double share, const RemoteSettings& settings,
                    Document& document, RemoteEdits& edits, double now_seconds);
@@ -51,7 +64,8 @@ private:
     double m_learnt_seconds = 0.0;
     Midi14BitDecoder m_pairs;
     std::map<std::pair<std::string, std::size_t>, SoftTakeover> m_takeovers;  // by target
-    std::optional<MidiControlChange> m_last;
+    MidiTriggers m_triggers;
+    std::string m_last;
     std::size_t m_applied = 0;
     std::size_t m_refused = 0;
     std::string m_problem;

@@ -2,48 +2,60 @@
 
 #include "io/control/osc_packet.h"
 #include "io/control/udp_port.h"
-#include "lab/remote/remote_edits.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
-/// Parses a message `/afterglow/NAME` with one number per component, or with a text as the user
-/// would type it.
-Result<RemoteChange> change_of(const OscMessage& message, const Look& look);
+/// A message and its sender.
+struct ReceivedOsc {
+    OscMessage message;
+    UdpAddress sender;
+};
 
-/// Lets other programs on this machine set parameters by Open Sound Control.
+/// A packet that could not be read, and its sender.
+struct RejectedPacket {
+    UdpAddress sender;
+    std::string reason;
+};
+
+/// Receives and sends Open Sound Control messages.
 class OscControl {
 public:
     /// Opens the port; 0 closes it. If it fails, no port is open.
-    Result<void> listen(int port);
+    Result<void> listen(int port, NetworkReach reach = NetworkReach::this_machine);
     bool is_listening() const { return m_port.has_value(); }
     /// -1: not open.
     int descriptor() const { return m_port ? m_port->descriptor() : -1; }
     int port() const { return m_port ? m_port->number() : 0; }
+    NetworkReach reach() const { return m_reach; }
+    /// Changes with each listen(), because another port can have the same descriptor.
+    std::size_t opening() const { return m_opening; }
+    /// The networks that senders can be in; empty if only this machine is accepted.
+    const std::vector<LocalNetwork>& networks() const { return m_networks; }
 
-    /// Applies up to 1000 received messages; the remaining ones wait for the next call. Null: no
-    /// look is open.
-    void update(Document* document, RemoteEdits& edits, double now_seconds);
-
-    /// Whether messages wait for the next call.
+    /// Call it in every update, before take(). Follows changes of the networks. The time is of a
+    /// clock that never stops.
+    void begin_update(double now_seconds);
+    /// The next message of up to 100 packets per update; nullopt: none. Packets that cannot be
+    /// read, or that come from outside, are added to `rejected`.
+    std::optional<ReceivedOsc> take(std::vector<RejectedPacket>& rejected);
+    /// Whether messages wait for the next update.
     bool has_more() const { return m_next < m_messages.size(); }
 
-    std::size_t applied() const { return m_applied; }
-    std::size_t refused() const { return m_refused; }
-    /// The last reason for refusal; "": not refused.
-    const std::string& problem() const { return m_problem; }
+    /// Sends a reply from the open port.
+    Result<void> send(const OscMessage& message, const UdpAddress& to) const;
 
 private:
-    void read(const std::vector<std::uint8_t>& packet);
-    void take(const OscMessage& message, Document* document, RemoteEdits& edits,
-              double now_seconds);
-    void refuse(const Diagnostics& reasons);
+    void read(const UdpPacket& packet, std::vector<RejectedPacket>& rejected);
 
     std::optional<UdpPort> m_port;
-    std::size_t m_applied = 0;  // messages
-    std::size_t m_refused = 0;  // packets and messages
-    std::string m_problem;
+    NetworkReach m_reach = NetworkReach::this_machine;
+    std::size_t m_opening = 0;
+    std::vector<LocalNetwork> m_networks;
+    double m_networks_seconds = 0.0;     // time of their last update
     std::vector<OscMessage> m_messages;  // of the latest packet
     std::size_t m_next = 0;              // index of the next message
+    UdpAddress m_sender;                 // of the latest packet
+    std::size_t m_packets = 0;           // taken in this update
 };

@@ -21,6 +21,7 @@ inline constexpr PanelId pins = "pins";
 inline constexpr PanelId sheet = "sheet";
 inline constexpr PanelId waveform = "waveform";
 inline constexpr PanelId presets = "presets";
+inline constexpr PanelId remote = "remote";
 }  // namespace panel_id
 
 /// An area of the window for panels, of which it shows one.

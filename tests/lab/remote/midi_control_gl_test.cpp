@@ -1,45 +1,13 @@
 // Knobs of MIDI devices, simulated by their bytes.
-#include "io/control/midi_inputs.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/stack_edits.h"
+#include "lab/remote/fake_midi.h"
 #include "lab/remote/midi_control.h"
 #include "lab/small_lab.h"
 
 #include <cmath>
-#include <deque>
 
 namespace {
-using Bytes = std::vector<std::uint8_t>;
-
-/// Connected device names and their pending messages.
-struct FakeDevice {
-    std::vector<std::string> plugged = {"nanoKONTROL"};
-    std::deque<Bytes> messages;
-};
-
-class FakeMidi : public MidiInputs {
-public:
-    explicit FakeMidi(FakeDevice& device) : m_device(device) {}
-    Result<void> open() override {
-        m_names = m_device.plugged;
-        return m_names.empty() ? fail({{}, 0, "no device found"}) : Result<void>();
-    }
-    void close() override { m_names.clear(); }
-    std::vector<std::string> names() const override { return m_names; }
-    std::optional<Bytes> take() override {
-        if (m_names.empty() || m_device.messages.empty())
-            return std::nullopt;
-        auto message = m_device.messages.front();
-        m_device.messages.pop_front();
-        return message;
-    }
-    int descriptor() const override { return -1; }
-
-private:
-    FakeDevice& m_device;
-    std::vector<std::string> m_names;
-};
-
 /// A lab with a simulated device.
 class Turning : public SmallLab {
 public:
