@@ -18,6 +18,7 @@ from looking import Looking
 from moving import Moving
 from owning import Owning
 from person import Person
+from remoting import Remoting
 from trying import Trying
 from tuning import Tuning
 
@@ -28,7 +29,8 @@ class Tuner(Tuning, Keeping, Trying):
     """The first group of tests. They share a window, and each one starts with the initial look."""
 
 
-class Looker(Driving, Drawing, Editing, Looking, Moving, Comparing, Choosing):
+class Looker(Driving, Drawing, Editing, Looking, Moving, Remoting, Comparing,
+             Choosing):
     """The second group."""
 
 

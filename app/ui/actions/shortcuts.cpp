@@ -65,7 +65,7 @@ void escape(const Scene& scene, Edits& edits) {
         edits.change([](LookCommands& looks) { looks.cancel_opening(); });
     else if (scene.lab.renderer && scene.lab.renderer->replay().is_running())
         edits.change([](FrameLoop& frames) { frames.cancel_replay(); });
-    else if (scene.lab.remote.midi().learning())
+    else if (scene.lab.remote.midi().learning() || scene.lab.remote.midi().learning_command())
         edits.change([](RemoteControl& remote) { remote.end_midi_learning(); });
     else if (scene.lab.frames.previews().probe().request())
         edits.change([](Previews& previews) { previews.probe().stop(); });
@@ -85,6 +85,11 @@ void escape(const Scene& scene, Edits& edits) {
         edits.change([](DrawingTool& drawing) { drawing.take_pen(false); });
 }
 }  // namespace
+
+void act_with_undo_notice(const Action& action, const Scene& scene, Edits& edits) {
+    action.act(scene, edits);
+    offer_undo(action, scene, edits);
+}
 
 void run_shortcuts(const Scene& scene, Edits& edits) {
     for (const Action& action : scene.actions.rows())
@@ -116,10 +121,8 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
                               (keyboard.has_focus && moves_focus(action.chord)) ||
                               (!action.chord.control &&
                                (keyboard.is_in_menus || is_key_of_look(action.chord.key, scene)));
-        if (is_pressed(action.chord) && !is_taken && is_enabled(action, scene)) {
-            action.act(scene, edits);
-            offer_undo(action, scene, edits);
-        }
+        if (is_pressed(action.chord) && !is_taken && is_enabled(action, scene))
+            act_with_undo_notice(action, scene, edits);
     }
     if (is_pressed({'Y', true}) && !is_typing)
         run(ActionId::redo, scene, edits);

@@ -3,10 +3,14 @@
 #include "gpu/input_event.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/palette_list.h"
+#include "ui/frame/action_name.h"
+#include "ui/widgets/remote_menu.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 #include <imgui/imgui_stdlib.h>
 
 #include <algorithm>
@@ -14,11 +18,16 @@
 namespace {
 constexpr int rows_shown = 12;
 
+// Whether the menu of a row is open. The keys then belong to it.
+bool is_row_menu_open() {
+    return ImGui::GetCurrentContext()->OpenPopupStack.Size > 1;
+}
+
 // The typed text, including the input of this frame.
 std::string draw_query(const Dialog& dialog, float width, Edits& edits) {
     std::string text = dialog.text;
     ImGui::SetNextItemWidth(width);
-    if (dialog.is_new || !ImGui::IsAnyItemActive())
+    if (dialog.is_new || (!ImGui::IsAnyItemActive() && !is_row_menu_open()))
         ImGui::SetKeyboardFocusHere();
     if (ImGui::InputTextWithHint("##query", "Find commands, looks, presets, passes or parameters",
                                  &text))
@@ -33,6 +42,8 @@ std::string draw_query(const Dialog& dialog, float width, Edits& edits) {
 // The selected row after the key presses of this frame.
 int moved_choice(int chosen, int count, Edits& edits) {
     const int before = chosen;
+    if (is_row_menu_open())
+        return std::clamp(chosen, 0, std::max(count - 1, 0));
     const auto move = [&](int key, int by) {
         if (ImGui::IsKeyPressed(key))
             chosen += by;
@@ -93,9 +104,24 @@ bool draw_palette_row(const PaletteRow& row) {
     return is_clicked;
 }
 
+// The command of an entry for OSC and MIDI; "": none.
+RemoteItem remote_item(const PaletteEntry& entry, const Scene& scene) {
+    if (entry.kind == PaletteEntry::Kind::action)
+        for (const Action& action : scene.actions.rows())
+            if (action.label == entry.id)
+                return {action_command(action), action.label};
+    if (entry.kind == PaletteEntry::Kind::preset)
+        for (const ListedLook& look : scene.library_view.looks())
+            for (const ListedLookPreset& preset : look.presets)
+                if (preset.entry.file == entry.subject)
+                    return {fmt::format("preset/{}/{}", preset.entry.look, preset.entry.id),
+                            preset.name};
+    return {};
+}
+
 // The clicked row; -1: none.
 int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<PaletteMatch>& matches,
-              int chosen, bool follows, Edits& edits) {
+              int chosen, bool follows, const Scene& scene, Edits& edits) {
     const float height = ImGui::GetTextLineHeightWithSpacing();
     const float shown = height * static_cast<float>(rows_shown);
     const float top = height * static_cast<float>(chosen);
@@ -115,6 +141,9 @@ int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<Palett
                     {entry, match.positions, i == chosen, ImGui::GetContentRegionAvail().x}))
                 clicked = i;
             edits.mark("palette:" + entry.label);
+            const RemoteItem item = remote_item(entry, scene);
+            if (!item.command.empty() && draw_remote_menu(item, scene, edits))
+                close_dialog(edits);
         }
     return clicked;
 }
@@ -131,10 +160,12 @@ void draw_palette(const Scene& scene, float width, Edits& edits) {
     const int rows = std::clamp(static_cast<int>(matches.size()), 1, rows_shown);
     ImGui::BeginChild("##rows", {width, row * static_cast<float>(rows)});
     const bool follows = chosen != dialog.chosen || query != dialog.text;
-    int asked = draw_rows(entries, matches, chosen, follows, edits);
+    int asked = draw_rows(entries, matches, chosen, follows, scene, edits);
     if (matches.empty())
         dim_text("No matches.");
     ImGui::EndChild();
+    if (is_row_menu_open())
+        return;
     if (ImGui::IsKeyPressed(gpu::key::enter, false) ||
         ImGui::IsKeyPressed(gpu::key::pad_enter, false))
         asked = chosen;

@@ -35,6 +35,7 @@ const char* menu_name(Menu menu) {
 
 constexpr const char* no_unsaved = "no unsaved changes";
 constexpr const char* no_parameter = "no parameter is selected (use the Up and Down keys)";
+}  // namespace
 
 const char* disabled_reason(const Action& action, const Scene& scene) {
     if (!action.is_enabled || action.is_enabled(scene))
@@ -96,6 +97,7 @@ const char* disabled_reason(const Action& action, const Scene& scene) {
     }
 }
 
+namespace {
 void reveal(const std::string& parameter, Edits& edits) {
     edits.arrange([parameter](WindowState& window) {
         window.layout.reveal(panel_id::parameters);

@@ -12,6 +12,7 @@
 #include "ui/passes/pass_text.h"
 #include "ui/passes/waveform_panel.h"
 #include "ui/picture/pins_panel.h"
+#include "ui/status/remote_panel.h"
 #include "ui/status/timings_panel.h"
 #include "ui/widgets/problem_list.h"
 
@@ -71,6 +72,7 @@ constexpr std::array table{
           .min_height = picture_height,
           .leaves_full_screen = true,
           .needs_look = true},
+    Panel{panel_id::remote, "Rejected remote messages", {}, draw_remote_panel, "Remote"},
 };
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include "lab/document/naming.h"
 #include "lab/remote/remote_control.h"
 #include "model/tuning/slider_share.h"
+#include "ui/frame/action_name.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -59,6 +60,23 @@ void draw_binding(const MidiBinding& binding, const Scene& scene, Edits& edits) 
     edits.mark("midi_unbind:" + binding.goal.parameter);
 }
 
+void draw_command(const MidiCommand& bound, const Scene& scene, Edits& edits) {
+    const ScopedId id(bound.command);
+    ImGui::AlignTextToFramePadding();
+    const float width = ImGui::GetFontSize() * 13.0f;
+    fitted_text(command_label(bound.command, scene.actions), width, theme::text);
+    ImGui::SameLine(width + ImGui::GetFontSize());
+    dim_text(to_string(bound.trigger));
+    same_line_right(ImGui::GetFrameHeight());
+    if (icon_button("##unmap", Icon::close, "Remove this MIDI mapping", theme::dim))
+        edits.change([command = bound.command](RemoteControl& remote) {
+            RemoteSettings settings = remote.settings();
+            settings.unbind_command(command);
+            remote.set_settings(settings);
+        });
+    edits.mark("midi_unbind:" + bound.command);
+}
+
 std::string devices_text(const MidiControl& midi) {
     if (!midi.is_listening())
         return "MIDI is off.";
@@ -74,11 +92,8 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
     if (ImGui::Button("Rescan"))
         edits.change([](RemoteControl& remote) { remote.find_midi_devices(); });
     edits.mark("midi_look");
-    if (const auto& last = midi.last(); midi.is_listening() && last)
-        dim_text(fmt::format("Last message: CC {}, channel {}, value {}", last->controller,
-                             last->channel, last->value));
-    if (!midi.problem().empty())
-        wrapped_dim_text(fmt::format("Last rejected: {}", midi.problem()));
+    if (!midi.last().empty())
+        dim_text(fmt::format("Last message: {}", midi.last()));
 }
 }  // namespace
 
@@ -111,8 +126,9 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     const MidiControl& midi = scene.lab.remote.midi();
     RemoteSettings settings = scene.lab.remote.settings();
     ImGui::TextWrapped(
-        "Control parameters with MIDI knobs and faders. Right-click a parameter, choose MIDI "
-        "learn, then move the knob.");
+        "Control parameters by MIDI knobs and faders, and actions by pads, keys and program "
+        "changes. Right-click a parameter, a menu item or a line of the palette (Ctrl+P) and "
+        "choose MIDI learn.");
     ImGui::Spacing();
     settings.listens_to_midi = midi.is_listening();
     bool is_changed = ImGui::Checkbox("Listen to MIDI", &settings.listens_to_midi);
@@ -125,12 +141,15 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
         edits.change([settings](RemoteControl& remote) { remote.set_settings(settings); });
     draw_devices(midi, edits);
     constexpr std::size_t max_rows = 8;
-    const std::size_t rows = std::min(settings.midi.size(), max_rows);
+    const std::size_t rows =
+        std::min(settings.midi.size() + settings.midi_commands.size(), max_rows);
     if (rows == 0)
         return;
     ImGui::BeginChild("##bindings",
                       {0.0f, static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing()});
     for (const MidiBinding& binding : settings.midi)
         draw_binding(binding, scene, edits);
+    for (const MidiCommand& command : settings.midi_commands)
+        draw_command(command, scene, edits);
     ImGui::EndChild();
 }

@@ -131,9 +131,10 @@ void draw_notice(const Scene& scene, Edits& edits) {
     if (!notice->buttons.empty())
         return draw_offer(*notice, scene, edits);
     const float opacity = std::clamp(static_cast<float>(notice->seconds_left), 0.0f, 1.0f);
-    draw_pill({"##notice", notice->text, notice->is_problem ? theme::problem : theme::text, 0.0f,
-               opacity},
-              scene);
+    const theme::Color color = notice->is_problem   ? theme::problem
+                               : notice->is_warning ? theme::warning
+                                                    : theme::text;
+    draw_pill({"##notice", notice->text, color, 0.0f, opacity}, scene);
 }
 
 void draw_replay(const Scene& scene) {
@@ -238,6 +239,17 @@ void draw_morph(const Scene& scene) {
                   scene);
 }
 
+void draw_command_learning(const Scene& scene, Edits& edits) {
+    const std::string name = scene.lab.remote.learning_name();
+    if (name.empty())
+        return;
+    draw_pill(
+        {"##midi", fmt::format("Press a MIDI pad, key or button for \"{}\" · Esc to cancel", name),
+         theme::accent, 2.0f},
+        scene);
+    edits.mark("midi_learning");
+}
+
 void draw_midi_learning(const Scene& scene, Edits& edits) {
     const auto& goal = scene.lab.remote.midi().learning();
     const Parameter* parameter = goal && scene.lab.document
@@ -266,6 +278,7 @@ void draw_overlays(const Scene& scene, Edits& edits) {
     draw_replay(scene);
     draw_morph(scene);
     draw_midi_learning(scene, edits);
+    draw_command_learning(scene, edits);
     draw_step(scene, edits);
     draw_notice(scene, edits);
 }

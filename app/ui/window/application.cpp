@@ -154,7 +154,10 @@ void Application::update_lab(double wall_seconds) {
     m_lab.frames().nan_guard().set_unattended(m_state.layout.is_picture_only ||
                                               m_panels.output().is_open());
     m_lab.frames().set_displayed(displayed_passes(m_lab, m_state));
-    m_lab.update(wall_seconds);
+    const bool was_black = m_state.output.is_black;
+    m_lab.update(wall_seconds, &m_state);
+    if (m_state.output.is_black != was_black || m_lab.remote().requested_action())
+        m_schedule.stay_awake();  // the panels show it now, also while a look draws slowly
     m_first_file.update(m_lab);
     m_wakers.update(m_lab.remote().osc());
 }

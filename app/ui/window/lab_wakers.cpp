@@ -8,8 +8,8 @@ LabWakers::LabWakers(Lab& lab)
       m_midi(lab.remote().midi().descriptor(), gpu::WindowEvents::wake) {}
 
 void LabWakers::update(const OscControl& osc) {
-    if (osc.port() == m_osc_port)
+    if (osc.opening() == m_osc_opening)
         return;
-    m_osc_port = osc.port();  // another port can have the same descriptor
+    m_osc_opening = osc.opening();
     m_osc.emplace(osc.descriptor(), gpu::WindowEvents::wake);
 }

@@ -19,5 +19,5 @@ private:
     EventWaker m_files;
     EventWaker m_midi;
     std::optional<EventWaker> m_osc;  // while other programs can set parameters
-    int m_osc_port = 0;
+    std::size_t m_osc_opening = 0;
 };

@@ -1,10 +1,11 @@
 #include "ui/window/menu_bar.h"
 
 #include "lab/document/opened_preset.h"
-#include "ui/frame/action.h"
+#include "ui/frame/action_name.h"
 #include "ui/library/unsaved_menu.h"
 #include "ui/picture/picture_menus.h"
 #include "ui/widgets/menu_items.h"
+#include "ui/widgets/remote_menu.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -24,6 +25,7 @@ void draw_item(const Action& action, const Scene& scene, Edits& edits) {
                         is_enabled(action, scene)))
         action.act(scene, edits);
     edits.mark(std::string("menu:") + action.label);
+    draw_remote_menu({action_command(action), action.label}, scene, edits);
 }
 
 void draw_picture_submenus(const Scene& scene, Edits& edits) {

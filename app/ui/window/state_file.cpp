@@ -238,6 +238,20 @@ std::string presets_text(const Scene& scene) {
         scene.window.presets.only_starred);
 }
 
+// Accepted and rejected messages, the last reason, and the mapped commands.
+std::string remote_text(const RemoteControl& remote) {
+    const RemoteLog& log = remote.log();
+    std::vector<std::string> commands;
+    for (const MidiCommand& command : remote.settings().midi_commands)
+        commands.push_back(json_string(command.command));
+    return fmt::format(
+        R"({{"accepted":{},"rejected":{},"listed":{},"reason":{},"from_network":{},"learning":{},"commands":[{}]}})",
+        log.accepted(), log.rejected(), log.messages().size(),
+        json_string(log.messages().empty() ? std::string() : log.messages().front().reason),
+        remote.osc().is_listening() && remote.osc().reach() == NetworkReach::local_network,
+        json_string(remote.learning_name()), fmt::join(commands, ","));
+}
+
 std::string undo_name(const LabParts& lab) {
     const std::string removal = lab.presets.undo_name();
     return removal.empty() ? lab.document->history().undo_name() : removal;
@@ -263,7 +277,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
     const Transport& transport = lab.player.transport();
     const Extent picture = lab.size.extent();
     return fmt::format(
-        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
+        R"({{{}"turn":{},"panel_ms":{:.3f},"is_behind":{},"is_loading":{},"opening":{},"reading":{},"is_playing":{},"has_picture":{},"frame":{},"samples":{},"osc":{},"remote":{},"midi":[{},{},{}],"has_converged":{},"time":{:.4f},"shown_share":{:.3f},"picture":[{},{}],"fixed_size":[{},{}],"notice":{},"dialog":{},"inspected":{},"channels":{},"wipe":{},"output":{},"probe":{},"problems":{},"widgets":{}}})",
         lab.document ? document_text(lab) : std::string(), scene.frame.number,
         scene.frame.panel_milliseconds, scene.frame.is_behind, lab.loader.is_loading(),
         json_string(lab.loader.opening() ? to_string(lab.loader.opening()->progress)
@@ -271,7 +285,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         json_string(lab.media.loading()), transport.is_playing(),
         lab.renderer && lab.renderer->has_drawn(), transport.frame_number(),
         lab.frames.samples().value_or(Samples{}).held, lab.remote.osc().port(),
-        lab.remote.midi().is_listening(),
+        remote_text(lab.remote), lab.remote.midi().is_listening(),
         json_string(lab.remote.midi().learning() ? lab.remote.midi().learning()->parameter
                                                  : std::string()),
         lab.remote.settings().midi.size(), lab.frames.has_converged(), transport.time(),

@@ -1,5 +1,6 @@
 #include "ui/window/window_panes.h"
 
+#include "ui/actions/remote_actions.h"
 #include "ui/actions/shortcuts.h"
 #include "ui/dialogs/dialogs.h"
 #include "ui/panels/bottom_pane.h"
@@ -90,4 +91,5 @@ void draw_window(const Scene& scene, Edits& edits) {
     leave_hidden_sheet(scene, edits);
     draw_dialogs(scene, edits);
     run_shortcuts(scene, edits);
+    run_requested_action(scene, edits);
 }

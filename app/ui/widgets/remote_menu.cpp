@@ -1,0 +1,51 @@
+#include "ui/widgets/remote_menu.h"
+
+#include "lab/remote/osc_parameters.h"
+#include "lab/remote/remote_control.h"
+#include "ui/widgets/scoped.h"
+
+#include <fmt/format.h>
+#include <imgui/imgui.h>
+
+namespace {
+void unmap(const std::string& command, Edits& edits) {
+    edits.change([command](RemoteControl& remote) {
+        RemoteSettings settings = remote.settings();
+        settings.unbind_command(command);
+        remote.set_settings(settings);
+    });
+}
+
+bool draw_items(const RemoteItem& item, const Scene& scene, Edits& edits) {
+    const bool is_learning = ImGui::MenuItem("MIDI learn");
+    edits.mark("command_midi_learn");
+    if (is_learning)
+        edits.change(
+            [item](RemoteControl& remote) { remote.learn_midi_command(item.command, item.name); });
+    for (const MidiCommand& bound : scene.lab.remote.settings().midi_commands)
+        if (bound.command == item.command) {
+            if (ImGui::MenuItem(fmt::format("Unmap {}", to_string(bound.trigger)).c_str()))
+                unmap(item.command, edits);
+            edits.mark("command_midi_unmap");
+        }
+    if (ImGui::MenuItem("Copy OSC address"))
+        edits.copy(fmt::format("{}command/{}", osc_prefix, item.command));
+    edits.mark("command_copy_address");
+    return is_learning;
+}
+}  // namespace
+
+bool draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits) {
+    const ScopedId id(item.command);
+    constexpr const char* popup = "##remote_menu";
+    // Also for a disabled item: it can be mapped before it is available.
+    const bool is_asked = ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
+                          ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled);
+    if (is_asked)
+        ImGui::OpenPopup(popup);
+    if (!ImGui::BeginPopup(popup))
+        return false;
+    const bool is_learning = draw_items(item, scene, edits);
+    ImGui::EndPopup();
+    return is_learning;
+}
