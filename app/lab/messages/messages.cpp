@@ -13,8 +13,16 @@
 void Messages::say(std::string text, bool is_problem, std::string subject) {
     if (is_problem && !text.empty() && text.find(": ") == std::string::npos)
         text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
-    m_notice = Notice{shortened(std::move(text), max_message_bytes), is_problem,
-                      is_problem ? 12.0 : 5.0, std::move(subject)};
+    m_notice = Notice{.text = shortened(std::move(text), max_message_bytes),
+                      .is_problem = is_problem,
+                      .seconds_left = is_problem ? 12.0 : 5.0,
+                      .subject = std::move(subject)};
+}
+
+void Messages::warn(std::string text, std::string subject) {
+    say(std::move(text), true, std::move(subject));
+    m_notice->is_problem = false;
+    m_notice->is_warning = true;
 }
 
 void Messages::say(const Diagnostic& problem) {

@@ -13,6 +13,8 @@ public:
     /// Shows a notice for 5 seconds, a problem for 12. `subject` names what the problem is about (a
     /// file, a device), so that withdraw() finds it.
     void say(std::string text, bool is_problem = false, std::string subject = {});
+    /// Shows a problem with little effect, as long as a problem.
+    void warn(std::string text, std::string subject = {});
     /// Shows a problem as "FILE:LINE: MESSAGE".
     void say(const Diagnostic& problem);
     /// Shows a notice with a button for 8 seconds.

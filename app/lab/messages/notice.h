@@ -16,6 +16,7 @@ struct Problem {
 struct Notice {
     std::string text;
     bool is_problem = false;
+    bool is_warning = false;  // playback continues
     double seconds_left = 6.0;
     std::string subject;  // the file or device of a problem, to withdraw it when solved
     std::vector<MenuEntry> buttons = {};

@@ -2,6 +2,8 @@
 
 #include "lab/storage/sound_store.h"
 
+#include <utility>
+
 AudioControl::AudioControl(Player& player, const Roots& roots, Messages& messages)
     : m_player(player), m_roots(roots), m_messages(messages) {
     if (const auto settings = load_sound_settings(m_roots); m_messages.succeeded(settings))
@@ -14,6 +16,9 @@ void AudioControl::set_settings(const SoundSettings& settings) {
 }
 
 void AudioControl::update() {
+    const PlayedSignal& signal = m_player.signal();
+    if (m_player.devices().plays_in_real_time())
+        m_warned.clear();
     std::string error = m_player.error();
     if (error == m_reported)
         return;
@@ -21,8 +26,12 @@ void AudioControl::update() {
     m_reported = std::move(error);
     if (m_reported.empty())
         return m_messages.withdraw(subject);
-    const PlayedSignal& signal = m_player.signal();
-    if (!signal.is_live() || !signal.live_input().is_muted())
+    if (!signal.is_live()) {
+        if (std::exchange(m_warned, m_reported) != m_reported)
+            m_messages.warn(m_reported, subject);
+        return;
+    }
+    if (!signal.live_input().is_muted())
         return m_messages.say(m_reported, true, subject);
     const auto unmute = [this] { m_messages.succeeded(m_player.mute_input(false)); };
     m_messages.ask(m_reported, {{.name = "Unmute", .commands = {unmute}}}, subject, false);

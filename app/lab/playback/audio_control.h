@@ -18,7 +18,8 @@ public:
     /// The devices that find_devices() found.
     const std::vector<SoundDevice>& devices() const { return m_devices; }
     void find_devices() { m_devices = m_player.devices().list(); }
-    /// Shows a notice once when a device fails or a live input is muted.
+    /// Shows a notice once when a device fails or a live input is muted. A missing output is
+    /// reported again only after an output has worked.
     void update();
 
 private:
@@ -27,4 +28,5 @@ private:
     Messages& m_messages;
     std::vector<SoundDevice> m_devices;
     std::string m_reported;  // the last reported error
+    std::string m_warned;    // the last reported one of an output, since an output worked
 };
