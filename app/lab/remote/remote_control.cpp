@@ -10,6 +10,19 @@
 
 #include <algorithm>
 
+namespace {
+// Searching for names similar to a long one would take long.
+bool is_too_long(const OscMessage& message) {
+    constexpr std::size_t longest_address = 256;
+    constexpr std::size_t longest_text = 1024;
+    return message.address.size() > longest_address ||
+           std::ranges::any_of(message.arguments, [](const OscMessage::Argument& argument) {
+               const auto* text = std::get_if<std::string>(&argument);
+               return text && text->size() > longest_text;
+           });
+}
+}  // namespace
+
 RemoteControl::RemoteControl(OpenDocument& document, const Roots& roots, Messages& messages,
                              std::unique_ptr<MidiInputs> midi,
                              std::span<const RemoteCommand> commands)
@@ -109,8 +122,10 @@ void RemoteControl::update(double wall_seconds, const MutableParts& parts) {
     const std::size_t refused_midi = m_midi.refused();
     MidiNews news = m_midi.update(m_settings, document, m_edits, m_seconds);
     bind_midi(news);
-    m_pressed.insert(m_pressed.end(), std::make_move_iterator(news.pressed.begin()),
-                     std::make_move_iterator(news.pressed.end()));
+    constexpr std::size_t max_pressed = 100;  // drops presses that would run much later
+    for (PressedCommand& pressed : news.pressed)
+        if (m_pressed.size() < max_pressed)
+            m_pressed.push_back(std::move(pressed));
     if (m_midi.refused() > refused_midi)
         log_midi();
     reject_stale_action(wall_seconds);
@@ -151,9 +166,14 @@ std::optional<RemoteControl::Incoming> RemoteControl::next_message() {
                     received->sender};
 }
 
-// Returns the cost: commands read folders, and replies are packets.
+// Returns the cost: commands read folders, replies are packets, and a rejection searches for
+// similar names.
 int RemoteControl::handle(Incoming incoming, const MutableParts& parts) {
     constexpr int command_cost = 30;
+    constexpr int rejection_cost = 10;
+    const std::string& address = incoming.message.address;
+    const bool is_command = address.starts_with(osc_prefix) &&
+                            is_command_address(std::string_view(address).substr(osc_prefix.size()));
     const auto replies = answer(incoming, parts);
     if (m_action) {
         m_action_message = std::move(incoming);
@@ -162,12 +182,10 @@ int RemoteControl::handle(Incoming incoming, const MutableParts& parts) {
     }
     if (!replies) {
         log(incoming, replies.error());
-        return 1;
+        return is_command ? command_cost : rejection_cost;
     }
     m_log.accept();
     send_replies(*replies, incoming);
-    const std::string_view address = incoming.message.address;
-    const bool is_command = is_command_address(address.substr(osc_prefix.size()));
     return static_cast<int>(replies->size()) + (is_command ? command_cost : 1);
 }
 
@@ -176,6 +194,8 @@ Result<OscMessages> RemoteControl::answer(const Incoming& incoming, const Mutabl
     const OscMessage& message = incoming.message;
     if (!message.address.starts_with(osc_prefix))
         return fail({{}, 0, "the address must start with /afterglow/"});
+    if (is_too_long(message))
+        return fail({{}, 0, "an address or text is too long"});
     const std::string_view address = std::string_view(message.address).substr(osc_prefix.size());
     const Result<const Parameter*> parameter =
         m_document ? addressed_parameter(address, m_document->look())

@@ -40,7 +40,7 @@ void RemoteLog::reject(RejectedMessage message) {
     ++m_rejected;
     message.address = safe(message.address);
     message.value = safe(message.value);
-    message.reason = printable(message.reason);
+    message.reason = printable(shortened(message.reason, 2 * max_text));
     const auto same = std::ranges::find_if(m_messages, [&](const RejectedMessage& one) {
         return one.address == message.address && one.sender == message.sender &&
                one.reason == message.reason;

@@ -1,6 +1,7 @@
 #include "ui/parameters/midi_items.h"
 
 #include "lab/document/naming.h"
+#include "lab/remote/osc_parameters.h"
 #include "lab/remote/remote_control.h"
 #include "model/tuning/slider_share.h"
 #include "ui/frame/action_name.h"
@@ -99,6 +100,9 @@ void draw_devices(const MidiControl& midi, Edits& edits) {
 
 void draw_midi_items(const ParameterEntry& entry, Edits& edits) {
     const Parameter& parameter = entry.parameter;
+    if (ImGui::MenuItem("Copy OSC address"))
+        edits.copy(fmt::format("{}{}", osc_prefix, parameter.name));
+    edits.mark("copy_osc_address");
     if (!has_slider_numbers(parameter))
         return;
     const auto count = static_cast<std::size_t>(parameter.type.size());

@@ -4,8 +4,8 @@
 #include "ui/frame/scene.h"
 #include "ui/parameters/parameter_control.h"
 
-/// Menu items of a parameter: shows its MIDI controller, learns one or removes it. Draws nothing
-/// for a parameter that MIDI cannot control.
+/// Menu items of a parameter: copies its OSC address, and learns or removes its MIDI controller, if
+/// MIDI can control it.
 void draw_midi_items(const ParameterEntry& entry, Edits& edits);
 
 /// The MIDI section of the remote control dialog: devices and all bindings.

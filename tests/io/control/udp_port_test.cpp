@@ -58,7 +58,7 @@ TEST_CASE("only senders in the networks of this machine are local") {
 TEST_CASE("the networks of this machine contain its own addresses and not the loopback") {
     for (const LocalNetwork& network : local_networks()) {
         CAPTURE(network.interface);
-        CHECK(network.host >> 24 != 127);
+        CHECK((network.host >> 24) != 127);
         CHECK(is_local(network.host, {network}));
     }
 }

@@ -116,7 +116,7 @@ TEST_CASE("playback is controlled and queried") {
     small.send("command/seek");
     CHECK(small.reason() == "expected SECONDS");
     small.send("command/restart", {1.0});
-    CHECK(small.player().transport().time() == 0.0);
+    CHECK(small.player().transport().time() < 0.02);  // paused: at most its first frame
     small.send("command/play", {0.0});
     CHECK_FALSE(small.player().transport().is_playing());
     small.send("command/play", {1.0});

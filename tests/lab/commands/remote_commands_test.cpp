@@ -72,7 +72,8 @@ TEST_CASE("each address of the Open Stage Control layout is a command or a param
         CAPTURE(address);
         REQUIRE(address.starts_with(osc_prefix));
         const std::string tail = address.substr(osc_prefix.size());
-        CHECK(is_in_table(tail) != addressed_parameter(tail, *phosphor.look).has_value());
+        const bool is_parameter = addressed_parameter(tail, *phosphor.look).has_value();
+        CHECK(is_in_table(tail) != is_parameter);
         constexpr std::string_view preset = "command/preset/";
         if (tail.starts_with(preset))
             CHECK(library.find_preset("phosphor", tail.substr(preset.size())));
