@@ -3,18 +3,19 @@
 #include "base/text.h"
 #include "cli/progress.h"
 #include "io/system/machine_memory.h"
+#include "lab/messages/source_lines.h"
 
 #include <fmt/format.h>
 
 #include <iostream>
 
 int report(const Diagnostics& reasons) {
-    std::cerr << to_string(reasons);
+    std::cerr << with_source_lines(reasons);
     return exit_failure;
 }
 
 void warn(const Diagnostics& warnings) {
-    std::cerr << to_string(warnings);
+    std::cerr << with_source_lines(warnings);
 }
 
 Extent parse_size(const std::string& text) {

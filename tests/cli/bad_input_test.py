@@ -68,7 +68,7 @@ class BadLooks(ProgramTest):
         self.check_refused()
 
     def test_what_glslang_refuses_is_refused_where_the_driver_would_take_it(self):
-        self.refuse("only.frag:5: error:", "l-value required",
+        self.refuse("only.frag:5: error:", "the left side must be a variable",
                     only__frag=FRAGMENT.replace("color = ", "(gain > 0.0 ? color : color) = "))  # Mesa accepts this
         self.check_refused()
 

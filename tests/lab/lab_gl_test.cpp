@@ -51,7 +51,7 @@ TEST_CASE("an error has file, line and source, keeps the last picture and can be
     const Problem problem = small.lab().messages().problems().front();
     CHECK(problem.diagnostic.file.filename() == "show.frag");
     CHECK(problem.diagnostic.line == 6);
-    CHECK(problem.source_line.find("gian") != std::string::npos);
+    CHECK(problem.excerpt.line().find("gian") != std::string::npos);
     small.update(3);
     CHECK(small.shown() == small.frames());
 

@@ -3,6 +3,7 @@
 #include "glsl/compile/compiler_log.h"
 #include "glsl/compile/interface.h"
 #include "glsl/compile/live.h"
+#include "glsl/compile/plain_messages.h"
 #include "glsl/compile/tree.h"
 #include "glsl/compile/version_line.h"
 #include "glsl/limits/bounds.h"
@@ -56,7 +57,9 @@ public:
         const bool is_good = m_shader.parse(GetDefaultResources(), glsl_version, ECoreProfile,
                                             false, false, parse_messages);
         Diagnostics found;
-        for (const CompilerMessage& message : parse_compiler_log(m_shader.getInfoLog()))
+        std::vector<CompilerMessage> messages = parse_compiler_log(m_shader.getInfoLog());
+        explain(messages, m_text, {.stage = m_shader.getStage(), .version = glsl_version});
+        for (const CompilerMessage& message : messages)
             found.push_back(diagnostic_from(message, m_stage, m_text));
         if (!is_good && !has_errors(found)) {
             const Location at = location_in(m_stage, 1);

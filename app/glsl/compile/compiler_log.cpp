@@ -110,9 +110,17 @@ std::string cleaned(std::string_view message) {
     return with_single_blanks(message);
 }
 
-// glslang treats an undeclared name as a float, which causes further type errors.
+// glslang stops after the statement with the first error. Further errors on its line follow from
+// that error: an undeclared name is treated as a float, for example.
 bool follows_from(const CompilerMessage& message, const CompilerMessage& before) {
-    return message.line == before.line && before.text.ends_with(": undeclared identifier");
+    return !message.is_warning && !before.is_warning && message.line > 0 &&
+           message.line == before.line;
+}
+
+// Whether the next error on the same line says more.
+bool is_vague(const CompilerMessage& message) {
+    return message.text.starts_with("'scalar swizzle' : not supported") ||
+           message.text.starts_with("'constructor' : can't convert");
 }
 
 bool is_noise(std::string_view message) {
@@ -187,6 +195,8 @@ std::vector<CompilerMessage> parse_compiler_log(std::string_view log) {
             message.is_warning = is_warning;
             if (messages.empty() || !follows_from(message, messages.back()))
                 add_message(messages, std::move(message));
+            else if (is_vague(messages.back()))
+                messages.back() = std::move(message);
         } else if (!messages.empty() && messages.back().text != no_quotes) {
             add_detail(messages.back(), line);
         }

@@ -2,6 +2,7 @@
 
 #include "glsl/compile/check.h"
 #include "glsl/compile/compiler_log.h"
+#include "glsl/compile/plain_messages.h"
 #include "glsl/limits/start.h"
 #include "glsl/text/tokens.h"
 
@@ -11,6 +12,7 @@
 
 namespace {
 constexpr int default_version = 100;
+constexpr int vulkan_version = 450;  // of the built-in functions that messages suggest
 constexpr auto vulkan_messages = static_cast<EShMessages>(EShMsgSpvRules | EShMsgVulkanRules);
 
 /// A stage that is compiled to SPIR-V.
@@ -35,7 +37,10 @@ public:
     }
 
     void add_messages(const char* log, Diagnostics& problems) const {
-        for (const CompilerMessage& message : parse_compiler_log(log)) {
+        std::vector<CompilerMessage> messages = parse_compiler_log(log);
+        explain(messages, m_text,
+                {.stage = m_shader.getStage(), .version = vulkan_version, .is_vulkan = true});
+        for (const CompilerMessage& message : messages) {
             const Location at =
                 message.line > 0 ? location_in(m_stage, message.line) : Location{m_stage.file, 0};
             problems.push_back({at.file, at.line, message.text,

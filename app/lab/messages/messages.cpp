@@ -69,7 +69,7 @@ void Messages::set_look_problems(const Diagnostics& problems) {
 void Messages::add_look_problems(const Diagnostics& problems) {
     SourceLines lines;
     for (const Diagnostic& diagnostic : problems) {
-        m_look_problems.push_back({diagnostic, lines.line_of(diagnostic)});
+        m_look_problems.push_back({diagnostic, lines.excerpt_of(diagnostic)});
         m_look_problems.back().diagnostic.message =
             shortened(diagnostic.message, max_message_bytes);
     }

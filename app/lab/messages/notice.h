@@ -1,15 +1,16 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "base/source_excerpt.h"
 #include "lab/messages/menu_entry.h"
 
 #include <string>
 #include <vector>
 
-/// A diagnostic with its source line.
+/// A diagnostic with its source lines.
 struct Problem {
     Diagnostic diagnostic;
-    std::string source_line;
+    SourceExcerpt excerpt = {};
 };
 
 /// A temporary message about an event (Saved "amber").

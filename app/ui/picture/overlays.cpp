@@ -36,13 +36,12 @@ std::vector<const Problem*> errors_of(const Messages& messages) {
     return errors;
 }
 
-// Height of a problem as draw_problem() draws it: location and message, then the source line.
+// Height of a problem as draw_problem() draws it: location and message, then the source lines.
 float height_of(const Problem& problem, float width) {
     const std::string text =
         display_name(problem.diagnostic.file) + ":9999  " + problem.diagnostic.message;
     const float message = ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    return message + ImGui::GetStyle().ItemSpacing.y + (problem.source_line.empty() ? 0.0f : line);
+    return message + ImGui::GetStyle().ItemSpacing.y + excerpt_height(problem);
 }
 
 // The heading for errors of a look that could not be opened.

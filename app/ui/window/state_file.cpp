@@ -69,7 +69,7 @@ std::string problems_json(const Messages& messages) {
         problems.push_back(
             fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
                         json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
-                        json_string(problem.diagnostic.message), json_string(problem.source_line)));
+                        json_string(problem.diagnostic.message), json_string(problem.excerpt.line())));
     return fmt::format("[{}]", fmt::join(problems, ","));
 }
 

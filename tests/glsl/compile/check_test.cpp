@@ -33,7 +33,7 @@ Uniform uniform_of(const std::string& declaration) {
 TEST_CASE("an error of glslang is cleaned up and located in the original file") {
     CHECK(first_error(stage_of(
               "a.frag", "#version 410 core\nout vec4 c;\nvoid main() {\n  c = vec4(foo);\n}\n")) ==
-          "a.frag:4: error: 'foo' : undeclared identifier");
+          "a.frag:4: error: 'foo' is undeclared");
     CHECK(first_error(stage_of(
               "a.frag", "#version 410 core\nout vec4 c;\nvoid main() {\n  c = vec4(1)\n}\n")) ==
           "a.frag:5: error: syntax error, unexpected '}', expecting ',' or ';'");
@@ -55,13 +55,13 @@ TEST_CASE("errors of both stages are reported together") {
     REQUIRE_FALSE(reflection.has_value());
     CAPTURE(to_string(reflection.error()));
     REQUIRE(reflection.error().size() == 2);
-    CHECK(to_string(reflection.error()[0]) == "a.vert:2: error: 'up' : undeclared identifier");
-    CHECK(to_string(reflection.error()[1]) == "a.frag:3: error: 'left' : undeclared identifier");
+    CHECK(to_string(reflection.error()[0]) == "a.vert:2: error: 'up' is undeclared");
+    CHECK(to_string(reflection.error()[1]) == "a.frag:3: error: 'left' is undeclared");
 }
 
 TEST_CASE("#line directives do not change reported lines") {
     CHECK(first_error(stage_of("a.frag", "#version 410 core\n#line 900 7\nfloat a = b;\n")) ==
-          "a.frag:3: error: 'b' : undeclared identifier");
+          "a.frag:3: error: 'b' is undeclared");
 }
 
 TEST_CASE("a missing or wrong #version gives a specific error") {

@@ -214,7 +214,7 @@ TEST_CASE("errors of all passes are reported together, each once") {
     Look look = two_passes("float x = y;", "uniform float a; // @rnage 0 1");
     look.passes.push_back(look.passes.back());
     CHECK(errors_of(look) ==
-          "one.frag:2: error: 'y' : undeclared identifier\n"
+          "one.frag:2: error: 'y' is undeclared\n"
           "two.frag:2: error: unknown annotation '@rnage' (did you mean '@range'?)\n");
 }
 
