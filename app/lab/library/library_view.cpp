@@ -62,6 +62,8 @@ const LibraryView::Texts& LibraryView::texts_of(const fs::path& file, bool is_lo
     if (known != m_texts.end() && known->second.written == written)
         return known->second;
     Texts read = is_look ? read_look(file) : read_preset(file);
+    if (read.name.empty() && known != m_texts.end())
+        read.name = known->second.name;  // while the file is being edited
     read.written = written;
     return m_texts[file] = read;
 }

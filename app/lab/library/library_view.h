@@ -41,7 +41,8 @@ public:
     void refresh() { m_seconds_left = 0.0; }
 
     const std::vector<ListedLook>& looks() const { return m_looks; }
-    /// The name and description in a file; an empty name: not readable.
+    /// The name and description in a file. A broken file keeps its last name; an empty name: it was
+    /// never readable.
     struct Texts {
         std::filesystem::file_time_type written;
         std::string name;

@@ -10,8 +10,12 @@
 #include <fmt/format.h>
 
 namespace {
-std::string problems_text(const Messages& messages) {
-    const std::size_t count = messages.problems().size();
+// What stopped the clock, otherwise the number of problems.
+std::string problems_text(const Scene& scene) {
+    if (const auto& found = scene.lab.frames.nan_guard().found(); found && scene.lab.renderer)
+        return fmt::format("Stopped: NaN/Inf in {}",
+                           scene.lab.renderer->executor().look().passes[found->pass].name);
+    const std::size_t count = scene.lab.messages.problems().size();
     return count == 0   ? "No problems"
            : count == 1 ? "1 problem"
                         : fmt::format("{} problems", count);
@@ -130,12 +134,13 @@ std::string pointer_text(const Scene& scene) {
 void draw_status_bar(const Scene& scene, Edits& edits) {
     const ScopedStyle<ImVec2> frame(ImGuiStyleVar_FramePadding,
                                     ImVec2(6.0f * scene.scale, 2.0f * scene.scale));
-    const bool has_problems = !scene.lab.messages.problems().empty();
+    const bool has_problems =
+        !scene.lab.messages.problems().empty() || scene.lab.frames.nan_guard().found();
     ImGui::SetCursorPos({ImGui::GetStyle().WindowPadding.x - 6.0f * scene.scale,
                          (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f});
     {
         const ScopedColor color(ImGuiCol_Text, has_problems ? theme::problem : theme::dim);
-        if (quiet_button(problems_text(scene.lab.messages) + "##problems"))
+        if (quiet_button(problems_text(scene) + "###problems"))
             run(panel_id::problems, scene, edits);
         tooltip(scene.actions.help(panel_id::problems));
         edits.mark("status_problems");

@@ -7,6 +7,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 
@@ -140,6 +142,28 @@ TEST_CASE("presets with equal names are listed with their file names") {
     for (const ListedLookPreset& shown : library_view.looks().front().presets)
         names.push_back(shown.name);
     CHECK(names == std::vector<std::string>{"Day", "Night (one)", "Night (two)"});
+}
+
+TEST_CASE("a look keeps its listed name while its look.json is broken") {
+    const TemporaryRoots folder;
+    const Library library(folder.roots());
+    const std::string good =
+        R"({"format": "afterglow-look", "version": 1, "name": "Heat wave", "driven_by": "nothing",
+            "passes": [{"name": "picture", "fragment": "picture.frag"}]})";
+    const fs::path manifest = folder.write_program("shaders/heatwave/look.json", good);
+    LibraryView library_view;
+    const auto listed_name = [&] {
+        library_view.update(library, nullptr, 2.0);
+        const auto look = std::ranges::find_if(library_view.looks(), [](const ListedLook& listed) {
+            return listed.entry.id == "heatwave";
+        });
+        REQUIRE(look != library_view.looks().end());
+        return look->name;
+    };
+    CHECK(listed_name() == "Heat wave");
+    folder.write_program("shaders/heatwave/look.json", good.substr(0, 60));
+    fs::last_write_time(manifest, fs::last_write_time(manifest) + std::chrono::seconds(2));
+    CHECK(listed_name() == "Heat wave");
 }
 
 TEST_CASE("a name that is not a file name is refused") {
