@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/window/pass_view.h"
+#include "lab/window/source_search.h"
 
 /// Sizes of the picture views in device pixels.
 struct ViewSizes {
@@ -27,6 +28,7 @@ struct ViewState {
     bool shows_pass_large = false;  // the inspected pass instead of the picture
     double wipe_share = 0.5;        // position of the wipe line in the picture
     PendingFits pending;
+    SourceSearch source;  // in the compiled source
     ViewSizes sizes;
 
     /// The view of the picture, or of the pass that replaces it.

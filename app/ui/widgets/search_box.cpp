@@ -16,6 +16,11 @@ bool draw_search_box(const SearchBox& box, std::string& text, Edits& edits) {
         ImGui::SetKeyboardFocusHere();
     bool is_changed = ImGui::InputTextWithHint("##text", box.hint, &text);
     edits.mark(box.mark);
+    if (box.is_entered) {
+        *box.is_entered = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(gpu::key::enter, false);
+        if (*box.is_entered)
+            ImGui::SetKeyboardFocusHere(-1);
+    }
     // ImGui leaves the field and restores the text that it had when it got the focus.
     const bool is_escaped =
         ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(gpu::key::escape, false);

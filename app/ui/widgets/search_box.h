@@ -10,6 +10,7 @@ struct SearchBox {
     const char* hint;
     float width;
     bool wants_focus = false;
+    bool* is_entered = nullptr;  // set when Enter is pressed; the field keeps the focus
 };
 
 /// A text field with a button that clears it. Escape clears the text. Without a text, Escape leaves

@@ -28,6 +28,13 @@ constexpr Color accent{0.850f, 0.610f, 0.330f, 1.0f};
 constexpr Color accent_filled{0.420f, 0.315f, 0.195f, 1.0f};
 constexpr Color problem{0.900f, 0.430f, 0.380f, 1.0f};
 constexpr Color problem_pane{0.160f, 0.085f, 0.080f, 0.940f};
+// Of shader code.
+constexpr Color code_keyword{0.620f, 0.700f, 0.900f, 1.0f};
+constexpr Color code_type{0.500f, 0.760f, 0.720f, 1.0f};
+constexpr Color code_call{0.830f, 0.800f, 0.600f, 1.0f};
+constexpr Color code_number{0.860f, 0.680f, 0.480f, 1.0f};
+constexpr Color code_directive{0.780f, 0.620f, 0.820f, 1.0f};
+constexpr Color code_match{0.330f, 0.290f, 0.130f, 1.0f};  // behind a match of a search
 constexpr Color warning{0.840f, 0.710f, 0.380f, 1.0f};
 
 /// Opacity of the pane's colour over controls without an effect.
