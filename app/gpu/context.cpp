@@ -1,6 +1,7 @@
 #include "gpu/context.h"
 
 #include "gpu/program.h"
+#include "gpu/renderdoc.h"
 
 #include <epoxy/gl.h>
 
@@ -18,12 +19,25 @@ std::string text_of(GLenum name) {
 thread_local Context* current_context = nullptr;
 }  // namespace
 
+namespace {
+// GL_EXT_debug_tool is offered only by debuggers such as RenderDoc and apitrace.
+bool has_debugger() {
+    if (!epoxy_has_gl_extension("GL_KHR_debug"))
+        return false;
+    GLint flags = 0;
+    glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
+    return (flags & GL_CONTEXT_FLAG_DEBUG_BIT) != 0 ||
+           epoxy_has_gl_extension("GL_EXT_debug_tool") || has_renderdoc();
+}
+}  // namespace
+
 DriverInfo read_info() {
     DriverInfo info{text_of(GL_RENDERER), text_of(GL_VENDOR), text_of(GL_VERSION)};
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &info.largest_texture);
     std::array<GLfloat, 2> sizes{};
     glGetFloatv(GL_POINT_SIZE_RANGE, sizes.data());
     info.largest_point_size = sizes[1];
+    info.is_debugged = has_debugger();
     return info;
 }
 

@@ -18,6 +18,7 @@ struct DriverInfo {
     std::string version;
     int largest_texture = 0;          // side, px
     float largest_point_size = 0.0f;  // px
+    bool is_debugged = false;         // a debugger reads names; see debug_names.h
 };
 
 /// Reads them from the current context.

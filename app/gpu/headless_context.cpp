@@ -47,14 +47,12 @@ public:
 
     /// Null if the display does not support OpenGL 4.1 core.
     static std::unique_ptr<HeadlessContext> make(EGLDisplay display, EGLConfig config,
-                                                 EGLContext shared) {
-        constexpr EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                     4,
-                                     EGL_CONTEXT_MINOR_VERSION,
-                                     1,
-                                     EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                     EGL_NONE};
+                                                 EGLContext shared, bool is_for_debugging) {
+        const EGLint wanted[] = {
+            EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 1,
+            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+            // Without EGL 1.5, this attribute would be an error.
+            is_for_debugging ? EGL_CONTEXT_OPENGL_DEBUG : EGL_NONE, EGL_TRUE, EGL_NONE};
         eglBindAPI(EGL_OPENGL_API);
         const EGLContext context = eglCreateContext(display, config, shared, wanted);
         if (context == EGL_NO_CONTEXT)
@@ -87,7 +85,7 @@ private:
     }
 
     Result<std::unique_ptr<Context>> make_sharing() const override {
-        auto context = make(m_display, m_config, m_context);
+        auto context = make(m_display, m_config, m_context, m_info.is_debugged);
         if (!context)
             return fail({{}, 0, "the graphics driver can't create a second OpenGL context"});
         context->m_info = m_info;
@@ -144,7 +142,7 @@ std::vector<EGLDisplay> displays() {
     return all;
 }
 
-std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
+std::unique_ptr<HeadlessContext> open_on(EGLDisplay display, bool is_for_debugging) {
     if (!eglInitialize(display, nullptr, nullptr))
         return nullptr;
     constexpr EGLint with_pbuffer[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
@@ -156,7 +154,7 @@ std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
         EGLint count = 0;
         if (!eglChooseConfig(display, wanted, &config, 1, &count) || count < 1)
             continue;
-        auto context = HeadlessContext::make(display, config, EGL_NO_CONTEXT);
+        auto context = HeadlessContext::make(display, config, EGL_NO_CONTEXT, is_for_debugging);
         if (context && context->start())
             return context;
     }
@@ -164,11 +162,11 @@ std::unique_ptr<HeadlessContext> open_on(EGLDisplay display) {
 }
 }  // namespace
 
-Result<std::unique_ptr<Context>> create_headless_context() {
+Result<std::unique_ptr<Context>> create_headless_context(bool is_for_debugging) {
     check_driver_cache();
     const std::vector<EGLDisplay> tried = displays();
     for (const EGLDisplay display : tried)
-        if (auto context = open_on(display))
+        if (auto context = open_on(display, is_for_debugging))
             return context;
     return fail({{},
                  0,

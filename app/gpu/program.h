@@ -27,6 +27,7 @@ public:
                                  ByteStore* store = nullptr);
     /// Whether it was restored from the store.
     bool is_restored() const { return m_is_restored; }
+    GLuint id() const { return m_name.get(); }
 
     /// The active uniforms.
     const std::vector<Uniform>& uniforms() const { return m_uniforms; }

@@ -19,6 +19,7 @@ public:
     Texture& texture() { return m_texture; }
     /// A texture alone does not belong to a context.
     Texture take_texture() && { return std::move(m_texture); }
+    GLuint framebuffer() const { return m_name.get(); }
 
     /// Subsequent draws go to the whole canvas.
     void bind() const;

@@ -2,6 +2,7 @@
 
 #include "base/elapsed.h"
 #include "gpu/context.h"
+#include "gpu/debug_names.h"
 #include "gpu/objects/draw.h"
 #include "model/picture/beam_fit.h"
 
@@ -161,6 +162,7 @@ void FrameDrawer::release_after(std::size_t pass) {
 }
 
 void FrameDrawer::draw_pass(std::size_t pass) {
+    const gpu::DebugGroup group(m_graph.look().passes[pass].name);
     if (!begin_pass(pass))
         return;
     gpu::Timer& timer = *m_costs[pass].timer;
@@ -313,6 +315,7 @@ void FrameDrawer::draw_band(std::size_t index, double seconds) {
     const bool has_rows = !is_of_beam(m_graph.look().passes[index].draw);
     const int rows = has_rows ? pace.rows_for(seconds, height - m_work.row) : height;
     const auto begun = std::chrono::steady_clock::now();
+    const gpu::DebugGroup group(m_graph.look().passes[index].name);
     m_passes.use(index);
     if (m_work.row == 0)
         start_draw(index, m_work.draw);

@@ -1,6 +1,7 @@
 #include "graph/programs/programs.h"
 
 #include "glsl/text/include.h"
+#include "gpu/debug_names.h"
 #include "gpu/objects/draw.h"
 
 #include <fmt/format.h>
@@ -57,10 +58,12 @@ Result<PassProgram> build_pass(const Pass& pass, Reusable& reusable, ByteStore* 
     made.program = reusable.take(made);
     if (!made.program) {
         auto program = gpu::Program::build(vertex_stage_of(pass), pass.fragment, store);
-        if (program)
+        if (program) {
+            gpu::set_label(*program, pass.name);
             made.program = gpu::destroyed_in(context, std::move(*program));
-        else
+        } else {
             problems.insert(problems.end(), program.error().begin(), program.error().end());
+        }
     }
     if (!problems.empty())
         return fail(std::move(problems));

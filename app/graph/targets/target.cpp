@@ -1,5 +1,7 @@
 #include "graph/targets/target.h"
 
+#include "gpu/debug_names.h"
+
 #include <algorithm>
 #include <cassert>
 #include <utility>
@@ -67,6 +69,7 @@ void Target::allocate_unfinished() {
     const gpu::Texture& texture = m_slots.front().texture();
     if (auto made = gpu::Canvas::make(texture.extent(), m_planned.format, m_planned.mipmapped)) {
         m_spare.emplace(std::move(*made));
+        gpu::set_label(*m_spare, m_label);
         return;
     }
     if (std::exchange(m_unfinished, Unfinished::no) == Unfinished::next)
@@ -101,6 +104,14 @@ void Target::clear() {
         canvas.clear();
         canvas.texture().generate_mipmaps();
     }
+}
+
+void Target::set_label(const std::string& name) {
+    m_label = name;
+    for (const gpu::Canvas& canvas : m_slots)
+        gpu::set_label(canvas, name);
+    if (m_spare)
+        gpu::set_label(*m_spare, name);
 }
 
 void Target::adopt(Target&& old) {

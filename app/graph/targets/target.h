@@ -5,6 +5,7 @@
 #include "model/plan/plan.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 /// The output of a pass: the picture of this frame and the previous ones that inputs still read, in
@@ -33,6 +34,8 @@ public:
     /// The current picture becomes that of one frame ago. The oldest is overwritten next.
     void advance();
     void clear();
+    /// Names all its pictures for debuggers.
+    void set_label(const std::string& name);
     /// Records that it has been drawn into since the last clear().
     void note_drawn() { m_is_drawn = true; }
     bool is_drawn() const { return m_is_drawn; }
@@ -80,6 +83,7 @@ private:
     std::optional<gpu::Canvas> m_spare;  // the unfinished picture
     Unfinished m_unfinished = Unfinished::no;
     bool m_is_drawn = false;
+    std::string m_label;
 };
 
 /// Whether a target can adopt the pictures of the other: only the number of pictures may differ.

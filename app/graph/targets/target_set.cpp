@@ -1,5 +1,7 @@
 #include "graph/targets/target_set.h"
 
+#include "gpu/debug_names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,7 +81,21 @@ Result<TargetSet> TargetSet::make(const Look& look, const Plan& plan, TargetSet&
         set.m_targets.push_back({name, made[i] ? std::move(*made[i]) : std::move(*had)});
     }
     set.bind_shared();
+    set.set_labels();
     return set;
+}
+
+void TargetSet::set_labels() {
+    if (!gpu::is_debugged())
+        return;
+    std::vector<std::string> users(m_common.size());
+    for (Named& named : m_targets) {
+        named.target.set_label(named.pass);
+        if (const auto common = named.target.planned().common)
+            users[*common] += (users[*common].empty() ? "" : ", ") + named.pass;
+    }
+    for (std::size_t i = 0; i < m_common.size(); ++i)
+        gpu::set_label(m_common[i], users[i]);
 }
 
 void TargetSet::bind_shared() {

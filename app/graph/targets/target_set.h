@@ -26,6 +26,7 @@ private:
 
     Target* find(const std::string& pass);
     void bind_shared();
+    void set_labels();
 
     std::vector<Named> m_targets;
     std::vector<gpu::Canvas> m_common;  // one per m_planned_common
