@@ -24,6 +24,7 @@ pkg_check_modules(rtaudio REQUIRED IMPORTED_TARGET rtaudio)
 pkg_check_modules(rtmidi REQUIRED IMPORTED_TARGET rtmidi)
 pkg_check_modules(kissfft REQUIRED kissfft-float)
 pkg_check_modules(stb REQUIRED IMPORTED_TARGET stb)
+pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c-html)
 
 # Defines external_NAME for some libraries. Headers of imported targets count as SYSTEM.
 function(add_external name)
@@ -55,6 +56,7 @@ add_external(rtaudio PkgConfig::rtaudio)
 add_external(rtmidi PkgConfig::rtmidi)
 add_external(kissfft ${kissfft_LINK_LIBRARIES})  # its headers use `float` by default
 add_external(stb PkgConfig::stb)
+add_external(md4c PkgConfig::md4c)
 add_external(zlib ZLIB::ZLIB)
 add_external(png PNG::PNG)
 add_external(pugixml pugixml::pugixml)

@@ -5,6 +5,7 @@
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
 #include "lab/offline/thumbnail.h"
+#include "lab/storage/instance_lock.h"
 #include "model/look/stack_size.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 fs::path session_file(const Roots& roots) {
-    return roots.state / "session.json";
+    return roots.state / instance_file_name("session", roots.instance);
 }
 
 SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
@@ -142,7 +143,15 @@ Content content_of(const Session& session) {
 }
 
 Session load_session(const Roots& roots, Diagnostics& warnings) {
-    return load_file(session_file(roots), warnings);
+    const fs::path file = session_file(roots);
+    std::error_code error;
+    if (roots.instance <= 1 || fs::exists(file, error))
+        return load_file(file, warnings);
+    // Another window starts as the first one last was.
+    const fs::path first = session_file(first_instance(roots));
+    const auto text = read_text(first);
+    auto session = text ? parse_session(*text, first) : fail(text.error());
+    return session ? std::move(*session) : Session{};
 }
 
 Result<void> save_session(const Roots& roots, const Session& session) {

@@ -37,6 +37,7 @@ Result<Roots> find_roots(const std::optional<fs::path>& data,
     }
     roots.user = folder_from_environment("XDG_DATA_HOME", ".local/share");
     roots.state = folder_from_environment("XDG_STATE_HOME", ".local/state");
+    roots.config = folder_from_environment("XDG_CONFIG_HOME", ".config");
     roots.cache = folder_from_environment("XDG_CACHE_HOME", ".cache");
     const char* variable = std::getenv("AFTERGLOW_DATA");
     if (data || (variable && *variable)) {

@@ -17,6 +17,8 @@ struct Roots {
     std::filesystem::path cache = {};                  // $XDG_CACHE_HOME/afterglow; may not exist
     std::vector<std::filesystem::path> includes = {};  // further include folders of the user
     ShaderLimits shader_limits = {};                   // of all looks
+    std::filesystem::path config = {};                 // $XDG_CONFIG_HOME/afterglow; "": none
+    int instance = 1;                                  // of the window; see instance_lock.h
 
     std::vector<std::filesystem::path> all() const { return {program, user}; }
     IncludeFolders include_folders() const { return {program / "shaders" / "include", includes}; }

@@ -3,6 +3,7 @@
 #include "lab/window/dialog.h"
 #include "lab/window/first_steps.h"
 #include "lab/window/frame_rate.h"
+#include "lab/window/key_bindings.h"
 #include "lab/window/output_state.h"
 #include "lab/window/parameter_listing.h"
 #include "lab/window/preset_browsing.h"
@@ -16,12 +17,14 @@
 #include <string>
 #include <vector>
 
-/// The target of the keyboard, if it is not a panel.
+/// The target of the keyboard, if it is not a panel, and the user's keys.
 struct KeyboardFocus {
     bool is_in_menus = false;
-    bool is_in_look = false;  // the look under the pointer
+    bool is_in_look = false;       // the look under the pointer
     bool has_focus = false;        // a control has the focus, see ui/window/focus_keys.h
     unsigned int wanted_pane = 0;  // id of the pane that gets the focus; 0: none
+    KeyBindings bindings;
+    Chord conflict;  // pressed for the action in the dialog's `subject`, but taken
 };
 
 /// The flash meter and the flash limiter.

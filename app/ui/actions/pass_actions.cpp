@@ -1,6 +1,7 @@
 #include "ui/actions/pass_actions.h"
 
 #include "gpu/input_event.h"
+#include "gpu/renderdoc.h"
 #include "lab/commands/look_commands.h"
 #include "lab/document/stack_edits.h"
 #include "lab/menus/window_menu.h"
@@ -13,6 +14,22 @@
 namespace {
 bool has_passes(const Scene& scene) {
     return scene.lab.document && scene.lab.renderer;
+}
+
+// Also draws while the clock is paused, so that the captured frame has all passes.
+void capture_with_renderdoc(const Scene&, Edits& edits) {
+    gpu::capture_next_frame();
+    edits.change([](FrameLoop& frames, Messages& messages) {
+        frames.reapply();
+        messages.say("Captured the next frame. Open it in RenderDoc.");
+    });
+}
+
+Action renderdoc_action() {
+    Action action{ActionId::capture_frame, Menu::pass, "Capture with RenderDoc", {}, true,
+                  capture_with_renderdoc,  has_passes};
+    action.is_hidden = !gpu::has_renderdoc();
+    return action;
 }
 
 bool has_overrides(const Scene& scene) {
@@ -195,5 +212,6 @@ std::vector<Action> pass_actions::list() {
     actions.insert(actions.end(), {action(ActionId::edit_pass, "Edit shader",
                                           {gpu::key::first_function + 3}, true, edit_shader),
                                    written, back});
+    actions.push_back(renderdoc_action());
     return actions;
 }

@@ -14,6 +14,8 @@
 
 #include <imgui/imgui_internal.h>
 
+#include <algorithm>
+
 namespace {
 // Keys that repeat while held.
 bool repeats(int key) {
@@ -121,9 +123,13 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
                               (keyboard.has_focus && moves_focus(action.chord)) ||
                               (!action.chord.control &&
                                (keyboard.is_in_menus || is_key_of_look(action.chord.key, scene)));
-        if (is_pressed(action.chord) && !is_taken && is_enabled(action, scene))
+        if (!action.is_hidden && is_pressed(action.chord) && !is_taken &&
+            is_enabled(action, scene))
             act_with_undo_notice(action, scene, edits);
     }
-    if (is_pressed({'Y', true}) && !is_typing)
+    constexpr Chord other_redo{'Y', true};
+    const bool is_taken = std::ranges::any_of(
+        scene.actions.rows(), [](const Action& action) { return action.chord == other_redo; });
+    if (is_pressed(other_redo) && !is_typing && !is_taken)
         run(ActionId::redo, scene, edits);
 }

@@ -9,7 +9,8 @@ void close_dialog(Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog = {}; });
 }
 
-DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edits& edits) {
+DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edits& edits,
+                         bool escape_closes) {
     if (!ImGui::IsPopupOpen(title))
         ImGui::OpenPopup(title);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
@@ -28,7 +29,7 @@ DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edi
     const ScopedFont strong(scene.fonts.strong);
     ImGui::TextUnformatted(title);
     ImGui::Spacing();
-    if (ImGui::IsKeyPressed(gpu::key::escape, false))
+    if (escape_closes && ImGui::IsKeyPressed(gpu::key::escape, false))
         close_dialog(edits);
 }
 

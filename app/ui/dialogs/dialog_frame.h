@@ -3,11 +3,13 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// A centred modal window, open during its lifetime. Escape closes it.
+/// A centred modal window, open during its lifetime.
 class DialogFrame {
 public:
-    /// `width` in multiples of the font size.
-    DialogFrame(const char* title, float width, const Scene& scene, Edits& edits);
+    /// `width` in multiples of the font size. `escape_closes`: false while the dialog itself uses
+    /// the Escape key.
+    DialogFrame(const char* title, float width, const Scene& scene, Edits& edits,
+                bool escape_closes = true);
     ~DialogFrame();
     DialogFrame(const DialogFrame&) = delete;
     DialogFrame& operator=(const DialogFrame&) = delete;

@@ -9,6 +9,7 @@
 #include "ui/dialogs/file_dialog.h"
 #include "ui/dialogs/help_dialogs.h"
 #include "ui/dialogs/impulse_dialog.h"
+#include "ui/dialogs/keys_dialog.h"
 #include "ui/dialogs/palette_dialog.h"
 #include "ui/dialogs/prompt_dialog.h"
 #include "ui/dialogs/rates_dialog.h"

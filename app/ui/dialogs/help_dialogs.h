@@ -3,7 +3,5 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Lists every keyboard shortcut.
-void draw_keys_dialog(const Scene& scene, Edits& edits);
-
+/// Version, licence, folders and the articles behind the looks.
 void draw_about_dialog(const Scene& scene, Edits& edits);

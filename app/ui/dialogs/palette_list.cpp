@@ -135,7 +135,7 @@ void add(std::vector<PaletteEntry> more, std::vector<PaletteEntry>& entries) {
 std::vector<PaletteEntry> palette_list(const Scene& scene) {
     std::vector<PaletteEntry> entries;
     for (const Action& action : scene.actions.rows())
-        if (action.id != ActionId::palette)
+        if (action.id != ActionId::palette && !action.is_hidden)
             entries.push_back({PaletteEntry::Kind::action,
                                action.label,
                                label_of(action, scene),

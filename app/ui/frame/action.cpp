@@ -1,37 +1,23 @@
 #include "ui/frame/action.h"
 
-#include "gpu/input_event.h"
+#include "ui/frame/action_name.h"
 #include "ui/frame/scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
-namespace {
-constexpr std::array<std::pair<int, const char*>, 10> named_keys{
-    {{' ', "Space"},
-     {gpu::key::enter, "Enter"},
-     {gpu::key::backspace, "Backspace"},
-     {gpu::key::del, "Delete"},
-     {gpu::key::left, "Left"},
-     {gpu::key::right, "Right"},
-     {gpu::key::up, "Up"},
-     {gpu::key::down, "Down"},
-     {gpu::key::page_up, "PageUp"},
-     {gpu::key::page_down, "PageDown"}}};
-}  // namespace
+ActionTable::ActionTable(std::vector<Action> rows) : m_rows(std::move(rows)) {
+    for (const Action& action : m_rows)
+        m_keyed.push_back({action_name(action), action.label, action.chord});
+}
 
-std::string chord_text(const Chord& chord) {
-    if (chord.key == 0)
-        return {};
-    std::string text = std::string(chord.control ? "Ctrl+" : "") + (chord.shift ? "Shift+" : "");
-    for (const auto& [key, name] : named_keys)
-        if (chord.key == key)
-            return text + name;
-    if (chord.key >= gpu::key::first_function && chord.key <= gpu::key::last_function)
-        return text + "F" + std::to_string(chord.key - gpu::key::first_function + 1);
-    return text + static_cast<char>(chord.key);
+void ActionTable::bind(const KeyBindings& bindings) {
+    if (bindings == m_bindings)
+        return;
+    m_bindings = bindings;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        m_rows[i].chord = bindings.chord_of(m_keyed[i]);
 }
 
 const Action& ActionTable::row(ActionId id) const {

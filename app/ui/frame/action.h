@@ -1,5 +1,7 @@
 #pragma once
 
+#include "lab/window/chord.h"
+#include "lab/window/key_bindings.h"
 #include "lab/window/open_panels.h"
 
 #include <functional>
@@ -125,19 +127,16 @@ enum class ActionId {
     copy_parameter_name,
     keys,
     about,
+    manual,
+    writing_looks,
+    whats_new,
+    capture_frame,
     count,  // the number of ids
 };
 
 constexpr int action_count = static_cast<int>(ActionId::count);
 
 enum class Menu { file, edit, parameter, view, output, frame_rate, compare, pass, playback, help };
-
-/// A key with its modifiers.
-struct Chord {
-    int key = 0;  // key code of gpu::KeyEvent; 0: no key
-    bool control = false;
-    bool shift = false;
-};
 
 /// One row of the action table: label, key and effect of a command.
 /// Menus, shortcuts, tooltips, the palette and the help are made of these rows.
@@ -156,14 +155,19 @@ struct Action {
         {};                             // "Undo: Decay"; null: label
     std::optional<PanelId> panel = {};  // of show_panel
     const char* undo_notice = nullptr;  // shown with an Undo button if its key changed the document
+    bool is_hidden = false;             // the machine lacks what it needs
 };
 
 /// All actions in the order of the menus. Each ActionId and each panel has exactly one row.
 class ActionTable {
 public:
-    explicit ActionTable(std::vector<Action> rows) : m_rows(std::move(rows)) {}
+    explicit ActionTable(std::vector<Action> rows);
 
     const std::vector<Action>& rows() const { return m_rows; }
+    /// The actions as keys.json names them, with their initial keys, in the order of the rows.
+    const std::vector<KeyedAction>& keyed_actions() const { return m_keyed; }
+    /// Gives the rows the keys that the user chose.
+    void bind(const KeyBindings& bindings);
     const Action& row(ActionId id) const;
     const Action& row(PanelId panel) const;
     /// "F4"; "": no key.
@@ -176,10 +180,9 @@ private:
     static std::string help(const Action& action);
 
     std::vector<Action> m_rows;
+    std::vector<KeyedAction> m_keyed;
+    KeyBindings m_bindings;
 };
-
-/// "Ctrl+Shift+S"; "": no key.
-std::string chord_text(const Chord& chord);
 
 bool is_enabled(const Action& action, const Scene& scene);
 /// The label with its current object: "Undo: Decay".

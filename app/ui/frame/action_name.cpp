@@ -122,6 +122,10 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::copy_parameter_name, "copy_parameter_name"},
     {ActionId::keys, "keyboard_shortcuts"},
     {ActionId::about, "about"},
+    {ActionId::manual, "manual"},
+    {ActionId::writing_looks, "writing_looks"},
+    {ActionId::whats_new, "whats_new"},
+    {ActionId::capture_frame, "capture_with_renderdoc"},
 });
 
 constexpr int rows_of(ActionId id) {

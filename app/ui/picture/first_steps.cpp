@@ -8,17 +8,25 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace {
-// A ring; filled when done.
+// A box; with a check mark when done.
 void draw_tick(bool is_done) {
     const float size = ImGui::GetFontSize();
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 middle(low.x + size * 0.5f, low.y + size * 0.55f);
+    const auto at = [&](float x, float y) {
+        return ImVec2(low.x + size * x, low.y + size * (y + 0.05f));
+    };
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImU32 color = ImGui::GetColorU32(is_done ? theme::accent : theme::dim);
-    list.AddCircle(middle, size * 0.36f, color, 20, size * 0.09f);
-    if (is_done)
-        list.AddCircleFilled(middle, size * 0.20f, color, 16);
+    list.AddRect(at(0.10f, 0.10f), at(0.90f, 0.90f),
+                 ImGui::GetColorU32(is_done ? theme::accent : theme::outline), size * 0.15f, 0,
+                 size * 0.07f);
+    if (is_done) {
+        const std::array<ImVec2, 3> mark{at(0.28f, 0.52f), at(0.44f, 0.68f), at(0.74f, 0.32f)};
+        list.AddPolyline(mark.data(), static_cast<int>(mark.size()),
+                         ImGui::GetColorU32(theme::accent), 0, size * 0.11f);
+    }
     ImGui::Dummy({size, size});
     ImGui::SameLine(0.0f, size * 0.6f);
 }
@@ -78,6 +86,13 @@ void draw_first_steps(const Scene& scene, Edits& edits) {
     ImGui::Spacing();
     draw_step(steps.has_turned, "Adjust a parameter", "Drag a slider on the right.");
     draw_step(steps.has_driven, "Use your own media", "Drop a sound, picture or preset here.");
+    if (!steps.has_driven) {
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + letter * 1.6f);
+        if (ImGui::Button("Open file…"))
+            run(ActionId::open, scene, edits);
+        edits.mark("first_steps:open");
+        ImGui::Spacing();
+    }
     draw_step(steps.has_looked, "Inspect a pass",
               fmt::format("Click a pass below. Press {} to edit its shader.",
                           scene.actions.key(ActionId::edit_pass)));

@@ -8,8 +8,11 @@
 #include "lab/session/first_file.h"
 #include "lab/session/session_autosave.h"
 #include "lab/storage/injected_fault.h"
+#include "lab/storage/instance_lock.h"
 #include "lab/views/displayed_passes.h"
+#include "lab/window/key_store.h"
 #include "lab/window/window_session.h"
+#include "ui/actions/action_table.h"
 #include "ui/panels/panel_table.h"
 #include "ui/picture/first_steps.h"
 #include "ui/window/desktop_window.h"
@@ -27,6 +30,7 @@ namespace {
 struct Start {
     WindowState state;
     FirstFile first_file = {};
+    KeyStore keys;
 };
 
 // Opens the look of the command line, otherwise the last session.
@@ -49,6 +53,13 @@ void open_first(const ApplicationOptions& options, const Session& session, Lab& 
         restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
 
+void report_other_window(Messages& messages) {
+    messages.ask(
+        "Another Afterglow window is open. This one has its own session and does not "
+        "listen for OSC.",
+        {{.name = "OK"}}, {}, false);
+}
+
 /// The window and its main loop.
 class Application {
 public:
@@ -63,7 +74,8 @@ public:
           m_schedule(lab, window.events(), m_panels.toolkit()),
           m_wakers(lab),
           m_desktop(window),
-          m_keeper(options.roots) {}
+          m_keeper(options.roots),
+          m_keys(std::move(start.keys)) {}
 
     /// False if the driver has lost the window's context.
     bool run() {
@@ -102,6 +114,7 @@ private:
     LabWakers m_wakers;
     DesktopWindow m_desktop;
     SessionAutosave m_keeper;
+    KeyStore m_keys;
     bool m_is_quitting = false;
 };
 
@@ -167,6 +180,7 @@ void Application::apply(const Edits& edits) {
     for (const std::filesystem::path& file : m_lab.work().opened_files.take())
         note_use(m_state.recent.files, std::filesystem::absolute(file).lexically_normal().string());
     note_first_steps(m_lab.document(), m_state);
+    m_keys.update(m_state.keyboard.bindings, m_lab.messages());
     if (edits.change_lab() || m_panels.toolkit().has_input())  // displayed one frame later
         m_schedule.stay_awake();
     if (edits.change_lab())
@@ -195,7 +209,8 @@ void Application::offer_move() {
 Result<bool> run_once(const ApplicationOptions& options) {
     Diagnostics warnings;
     const Session session = load_session(options.roots, warnings);
-    Start start{restored_window(session.window, panel_kinds())};
+    Start start{restored_window(session.window, panel_kinds()), {}, KeyStore(options.roots)};
+    start.state.keyboard.bindings = start.keys.load(make_action_table().keyed_actions(), warnings);
     auto fonts = build_fonts_async(fitted_scale(static_cast<float>(start.state.geometry.scale)));
     auto window = gpu::Window::open(geometry_of(start.state.geometry));
     if (!window)
@@ -210,6 +225,8 @@ Result<bool> run_once(const ApplicationOptions& options) {
         lab.messages().say(warnings.front());
     lab.frames().set_displayed(displayed_passes(lab, start.state));
     open_first(options, session, lab, start);
+    if (options.roots.instance > 1)
+        report_other_window(lab.messages());
     auto views = Views::make();
     if (!views)
         return fail(views.error());
@@ -222,6 +239,8 @@ Result<bool> run_once(const ApplicationOptions& options) {
 Result<void> run_window(const ApplicationOptions& options) {
     constexpr int max_resets = 3;
     ApplicationOptions again = options;
+    const InstanceLock instance = InstanceLock::take(options.roots);
+    again.roots.instance = instance.number();
     for (int resets = 0; resets <= max_resets; ++resets) {
         const auto is_closed = run_once(again);
         if (!is_closed)

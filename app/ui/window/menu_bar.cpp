@@ -65,7 +65,7 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
         draw_unsaved_menu(scene, edits);
     draw_sections(menu, scene, edits);
     for (const Action& action : scene.actions.rows())
-        if (action.menu == menu)
+        if (action.menu == menu && !action.is_hidden)
             draw_item(action, scene, edits);
     ImGui::EndMenu();
 }

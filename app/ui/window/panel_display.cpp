@@ -52,6 +52,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
     gpu::clear_screen({back.red, back.green, back.blue, 1.0f});
     m_toolkit.add_events(m_output.take_keys());
     m_toolkit.begin(static_cast<float>(state.geometry.scale));
+    m_actions.bind(state.keyboard.bindings);
     Edits edits;
     const LabParts parts = parts_of(lab);
     const Scene scene{.lab = parts,

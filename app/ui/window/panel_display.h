@@ -34,7 +34,7 @@ private:
 
     gpu::Window& m_window;
     Toolkit m_toolkit;
-    const ActionTable m_actions = make_action_table();
+    ActionTable m_actions = make_action_table();
     OutputWindow m_output;
     Views m_views;
     ListThumbnails m_pictures{{}, PresetThumbnails(gpu::WindowEvents::wake), {}};

@@ -1,0 +1,5 @@
+#include "lab/storage/version.h"
+
+const char* program_version() {
+    return AFTERGLOW_VERSION;
+}
