@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/json/json_document.h"
+#include "formats/json/json_edit.h"
 #include "formats/look/look_names.h"
 #include "io/files/atomic_file.h"
 
@@ -11,81 +11,20 @@
 #include <algorithm>
 
 namespace {
-// Replacements in a text, by byte offsets, applied together.
-class TextEdit {
-public:
-    explicit TextEdit(std::string_view text) : m_text(text) {}
-
-    void replace(std::size_t begin, std::size_t end, std::string text) {
-        m_changes.push_back({begin, end, std::move(text)});
-    }
-
-    // Sets an object's member to a JSON value. A new member is appended, with the separator used
-    // before it.
-    void set(const JsonValue& object, std::string_view key, const std::string& value) {
-        if (const JsonValue* member = find_member(object, key))
-            return replace(member->begin, member->end, value);
-        const std::string written = fmt::format("\"{}\": {}", key, value);
-        if (object.children.empty())
-            return replace(object.begin, object.end, "{ " + written + " }");
-        const std::size_t end = object.children.back().end;
-        // New members of one object keep the order of these calls.
-        replace(end, end, separator_of(object) + written);
-    }
-
-    std::string written(const JsonValue& value) const {
-        return std::string(m_text.substr(value.begin, value.end - value.begin));
-    }
-
-    std::string made() {
-        std::stable_sort(m_changes.begin(), m_changes.end(),
-                         [](const Change& a, const Change& b) { return a.begin < b.begin; });
-        std::string text;
-        std::size_t done = 0;
-        for (const Change& change : m_changes) {
-            text.append(m_text.substr(done, change.begin - done)).append(change.text);
-            done = change.end;
-        }
-        return text.append(m_text.substr(done));
-    }
-
-private:
-    struct Change {
-        std::size_t begin;
-        std::size_t end;
-        std::string text;
-    };
-
-    std::string separator_of(const JsonValue& object) const {
-        const auto& members = object.children;
-        if (members.size() < 2)
-            return ", ";
-        const std::size_t begin = members[members.size() - 2].end;
-        return std::string(m_text.substr(begin, members.back().key_begin - begin));
-    }
-
-    std::string_view m_text;
-    std::vector<Change> m_changes;
-};
-
-std::string quoted(std::string_view word) {
-    return fmt::format("\"{}\"", word);
-}
-
 // The name that an input reads: "persistence" for "persistence@1".
 std::string_view name_of(const JsonValue& reference) {
     return std::string_view(reference.text).substr(0, reference.text.find('@'));
 }
 
-void write_scale(TextEdit& edit, const JsonValue& pass, double scale) {
+void write_scale(JsonEdit& edit, const JsonValue& pass, double scale) {
     if (const JsonValue* size = find_member(pass, "size"))
         return edit.replace(size->key_begin, size->end, "\"scale\": " + format_number(scale));
     edit.set(pass, "scale", format_number(scale));
     if (find_member(pass, "scale_of"))
-        edit.set(pass, "scale_of", quoted("viewport"));
+        edit.set(pass, "scale_of", json_word("viewport"));
 }
 
-void write_filters(TextEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
+void write_filters(JsonEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
     const JsonValue* inputs = find_member(pass, "inputs");
     if (!inputs)
         return;
@@ -95,7 +34,7 @@ void write_filters(TextEdit& edit, const JsonValue& pass, const PassOverrides& o
         const auto read = from ? overrides.find(std::string(name_of(*from))) : overrides.end();
         if (read == overrides.end() || !read->second.filter)
             continue;
-        const std::string filter = quoted(name_of(filter_names(), *read->second.filter));
+        const std::string filter = json_word(name_of(filter_names(), *read->second.filter));
         if (from == &input)
             edit.replace(
                 input.begin, input.end,
@@ -105,11 +44,11 @@ void write_filters(TextEdit& edit, const JsonValue& pass, const PassOverrides& o
     }
 }
 
-void write_pass(TextEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
+void write_pass(JsonEdit& edit, const JsonValue& pass, const PassOverrides& overrides) {
     const JsonValue* name = find_member(pass, "name");
     const auto own = name ? overrides.find(name->text) : overrides.end();
     if (own != overrides.end() && own->second.format)
-        edit.set(pass, "format", quoted(name_of(format_names(), *own->second.format)));
+        edit.set(pass, "format", json_word(name_of(format_names(), *own->second.format)));
     if (own != overrides.end() && own->second.scale)
         write_scale(edit, pass, *own->second.scale);
     write_filters(edit, pass, overrides);
@@ -135,14 +74,13 @@ Result<std::string> with_overrides_written(std::string_view text, const PassOver
         if (!override.is_empty() && !has_pass(*passes, name))
             return fail({file, passes->line,
                          fmt::format("can't save the pass settings: pass '{}' is missing", name)});
-    TextEdit edit(text);
+    JsonEdit edit(text);
     for (const JsonValue& pass : passes->children)
         write_pass(edit, pass, overrides);
-    return edit.made();
+    return edit.edited();
 }
 
-Result<void> write_overrides(const std::filesystem::path& manifest,
-                             const PassOverrides& overrides) {
+Result<ManifestText> read_manifest(const std::filesystem::path& manifest) {
     if (!is_inside(manifest, manifest.has_parent_path() ? manifest.parent_path() : "."))
         return fail({manifest, 0,
                      "can't save through a link to a file outside the look's folder. Replace the "
@@ -151,10 +89,17 @@ Result<void> write_overrides(const std::filesystem::path& manifest,
     const auto text = read_text(manifest);
     if (!bytes || !text)
         return fail(text ? bytes.error() : text.error());
-    // Keeps the byte order mark, which is not part of the text.
     const std::size_t mark = bytes->size() - std::min(bytes->size(), text->size());
-    const auto edited = with_overrides_written(*text, overrides, manifest);
+    return ManifestText{bytes->substr(0, mark), *text};
+}
+
+Result<void> write_overrides(const std::filesystem::path& manifest,
+                             const PassOverrides& overrides) {
+    const auto text = read_manifest(manifest);
+    if (!text)
+        return fail(text.error());
+    const auto edited = with_overrides_written(text->text, overrides, manifest);
     if (!edited)
         return fail(edited.error());
-    return write_atomically(manifest, bytes->substr(0, mark) + *edited);
+    return write_atomically(manifest, text->mark + *edited);
 }

@@ -12,5 +12,16 @@
 Result<std::string> with_overrides_written(std::string_view text, const PassOverrides& overrides,
                                            const std::filesystem::path& file);
 
+/// The content of a look.json.
+struct ManifestText {
+    std::string mark;  // its byte order mark, or ""
+    std::string text;  // the bytes after the mark
+
+    std::string bytes() const { return mark + text; }
+};
+
+/// Reads a look.json to edit it. Fails for a link to a file outside the look's folder.
+Result<ManifestText> read_manifest(const std::filesystem::path& manifest);
+
 /// Applies it to the file atomically.
 Result<void> write_overrides(const std::filesystem::path& manifest, const PassOverrides& overrides);
