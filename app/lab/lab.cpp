@@ -31,6 +31,7 @@ void Lab::edit(const std::function<void(Document&)>& change) {
 void Lab::update(double wall_seconds, WindowState* window) {
     const auto start = std::chrono::steady_clock::now();
     m_work.messages.update(wall_seconds);
+    m_looks.passes().update();
     update_loading(wall_seconds);
     const double loading_seconds = seconds_since(start);
     m_remote.update(wall_seconds, mutable_parts(*this, window));
@@ -98,6 +99,7 @@ void Lab::open_document(BuiltLook& built) {
     } else {
         m_parameters.store();
         document.emplace(std::move(*built.look));
+        m_looks.passes().forget();
     }
     keep_content(*document, content);
     remember_files(*document, m_work.media.recent());

@@ -2,10 +2,11 @@
 
 #include "formats/look/manifest_edit.h"
 #include "io/system/file_status.h"
+#include "lab/commands/duplicate_offer.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/stack_edits.h"
+#include "lab/storage/display_name.h"
 #include "lab/storage/include_store.h"
-#include "lab/window/window_state.h"
 
 #include <fmt/format.h>
 
@@ -52,10 +53,42 @@ void LookCommands::dismiss_problems() {
     m_loader.dismiss_failed();
 }
 
-void LookCommands::create(const std::string& id) {
-    const auto folder = m_work.library.new_look(id);
+void LookCommands::create(const std::string& id, const std::string& template_id) {
+    const auto folder = m_work.library.new_look(id, template_id);
     if (m_work.messages.succeeded(folder))
-        m_loader.open(OpenRequest{*folder, {}, {}});
+        m_loader.open(OpenRequest{*folder, {}, {}},
+                      [this, created = *folder] { report_created(created); });
+}
+
+std::string LookCommands::problem_of_id(const std::string& id) const {
+    const auto checked = m_work.library.check_look_name(id);
+    return checked ? std::string() : checked.error().front().message;
+}
+
+std::string LookCommands::proposed_id() const {
+    std::string id = "my-look";
+    for (int n = 2; m_work.library.find_look(id); ++n)
+        id = fmt::format("my-look-{}", n);
+    return id;
+}
+
+void LookCommands::report_created(const fs::path& folder) {
+    if (!m_work.document)
+        return;
+    const Location shader{m_work.document->look().passes.back().fragment.file, 1};
+    m_work.messages.append(fmt::format("Created {}", display_folder(folder)),
+                           {{.name = "Open shader", .commands = {[shader](LookCommands& looks) {
+                                                        looks.open_in_editor(shader);
+                                                    }}},
+                            {.name = "Open folder",
+                             .commands = {[](LookCommands& looks) { looks.show_in_folder(); }}}});
+}
+
+void LookCommands::show_in_folder() {
+    if (!m_work.document)
+        return;
+    const fs::path& manifest = m_work.document->look().manifest;
+    m_work.programs.open_folder(manifest.parent_path());
 }
 
 void LookCommands::duplicate(const std::string& id) {
@@ -82,7 +115,7 @@ void LookCommands::write_overrides() {
     for (const StackPart& part : stack)
         if (m_work.library.is_shipped(manifest_of(part.path)))
             return offer_duplicate(
-                fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
+                m_work, fmt::format("\"{}\" is a shipped look and can't be changed", part.look));
     for (std::size_t i = 0; i < stack.size(); ++i) {
         PassOverrides own;
         const std::string scope = name_prefix(stack, i);
@@ -105,19 +138,10 @@ bool LookCommands::must_duplicate(const fs::path& file) const {
     return m_work.library.is_shipped(file) && !is_writable(file);
 }
 
-void LookCommands::offer_duplicate(const std::string& reason) {
-    const std::string id = m_work.document->look().id + "-copy";
-    m_work.messages.offer(reason, {.name = "Duplicate look",
-                                   .commands = {[id](WindowState& window) {
-                                       window.dialog = {.kind = Dialog::Kind::duplicate_look,
-                                                        .text = id};
-                                   }}});
-}
-
 void LookCommands::open_in_editor(const Location& location) {
     if (m_work.document && must_duplicate(location.file))
-        return offer_duplicate(fmt::format("\"{}\" is a shipped look in a read-only folder",
-                                           m_work.document->look().name));
+        return offer_duplicate(m_work, fmt::format("\"{}\" is a shipped look in a read-only folder",
+                                                   m_work.document->look().name));
     m_work.programs.open_in_editor(location);
 }
 

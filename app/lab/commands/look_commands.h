@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/commands/content_commands.h"
+#include "lab/commands/pass_commands.h"
 #include "lab/frame/workspace.h"
 #include "lab/reload/look_loader.h"
 #include "lab/storage/session_stash.h"
@@ -30,12 +31,22 @@ public:
     void dismiss_problems();
     /// Opens any dropped or chosen file.
     void open_file(const std::filesystem::path& file);
-    void create(const std::string& id);
+    /// Creates a look from a template and opens it. A notice shows its folder.
+    void create(const std::string& id, const std::string& template_id);
+    /// Why a new look can't have this id; "": it can.
+    std::string problem_of_id(const std::string& id) const;
+    /// A free id for a new look.
+    std::string proposed_id() const;
     void duplicate(const std::string& id);
     /// Writes the pass overrides into look.json.
     void write_overrides();
     /// Offers to duplicate a shipped look in a folder that the user cannot write to.
     void open_in_editor(const Location& location);
+    /// Shows the folder of the open look in the desktop's file manager.
+    void show_in_folder();
+
+    PassCommands& passes() { return m_passes; }
+    const PassCommands& passes() const { return m_passes; }
 
     const std::vector<std::filesystem::path>& include_folders() const { return m_includes; }
     /// The user's folders for includes, in addition to those of --include. They are stored.
@@ -50,7 +61,7 @@ public:
 
 private:
     bool must_duplicate(const std::filesystem::path& file) const;
-    void offer_duplicate(const std::string& reason);
+    void report_created(const std::filesystem::path& folder);
     void search_includes();
 
     Workspace& m_work;
@@ -58,4 +69,5 @@ private:
     ContentCommands& m_content;
     std::vector<std::filesystem::path> m_includes;
     SessionStash m_stash;
+    PassCommands m_passes{m_work};
 };

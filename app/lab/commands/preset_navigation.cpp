@@ -51,7 +51,7 @@ std::optional<PresetIndex> PresetNavigation::target(int by, bool only_starred) {
         return preset_after(presets, current, by);
     auto starred = favourite_after(presets, m_stars, current, by);
     if (!starred)
-        m_work.messages.say("This look has no favourite presets");
+        m_work.messages.say("This look has no favourite presets. Click the star of a preset.");
     return starred;
 }
 
@@ -66,6 +66,7 @@ void PresetNavigation::step(int by, bool only_starred) {
         return;
     m_loader.open(*request);
     m_step = next;
+    m_steps_favourites = only_starred;
 }
 
 Result<void> PresetNavigation::open_named(const std::string& name, std::optional<double> seconds) {
@@ -100,10 +101,10 @@ void PresetNavigation::note_opened(const OpenRequest& request, bool had_changes)
     std::string text;
     m_morphing.reset();
     if (const auto step = std::exchange(m_step, {}); step && step->file == request.preset_file)
-        text = step->number == 0
-                   ? "Default"
-                   : fmt::format("{} · preset {} of {}", preset_name(*m_work.document),
-                                 step->number, step->count);
+        text = step->number == 0 ? "Default"
+                                 : fmt::format("{} · {} {} of {}", preset_name(*m_work.document),
+                                               m_steps_favourites ? "favourite" : "preset",
+                                               step->number, step->count);
     if (had_changes)
         text = text.empty() ? restore_hint : fmt::format("{} · {}", text, restore_hint);
     if (!text.empty())

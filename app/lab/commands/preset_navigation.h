@@ -53,4 +53,5 @@ private:
     FavouritePresets m_stars;
     std::unique_ptr<Morphing> m_morphing;
     std::optional<PresetIndex> m_step;  // the preset that is being opened
+    bool m_steps_favourites = false;    // its index counts favourites
 };

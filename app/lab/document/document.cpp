@@ -14,6 +14,8 @@ Document::Document(Look look)
 
 void Document::change(DocumentState next, std::string step_name, bool continues_step,
                       StepKind kind) {
+    if (kind != StepKind::files)
+        next.files = state().files;
     if (stack_id(next.stack) == stack_id(m_look.stack))
         next.values = changed_values(m_look, next.values);
     m_undo.change(std::move(next), std::move(step_name), continues_step, kind == StepKind::content);
@@ -70,7 +72,10 @@ void Document::travel(int steps) {
 
 void Document::replace_history(Undo<DocumentState> history) {
     m_opened_presets = {OpenedPreset(opened_preset())};
-    history.rewrite([](DocumentState& state) { state.origin = 0; });
+    history.rewrite([files = state().files](DocumentState& state) {
+        state.origin = 0;
+        state.files = files;
+    });
     m_undo = std::move(history);
     update_drawn_values();
 }

@@ -22,6 +22,7 @@ struct DocumentState {
     Stack stack = {};              // the looks in order; values and overrides use its names
     Modulations modulations = {};  // also use the names of the stack
     ContentLocks locks = {};       // of signal and source; changed without undo steps
+    std::size_t files = 0;         // edit of the look's files, see PassCommands; 0: as opened
 
     bool operator==(const DocumentState&) const = default;
 };
@@ -52,8 +53,9 @@ public:
     /// replace_look().
     bool has_pending_stack() const { return state().stack != m_look.stack; }
 
-    /// Only undoing or redoing a content step changes the signal, the source and their locks.
-    enum class StepKind { plain, content };
+    /// Only undoing or redoing a content step changes the signal, the source and their locks. Only
+    /// a step of files changes DocumentState::files.
+    enum class StepKind { plain, content, files };
     /// Makes `next` the current state. With `continues_step` the changes with this name up to
     /// finish() are one undo step.
     void change(DocumentState next, std::string step_name, bool continues_step = false,

@@ -25,6 +25,7 @@ DocumentState comparable_state(const Document& document) {
     DocumentState state = document.state();
     state.overrides = saved.overrides;
     state.origin = saved.origin;
+    state.files = saved.files;
     if (document.look().driven_by != Driver::signal || state.locks.signal)
         state.signal = saved.signal;
     if (document.look().driven_by != Driver::picture || state.locks.source)
@@ -101,6 +102,7 @@ DocumentState with_current_overrides(DocumentState state, const Document& docume
     const DocumentState& current = document.state();
     state.overrides = moved(current.overrides, current.stack, state.stack);
     state.origin = current.origin;
+    state.files = current.files;
     return state;
 }
 

@@ -5,6 +5,7 @@
 #include "formats/preset/preset_format.h"
 #include "formats/preset/preset_update.h"
 #include "io/files/atomic_file.h"
+#include "lab/library/look_templates.h"
 
 #include <fmt/format.h>
 
@@ -63,7 +64,8 @@ void add_or_shadow(std::vector<Entry>& entries, Entry entry, std::string Entry::
 bool is_listed_before(const PresetEntry& one, std::string_view one_name, const PresetEntry& other,
                       std::string_view other_name) {
     const auto key = [](const PresetEntry& preset, std::string_view name) {
-        return std::tuple(preset.is_shipped, to_lower(name), preset.name);
+        const bool is_article = preset.is_shipped && preset.name.starts_with("article");
+        return std::tuple(preset.is_shipped, is_article, to_lower(name), preset.name);
     };
     return key(one, one_name) < key(other, other_name);
 }
@@ -247,7 +249,7 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
     }
 }
 
-Result<fs::path> Library::new_look_folder(const std::string& id) const {
+Result<void> Library::check_look_name(const std::string& id) const {
     if (!is_name(id))
         return fail({{},
                      0,
@@ -261,6 +263,12 @@ Result<fs::path> Library::new_look_folder(const std::string& id) const {
              fmt::format("'{}' can't be a look name: '+' separates the looks of a stack", id)});
     if (find_look(id))
         return fail({{}, 0, fmt::format("a look called '{}' already exists", id)});
+    return {};
+}
+
+Result<fs::path> Library::new_look_folder(const std::string& id) const {
+    if (auto fine = check_look_name(id); !fine)
+        return fail(fine.error());
     const fs::path folder = m_roots.user / "shaders" / id;
     std::error_code error;
     fs::create_directories(folder, error);
@@ -277,41 +285,20 @@ Result<fs::path> Library::duplicate_look(const fs::path& folder, const std::stri
     fs::copy(folder, *copy, fs::copy_options::recursive, error);
     if (error)
         return fail({*copy, 0, error.message()});
+    fs::remove(*copy / picture_name, error);
     return *copy;
 }
 
-Result<fs::path> Library::new_look(const std::string& id) const {
-    constexpr std::string_view manifest = R"({{
-  "format": "afterglow-look", "version": 1,
-  "name": "{}", "about": "", "author": "", "license": "",
-  "driven_by": "nothing",
-  "passes": [
-    {{ "name": "picture", "fragment": "picture.frag" }}
-  ]
-}}
-)";
-    constexpr std::string_view fragment = R"(#version 410 core
-// A first pass: rings that run outward. Display-encoded.
-uniform float u_time;
-uniform vec2 u_resolution;
-uniform float rings = 8.0;                   // @range 1 40  @label "Rings"
-uniform vec3 tint = vec3(0.2, 1.0, 0.3);     // @color  @label "Tint"
-in vec2 uv;
-out vec4 color;
-
-void main() {
-    vec2 centred = (uv - 0.5) * vec2(u_resolution.x / u_resolution.y, 1.0);
-    float wave = 0.5 + 0.5 * sin(6.2831853 * (rings * length(centred) - 0.5 * u_time));
-    color = vec4(tint * wave, 1.0);
-}
-)";
+Result<fs::path> Library::new_look(const std::string& id, std::string_view template_id) const {
+    const std::vector<LookTemplate> templates = look_templates(m_roots.program);
+    const auto chosen = std::ranges::find(templates, template_id, &LookTemplate::id);
+    if (chosen == templates.end())
+        return fail({m_roots.program / "shaders" / "templates", 0,
+                     fmt::format("has no template '{}'. Install the program again.", template_id)});
     auto folder = new_look_folder(id);
     if (!folder)
         return folder;
-    if (auto done = write_atomically(*folder / "picture.frag", fragment); !done)
-        return fail(done.error());
-    const std::string text = fmt::format(fmt::runtime(manifest), label_from_name(id));
-    if (auto done = write_atomically(*folder / "look.json", text); !done)
-        return fail(done.error());
-    return *folder;
+    if (auto copied = copy_template(*chosen, *folder, label_from_name(id)); !copied)
+        return fail(copied.error());
+    return folder;
 }

@@ -27,7 +27,8 @@ struct PresetEntry {
     std::string id = {};      // unique within the look: name or "user:NAME"
 };
 
-/// The order of lists: the user's presets, then the shipped ones, each by displayed name.
+/// The order of lists: the user's presets, the shipped ones, and those of the articles ("article",
+/// "article-mono"), each by displayed name.
 bool is_listed_before(const PresetEntry& one, std::string_view one_name, const PresetEntry& other,
                       std::string_view other_name);
 
@@ -69,8 +70,11 @@ public:
     /// Copies the folder of a look under a new id; returns the new folder.
     Result<std::filesystem::path> duplicate_look(const std::filesystem::path& folder,
                                                  const std::string& id) const;
-    /// Creates a look with one pass that already draws a picture.
-    Result<std::filesystem::path> new_look(const std::string& id) const;
+    /// Creates a look from a template, see look_templates(). It already draws a picture.
+    Result<std::filesystem::path> new_look(const std::string& id,
+                                           std::string_view template_id) const;
+    /// Whether a new look can have this id, and why not.
+    Result<void> check_look_name(const std::string& id) const;
 
 private:
     Result<std::filesystem::path> new_look_folder(const std::string& id) const;

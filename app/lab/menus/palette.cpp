@@ -173,6 +173,8 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
 
 void note_use(std::vector<std::string>& used, const std::string& id) {
     constexpr std::size_t maximum = 20;
+    if (!used.empty() && used.front() == id)
+        return;
     std::erase(used, id);
     used.insert(used.begin(), id);
     if (used.size() > maximum)

@@ -47,5 +47,5 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
                                        std::string_view query,
                                        const std::vector<std::string>& used);
 
-/// Moves an id to the front of the used ones; keeps 20.
+/// Moves an id to the front of the used ones, if it is not there; keeps 20.
 void note_use(std::vector<std::string>& used, const std::string& id);

@@ -51,6 +51,12 @@ void Messages::append(std::string text, MenuEntry button) {
     m_notice->buttons.push_back(std::move(button));
 }
 
+void Messages::append(std::string text, std::vector<MenuEntry> buttons) {
+    append(std::move(text), MenuEntry());
+    m_notice->buttons = std::move(buttons);
+    m_notice->seconds_left = 12.0;
+}
+
 void Messages::withdraw(std::string_view subject) {
     if (m_notice && m_notice->subject == subject)
         m_notice.reset();

@@ -24,6 +24,8 @@ public:
              bool is_problem = true);
     /// Adds to the current notice. If it is a problem or missing, shows a new notice.
     void append(std::string text, MenuEntry button);
+    /// The same with several buttons, for 12 seconds.
+    void append(std::string text, std::vector<MenuEntry> buttons);
     /// Shows the first problem of a failed result. Returns whether it succeeded.
     template <class T>
     bool succeeded(const Result<T>& result) {

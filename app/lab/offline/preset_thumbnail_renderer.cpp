@@ -81,7 +81,7 @@ bool has_samples(const Executor& executor) {
 
 // Keeps the most recent pictures.
 void forget_old(const fs::path& folder) {
-    constexpr std::size_t maximum = 300;  // about 5 MB
+    constexpr std::size_t maximum = 1000;  // about 16 MB
     std::vector<std::pair<fs::file_time_type, fs::path>> files;
     std::error_code error;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
@@ -171,16 +171,35 @@ Result<Picture> PresetThumbnailRenderer::draw(PreparedLook prepared, const JobPr
     return picture;
 }
 
-Result<Picture> PresetThumbnailRenderer::paint(const fs::path& preset, const JobProgress& work) {
+// Also finds the files that the picture depends on.
+Result<PreparedLook> PresetThumbnailRenderer::begin(const fs::path& preset) {
     m_named.clear();
     m_stamp.clear();
     auto made = prepared(preset);
     if (!made)
-        return fail(made.error());
+        return made;
     if (m_content)
         use_content(made->document, *m_content);
     m_named = files_named_in(made->document);
     m_stamp = stamp_text(m_named);
+    return made;
+}
+
+Result<std::optional<Picture>> PresetThumbnailRenderer::find_cached(const fs::path& preset) {
+    if (const auto made = begin(preset); !made)
+        return fail(made.error());
+    const fs::path file = kept_file(preset);
+    std::error_code error;
+    if (fs::exists(file, error))
+        if (auto cached = load_picture(file))
+            return std::optional(std::move(*cached));
+    return std::optional<Picture>();
+}
+
+Result<Picture> PresetThumbnailRenderer::paint(const fs::path& preset, const JobProgress& work) {
+    auto made = begin(preset);
+    if (!made)
+        return fail(made.error());
     const fs::path file = kept_file(preset);
     std::error_code error;
     if (fs::exists(file, error))

@@ -22,6 +22,9 @@ public:
     /// that the window stays fast. Fails if the preset cannot be opened or drawn, and when
     /// cancelled.
     Result<Picture> paint(const std::filesystem::path& preset, const JobProgress& work);
+    /// The cached picture of a preset, without drawing. nullopt: it must be drawn. Fails if the
+    /// preset cannot be opened.
+    Result<std::optional<Picture>> find_cached(const std::filesystem::path& preset);
     /// The sounds and pictures of the last preset, including missing ones.
     const std::vector<std::filesystem::path>& named_files() const { return m_named; }
     /// Their stamp before drawing.
@@ -32,6 +35,7 @@ public:
 
 private:
     Result<PreparedLook> prepared(const std::filesystem::path& preset) const;
+    Result<PreparedLook> begin(const std::filesystem::path& preset);
     Result<Picture> draw(PreparedLook prepared, const JobProgress& work);
     Result<void> start(PreparedLook prepared);
     std::filesystem::path kept_file(const std::filesystem::path& preset) const;

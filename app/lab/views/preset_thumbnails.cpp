@@ -25,8 +25,8 @@ std::string message_of(const Diagnostic& problem) {
 struct PresetThumbnails::Basket {
     struct Painted {
         fs::path preset;
-        fs::file_time_type written;  // at the time of the request
-        Result<Picture> picture;
+        fs::file_time_type written;              // at the time of the request
+        Result<std::optional<Picture>> picture;  // nullopt: not in the cache
         std::vector<fs::path> named;
         std::string stamp;
         int drawn = 0;
@@ -46,10 +46,12 @@ PresetThumbnails::PresetThumbnails(std::function<void()> wake)
 
 PresetThumbnails::~PresetThumbnails() = default;
 
-void PresetThumbnails::update(const Lab& lab, bool is_seen, double wall_seconds,
+void PresetThumbnails::update(const Lab& lab, Use use, double wall_seconds,
                               const std::optional<Content>& content) {
     m_work.update();
-    if (!is_seen || !lab.document() || !lab.renderer()) {
+    if (std::exchange(m_use, use) == Use::drawn && use == Use::cached)
+        m_work.cancel();  // does not draw any more
+    if (use == Use::hidden || !lab.document() || !lab.renderer()) {
         m_work.cancel();
         m_seconds_left = 0.0;
         return;
@@ -61,8 +63,10 @@ void PresetThumbnails::update(const Lab& lab, bool is_seen, double wall_seconds,
         m_seconds_left = pause_seconds;
         list(lab, content);
     }
-    const bool owes = std::ranges::any_of(m_entries, [](const auto& e) { return e.second.is_due; });
-    if (owes && m_work.is_free() && m_basket->is_empty())  // otherwise the picture may be there
+    const bool is_any_wanted =
+        std::ranges::any_of(m_entries, [this](const auto& e) { return is_wanted(e.second); });
+    if (is_any_wanted && m_work.is_free() &&
+        m_basket->is_empty())  // otherwise the picture may be there
         start(lab);
 }
 
@@ -96,8 +100,10 @@ void PresetThumbnails::list(const Lab& lab, const std::optional<Content>& conten
         Entry& entry = listed[file];
         if (const auto known = m_entries.find(file); known != m_entries.end())
             entry = std::move(known->second);
-        entry.is_due = entry.is_due || is_edited || entry.written != written ||
-                       stamp_text(entry.named) != entry.stamp;
+        const bool is_changed =
+            is_edited || entry.written != written || stamp_text(entry.named) != entry.stamp;
+        entry.is_due = entry.is_due || is_changed;
+        entry.is_uncached = entry.is_uncached && !is_changed;
         entry.written = written;
     };
     add({}, {});
@@ -122,16 +128,20 @@ void PresetThumbnails::take_one() {
     if (found == m_entries.end() || found->second.written != painted->written)
         return;
     Entry& entry = found->second;
-    entry.is_due = false;
     entry.named = std::move(painted->named);
     entry.stamp = std::move(painted->stamp);
+    if (painted->picture && !*painted->picture) {
+        entry.is_uncached = true;
+        return;
+    }
+    entry.is_due = false;
     entry.problem.clear();
     entry.picture.reset();
     if (!painted->picture) {
         entry.problem = message_of(painted->picture.error().front());
         return;
     }
-    auto texture = gpu::texture_of(*painted->picture, Format::rgba8, Encoding::display);
+    auto texture = gpu::texture_of(**painted->picture, Format::rgba8, Encoding::display);
     if (!texture) {
         entry.problem = message_of(texture.error().front());
         return;
@@ -139,19 +149,26 @@ void PresetThumbnails::take_one() {
     entry.picture.emplace(std::move(*texture));
 }
 
+namespace {
+std::optional<Picture> in_optional(Picture picture) {
+    return picture;
+}
+}  // namespace
+
 // A cancelled picture stays due.
 void PresetThumbnails::start(const Lab& lab) {
     std::vector<std::pair<fs::path, fs::file_time_type>> wanted;
     for (const auto& [file, entry] : m_entries)
-        if (entry.is_due)
+        if (is_wanted(entry))
             wanted.emplace_back(file, entry.written);
     m_work.start([look = *m_look, content = m_content, library = lab.work().library,
-                  wanted = std::move(wanted), basket = m_basket,
+                  wanted = std::move(wanted), basket = m_basket, draws = m_use == Use::drawn,
                   wake = m_wake](JobProgress& work) -> Result<bool> {
         PresetThumbnailRenderer painter(look, library, content);
         for (const auto& [file, written] : wanted) {
             const int before = painter.drawn();
-            auto picture = painter.paint(file, work);
+            auto picture =
+                draws ? painter.paint(file, work).map(in_optional) : painter.find_cached(file);
             if (work.is_cancelled)
                 return true;
             {

@@ -27,16 +27,18 @@ public:
         bool is_due = true;   // the image is outdated
     };
 
+    /// How they are shown: not at all, those in the cache, or all, which are then drawn.
+    enum class Use { hidden, cached, drawn };
+
     /// `wake` is called on the background thread when a picture is finished.
     explicit PresetThumbnails(std::function<void()> wake = {});
     ~PresetThumbnails();
     PresetThumbnails(const PresetThumbnails&) = delete;
     PresetThumbnails& operator=(const PresetThumbnails&) = delete;
 
-    /// Call it in every update; `is_seen`: the thumbnails are visible. Takes at most one
-    /// finished picture. `content`: the signal or source of all pictures; nullopt: each preset's
-    /// own.
-    void update(const Lab& lab, bool is_seen, double wall_seconds,
+    /// Call it in every update. Takes at most one finished picture. `content`: the signal or source
+    /// of all pictures; nullopt: each preset's own.
+    void update(const Lab& lab, Use use, double wall_seconds,
                 const std::optional<Content>& content = {});
     /// "": the look without a preset.
     Shown of(const std::filesystem::path& preset) const;
@@ -53,8 +55,12 @@ private:
         std::optional<gpu::Texture> picture;
         std::string problem;
         bool is_due = true;
+        bool is_uncached = false;  // it was looked for in the cache
     };
 
+    bool is_wanted(const Entry& entry) const {
+        return entry.is_due && (m_use == Use::drawn || !entry.is_uncached);
+    }
     void list(const Lab& lab, const std::optional<Content>& content);
     void take_one();
     void start(const Lab& lab);
@@ -66,5 +72,6 @@ private:
     std::shared_ptr<Basket> m_basket;  // shared with the background thread
     double m_seconds_left = 0.0;       // until the folders are read again
     int m_drawn = 0;
+    Use m_use = Use::hidden;
     BackgroundWork<bool> m_work;
 };

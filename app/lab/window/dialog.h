@@ -24,6 +24,7 @@ struct Dialog {
         rename_preset,
         new_look,
         duplicate_look,
+        add_pass,  // after the pass in `subject`
         palette,
         compare_preset,  // with the current values; `changes` has the differences
         remote,

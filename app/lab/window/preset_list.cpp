@@ -1,17 +1,13 @@
 #include "lab/window/preset_list.h"
 
-#include "base/text.h"
 #include "lab/document/opened_preset.h"
+#include "lab/window/search_words.h"
 
 #include <algorithm>
 
 namespace {
 bool matches(const ListedLookPreset& preset, const std::string& search) {
-    const std::string text = to_lower(preset.name + ' ' + preset.entry.name + ' ' + preset.about);
-    const std::string lower = to_lower(search);
-    return std::ranges::all_of(split(lower, ' '), [&](std::string_view word) {
-        return text.find(word) != std::string::npos;
-    });
+    return has_search_words(preset.name + ' ' + preset.entry.name + ' ' + preset.about, search);
 }
 }  // namespace
 
@@ -31,21 +27,30 @@ ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
             .has_star = stars.contains(favourite_key(document.look().id, preset.entry.id))};
 }
 
+std::vector<ListedLookPreset> matching_presets(const Look& look,
+                                               const std::vector<ListedLook>& looks,
+                                               const FavouritePresets& stars,
+                                               const PresetBrowsing& wanted) {
+    std::vector<ListedLookPreset> found;
+    const auto add = [&](const ListedLookPreset& preset) {
+        const bool has_star = stars.contains(favourite_key(look.id, preset.entry.id));
+        if ((has_star || !wanted.only_starred) && matches(preset, wanted.search))
+            found.push_back(preset);
+    };
+    add({{look.id, {}, {}}, "Default", "All parameters at their defaults."});
+    const auto listed = std::ranges::find_if(
+        looks, [&](const ListedLook& known) { return known.entry.id == look.id; });
+    if (listed != looks.end())
+        std::ranges::for_each(listed->presets, add);
+    return found;
+}
+
 std::vector<ListedPreset> listed_presets(const Document& document,
                                          const std::vector<ListedLook>& looks,
                                          const FavouritePresets& stars,
                                          const PresetBrowsing& wanted) {
     std::vector<ListedPreset> listed;
-    const auto add = [&](const ListedLookPreset& preset) {
-        ListedPreset entry = as_listed(preset, document, stars);
-        if ((entry.has_star || !wanted.only_starred) && matches(preset, wanted.search))
-            listed.push_back(std::move(entry));
-    };
-    add({{document.look().id, {}, {}}, "Default", "All parameters at their defaults."});
-    const auto look = std::ranges::find_if(
-        looks, [&](const ListedLook& known) { return known.entry.id == document.look().id; });
-    if (look != looks.end())
-        for (const ListedLookPreset& preset : look->presets)
-            add(preset);
+    for (const ListedLookPreset& preset : matching_presets(document.look(), looks, stars, wanted))
+        listed.push_back(as_listed(preset, document, stars));
     return listed;
 }

@@ -23,7 +23,12 @@ ListedPreset as_listed(const ListedLookPreset& preset, const Document& document,
                        const FavouritePresets& stars);
 
 /// The presets that match the filter, after the look without a preset. Each search word must occur
-/// in the name, file name or description.
+/// in the name, file name or description. Does not read files.
+std::vector<ListedLookPreset> matching_presets(const Look& look,
+                                               const std::vector<ListedLook>& looks,
+                                               const FavouritePresets& stars,
+                                               const PresetBrowsing& wanted);
+/// The same with their state.
 std::vector<ListedPreset> listed_presets(const Document& document,
                                          const std::vector<ListedLook>& looks,
                                          const FavouritePresets& stars,

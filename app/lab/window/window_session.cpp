@@ -14,9 +14,10 @@ constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> size
     {"bottom_size", &PaneSizes::bottom},
     {"inspector_size", &PaneSizes::inspector}};
 
-// Prefixes of palette entries and recent files. The number is the position, 0 = last used.
+// Prefixes of palette entries, recent files and looks. The number is the position, 0 = last used.
 constexpr std::string_view used_prefix = "used:";
 constexpr std::string_view recent_prefix = "recent:";
+constexpr std::string_view look_prefix = "look:";
 
 std::vector<std::string> restored_use(const std::map<std::string, double>& numbers,
                                       std::string_view prefix) {
@@ -176,6 +177,7 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
     remember_looking(window, numbers);
     remember_use(window.recent.commands, used_prefix, numbers);
     remember_use(window.recent.files, recent_prefix, numbers);
+    remember_use(window.recent.looks, look_prefix, numbers);
     for (const auto& [name, size] : sizes)
         numbers[name] = static_cast<double>(window.layout.sizes.*size);
     return numbers;
@@ -241,5 +243,6 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
     restore_looking(numbers, window);
     window.recent.commands = restored_use(numbers, used_prefix);
     window.recent.files = restored_use(numbers, recent_prefix);
+    window.recent.looks = restored_use(numbers, look_prefix);
     return window;
 }

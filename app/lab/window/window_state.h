@@ -4,6 +4,7 @@
 #include "lab/window/first_steps.h"
 #include "lab/window/frame_rate.h"
 #include "lab/window/key_bindings.h"
+#include "lab/window/look_list.h"
 #include "lab/window/output_state.h"
 #include "lab/window/parameter_listing.h"
 #include "lab/window/preset_browsing.h"
@@ -37,6 +38,7 @@ struct FlashDisplay {
 struct RecentChoices {
     std::vector<std::string> commands;  // ids of palette entries
     std::vector<std::string> files;     // opened files
+    std::vector<std::string> looks;     // arguments that open them
     std::filesystem::path folder;       // listed last
 };
 
@@ -54,10 +56,21 @@ struct HistoryScroll {
     bool operator==(const HistoryScroll&) const = default;
 };
 
+/// What keeps the rows of a list in place.
+struct ListAnchor {
+    std::string open;     // id of the open row that was last scrolled to
+    std::string hovered;  // id of the row under the pointer; "": none
+    float top = 0.0f;     // of that row within the list
+
+    bool operator==(const ListAnchor&) const = default;
+};
+
 /// What the lists were last scrolled to.
 struct ScrolledTo {
     HistoryScroll history;
     std::string pass;  // in the strip
+    ListAnchor looks;
+    ListAnchor presets;
 };
 
 /// The user's layout of the window and what it displays. A value; the session stores the layout.
@@ -71,6 +84,7 @@ struct WindowState {
     ViewState views;
     Probes probes;
     ParameterListing parameters;
+    LookBrowsing looks;
     PresetBrowsing presets;
     RecentChoices recent;
     ScrolledTo scrolled;

@@ -54,6 +54,11 @@ void step_preset(const Scene& scene, Edits& edits) {
 }
 
 template <int by>
+void step_favourite(const Scene&, Edits& edits) {
+    edits.change([](PresetCommands& presets) { presets.navigation().step(by, true); });
+}
+
+template <int by>
 void morph_preset(const Scene& scene, Edits& edits) {
     edits.change([wanted = scene.window.presets](PresetCommands& presets) {
         presets.navigation().morph_by(by, wanted.morph_seconds, wanted.only_starred);
@@ -192,6 +197,20 @@ std::vector<Action> preset_ring_actions() {
          {gpu::key::page_up, true, true},
          false,
          morph_preset<-1>,
+         has_document},
+        {ActionId::next_favourite,
+         Menu::file,
+         "Next favourite preset",
+         {gpu::key::page_down, false, true},
+         false,
+         step_favourite<1>,
+         has_document},
+        {ActionId::previous_favourite,
+         Menu::file,
+         "Previous favourite preset",
+         {gpu::key::page_up, false, true},
+         false,
+         step_favourite<-1>,
          has_document},
     };
 }

@@ -3,6 +3,7 @@
 #include "lab/commands/look_commands.h"
 #include "lab/commands/preset_commands.h"
 #include "lab/storage/display_name.h"
+#include "ui/dialogs/add_pass_dialog.h"
 #include "ui/dialogs/compare_dialog.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/export_dialog.h"
@@ -10,6 +11,7 @@
 #include "ui/dialogs/help_dialogs.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
+#include "ui/dialogs/new_look_dialog.h"
 #include "ui/dialogs/palette_dialog.h"
 #include "ui/dialogs/prompt_dialog.h"
 #include "ui/dialogs/rates_dialog.h"
@@ -104,10 +106,6 @@ void replace_preset(Edits& edits, Text name, Text) {
     edits.change([name](PresetCommands& presets) { presets.replace(name); });
 }
 
-void create_look(Edits& edits, Text name, Text) {
-    edits.change([name](LookCommands& looks) { looks.create(name); });
-}
-
 void duplicate_look(Edits& edits, Text name, Text) {
     edits.change([name](LookCommands& looks) { looks.duplicate(name); });
 }
@@ -117,8 +115,6 @@ Question name_question(Dialog::Kind kind) {
     constexpr const char* folder_help = "Folder name (lowercase letters, digits, - and _)";
     if (kind == Kind::rename_preset)
         return {"Rename preset", "New name", "Rename", rename_preset, is_other_preset};
-    if (kind == Kind::new_look)
-        return {"New look", folder_help, "Create", create_look, is_look};
     if (kind == Kind::duplicate_look)
         return {"Duplicate look", folder_help, "Duplicate", duplicate_look, is_look};
     return {"Save preset as", "Preset name", "Save", save_preset, is_preset, replace_preset};
@@ -144,9 +140,14 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::save_preset_as:
         case Kind::rename_preset:
-        case Kind::new_look:
         case Kind::duplicate_look:
             draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
+            return;
+        case Kind::new_look:
+            draw_new_look_dialog(scene, edits);
+            return;
+        case Kind::add_pass:
+            draw_add_pass_dialog(scene, edits);
             return;
         case Kind::palette:
             draw_palette_dialog(scene, edits);

@@ -1,7 +1,7 @@
 #include "ui/dialogs/help_dialogs.h"
 
 #include "lab/commands/help_page.h"
-#include "lab/storage/editor.h"
+#include "lab/editor/external_programs.h"
 #include "lab/storage/version.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/widgets/scoped.h"
@@ -36,10 +36,10 @@ void draw_folder(const char* what, const std::filesystem::path& folder, Edits& e
                 theme::text);
     same_line_right(2.0f * button + ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::Button("Open", {button, 0.0f}))
-        edits.change([folder](Messages& messages) {
+        edits.change([folder](ExternalPrograms& programs) {
             std::error_code error;
             std::filesystem::create_directories(folder, error);
-            messages.succeeded(open_folder(folder));
+            programs.open_folder(folder);
         });
     edits.mark(std::string("about_open:") + what);
     ImGui::SameLine();

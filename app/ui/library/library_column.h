@@ -3,5 +3,6 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-/// Two panes in the current window: the looks with the presets, and stack and signal below them.
+/// Three panes in the current window: looks, presets, and stack and signal. Their heights depend
+/// only on the window, so nothing moves when a look opens.
 void draw_library_column(const Scene& scene, Edits& edits);

@@ -1,73 +1,13 @@
 #include "ui/library/library_panel.h"
 
-#include "lab/commands/preset_commands.h"
-#include "lab/document/opened_preset.h"
-#include "ui/library/preset_menu.h"
 #include "ui/library/stack_panel.h"
+#include "ui/library/thumbnail_row.h"
 #include "ui/widgets/scoped.h"
+#include "ui/widgets/search_box.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 namespace {
-struct Line {
-    std::string label;
-    std::string about;
-    bool is_open = false;
-    bool is_modified = false;
-};
-
-// A line of the list; true when clicked.
-bool draw_line(const Line& line) {
-    const ScopedId id(line.label);
-    const ImVec2 at = ImGui::GetCursorPos();
-    const float width = ImGui::GetContentRegionAvail().x;
-    const bool is_clicked = ImGui::Selectable("##line", line.is_open);
-    tooltip(line.about);
-    const float mark = line.is_modified ? ImGui::CalcTextSize(" •").x : 0.0f;
-    const std::string text = elided_to_width(line.label, width - mark - 4.0f);
-    ImGui::SetCursorPos({at.x + 4.0f, at.y});
-    const ScopedColor color(ImGuiCol_Text, line.is_open ? theme::accent : theme::text);
-    ImGui::TextUnformatted((text + (line.is_modified ? " •" : "")).c_str());
-    return is_clicked;
-}
-
-void draw_presets(const ListedLook& look, const Scene& scene, Edits& edits) {
-    const Document& document = *scene.lab.document;
-    const float indent = ImGui::GetStyle().IndentSpacing;
-    ImGui::Indent(indent);
-    const bool has_none = preset_file(document).empty();
-    if (draw_line({.label = "Default",
-                   .about = "All parameters at their defaults.",
-                   .is_open = has_none,
-                   .is_modified = has_none && is_modified(document)}))
-        edits.open(look.argument());
-    edits.mark("preset:");
-    const bool has_both = !look.presets.empty() && !look.presets.front().entry.is_shipped &&
-                          look.presets.back().entry.is_shipped;
-    for (const ListedLookPreset& preset : look.presets) {
-        const bool is_first = &preset == &look.presets.front() ||
-                              (&preset - 1)->entry.is_shipped != preset.entry.is_shipped;
-        if (is_first && (has_both || !preset.entry.is_shipped)) {
-            ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 4.0f);
-            dim_text(preset.entry.is_shipped ? "Shipped" : "Yours");
-        }
-        const ListedPreset listed =
-            as_listed(preset, document, scene.lab.presets.navigation().stars());
-        const ScopedId id(preset.entry.file.string());
-        ImGui::BeginGroup();
-        const bool is_clicked = draw_line({.label = preset.name,
-                                           .about = preset.about,
-                                           .is_open = listed.is_open,
-                                           .is_modified = listed.is_modified});
-        ImGui::EndGroup();
-        edits.mark("preset:" + preset.entry.id);
-        draw_preset_menu(listed, scene, edits);
-        if (is_clicked)
-            open_listed(listed, scene, edits, ImGui::GetIO().KeyAlt);
-    }
-    ImGui::Unindent(indent);
-}
-
 void draw_look_menu(const ListedLook& look, const Scene& scene, Edits& edits) {
     if (!ImGui::BeginPopupContextItem("##look_menu"))
         return;
@@ -77,28 +17,86 @@ void draw_look_menu(const ListedLook& look, const Scene& scene, Edits& edits) {
         add_to_stack(look, edits);
     ImGui::EndPopup();
 }
+
+void draw_look(const ListedLook& look, const Scene& scene, Edits& edits) {
+    const Document* document = scene.lab.document;
+    const ScopedId id(look.argument());
+    const bool is_open = document && is_listed_as(document->look(), look);
+    const RowClick click =
+        draw_thumbnail_row({.label = look.name,
+                            .about = look.about.empty() ? look.name : look.name + "\n" + look.about,
+                            .image = scene.pictures.looks.of(picture_folder(look, scene.roots)),
+                            .is_open = is_open},
+                           scene, edits);
+    edits.mark("look:" + look.entry.id);
+    draw_look_menu(look, scene, edits);
+    if (click.is_row && !is_open)
+        edits.open(look.argument());
+}
+
+// A button with an arrow that opens a menu.
+bool arrow_button(const char* id, float side) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const bool is_pressed = ImGui::InvisibleButton(id, {side, side});
+    draw_chevron({low.x + 0.5f * side, low.y + 0.5f * side}, true,
+                 ImGui::IsItemHovered() ? theme::text : theme::dim);
+    return is_pressed;
+}
+
+void draw_recent(const Scene& scene, Edits& edits) {
+    if (arrow_button("##recent", ImGui::GetFrameHeight()))
+        ImGui::OpenPopup("##recent_looks");
+    tooltip("Recent looks");
+    edits.mark("recent_looks");
+    if (!ImGui::BeginPopup("##recent_looks"))
+        return;
+    const std::string open =
+        scene.lab.document ? argument_of(scene.lab.document->look()) : std::string();
+    const std::vector<RecentLook> recent =
+        recent_looks(scene.window.recent.looks, scene.library_view.looks(), open);
+    if (recent.empty())
+        dim_text("No other looks were opened yet.");
+    for (const RecentLook& look : recent) {
+        const ScopedId id(look.argument);
+        if (ImGui::MenuItem(look.name.c_str()))
+            edits.open(look.argument);
+        edits.mark("recent_look:" + look.name);
+    }
+    ImGui::EndPopup();
+}
+
+void draw_head(const Scene& scene, Edits& edits) {
+    ImGui::AlignTextToFramePadding();
+    dim_text("Looks");
+    ImGui::SameLine();
+    const float button = ImGui::GetFrameHeight();
+    const float width = ImGui::GetContentRegionAvail().x - button;
+    std::string search = scene.window.looks.search;
+    if (draw_search_box({"look_search", "Search", width}, search, edits))
+        edits.arrange([search](WindowState& window) { window.looks.search = search; });
+    ImGui::SameLine(0.0f, 0.0f);
+    draw_recent(scene, edits);
+}
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
-    const Document* document = scene.lab.document;
-    heading("Looks");
-    for (const ListedLook& look : scene.library_view.looks()) {
-        const ScopedId id(look.argument());
-        const bool is_open = document && is_listed_as(document->look(), look);
-        bool is_clicked = false;
-        {
-            const ScopedFont font(is_open ? scene.fonts.strong : scene.fonts.text);
-            ImGui::BeginGroup();
-            is_clicked = draw_line({.label = look.name, .about = look.about});
-            ImGui::EndGroup();
-            edits.mark("look:" + look.entry.id);
-        }
-        draw_look_menu(look, scene, edits);
-        if (is_clicked && !is_open)
-            edits.open(look.argument());
-        if (is_open)
-            draw_presets(look, scene, edits);
-    }
-    if (scene.library_view.looks().empty())
-        dim_text("No looks found.");
+    draw_head(scene, edits);
+    const std::vector<const ListedLook*> looks =
+        matching_looks(scene.library_view.looks(), scene.window.looks.search);
+    ImGui::BeginChild("##looks");
+    const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
+    std::vector<std::string> ids;
+    for (const ListedLook* look : looks)
+        ids.push_back(look->argument());
+    hold_rows(ids, scene.lab.document ? argument_of(scene.lab.document->look()) : std::string(),
+              &ScrolledTo::looks, scene, edits);
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(looks.size()), thumbnail_row_height());
+    while (clipper.Step())
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
+            draw_look(*looks[static_cast<std::size_t>(i)], scene, edits);
+    clipper.End();
+    if (looks.empty())
+        wrapped_dim_text(scene.library_view.looks().empty() ? "No looks found." : "No matches.");
+    ImGui::EndChild();
 }

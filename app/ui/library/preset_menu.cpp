@@ -60,6 +60,11 @@ void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
         edits.open(argument);
 }
 
+void morph_to_listed(const ListedPreset& preset, const Scene& scene, Edits& edits) {
+    edits.change([file = preset.preset.entry.file, seconds = scene.window.presets.morph_seconds](
+                     PresetCommands& presets) { presets.navigation().morph_to(file, seconds); });
+}
+
 void star_listed(const ListedPreset& preset, Edits& edits) {
     edits.change([name = preset.preset.entry.id, has_star = !preset.has_star](
                      PresetCommands& presets) { presets.navigation().star(name, has_star); });

@@ -12,4 +12,7 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
 void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
                  bool brings_content = false);
 
+/// Morphs to the preset in the time of the preset browser.
+void morph_to_listed(const ListedPreset& preset, const Scene& scene, Edits& edits);
+
 void star_listed(const ListedPreset& preset, Edits& edits);

@@ -2,10 +2,10 @@
 
 #include "lab/commands/preset_commands.h"
 #include "lab/menus/preset_menu.h"
+#include "ui/library/preset_filter.h"
 #include "ui/library/preset_menu.h"
 #include "ui/widgets/icons.h"
 #include "ui/widgets/scoped.h"
-#include "ui/widgets/search_box.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -36,26 +36,6 @@ PresetCell preset_cell() {
     cell.width = std::min(cell.width, minimum * 1.3f);
     cell.height = std::floor(cell.width * 9.0f / 16.0f);
     return cell;
-}
-
-void draw_search(const PresetBrowsing& wanted, Edits& edits) {
-    std::string search = wanted.search;
-    if (draw_search_box({"preset_search", "Search presets", ImGui::GetFontSize() * 11.0f}, search,
-                        edits))
-        edits.arrange([search](WindowState& window) { window.presets.search = search; });
-}
-
-void draw_star_filter(const PresetBrowsing& wanted, Edits& edits) {
-    const bool is_on = wanted.only_starred;
-    if (icon_button("##only_starred", is_on ? Icon::star : Icon::star_outline,
-                    is_on
-                        ? "Only favourites are shown, also for the previous and next preset keys. "
-                          "Click to show all presets."
-                        : "Show only favourites. The previous and next preset keys then skip "
-                          "other presets.",
-                    is_on ? theme::accent : theme::label))
-        edits.arrange([is_on](WindowState& window) { window.presets.only_starred = !is_on; });
-    edits.mark("only_starred");
 }
 
 void draw_morph_time(const PresetBrowsing& wanted, Edits& edits) {
@@ -204,18 +184,9 @@ void draw_preset(const ListedPreset& preset, const Scene& scene, const PresetCel
     if (is_starred)
         star_listed(preset, edits);
     else if (is_clicked && ImGui::GetIO().KeyShift)
-        edits.change([file = preset.preset.entry.file,
-                      seconds = scene.window.presets.morph_seconds](PresetCommands& presets) {
-            presets.navigation().morph_to(file, seconds);
-        });
+        morph_to_listed(preset, scene, edits);
     else if (is_clicked)
         open_listed(preset, scene, edits, ImGui::GetIO().KeyAlt);
-}
-
-std::string why_no_preset(const PresetBrowsing& wanted) {
-    if (!wanted.search.empty())
-        return "No matches.";
-    return "No favourites yet. Hover over a preset and click its star.";
 }
 }  // namespace
 
@@ -226,9 +197,10 @@ void draw_presets_panel(const Scene& scene, Edits& edits) {
     const std::vector<ListedPreset> listed =
         listed_presets(*scene.lab.document, scene.library_view.looks(),
                        scene.lab.presets.navigation().stars(), wanted);
-    draw_search(wanted, edits);
+    draw_preset_search({"preset_search", "Search presets", ImGui::GetFontSize() * 11.0f}, wanted,
+                       edits);
     ImGui::SameLine();
-    draw_star_filter(wanted, edits);
+    draw_star_filter("only_starred", wanted, edits);
     ImGui::SameLine();
     draw_morph_time(wanted, edits);
     draw_content_choice(scene, edits);

@@ -1,6 +1,7 @@
 #include "ui/passes/pass_strip.h"
 
 #include "lab/frame/heavy_pass.h"
+#include "ui/passes/pass_edit_items.h"
 #include "ui/passes/strip_blocks.h"
 #include "ui/passes/strip_cell.h"
 #include "ui/passes/strip_text.h"
@@ -125,6 +126,10 @@ void draw_key(const Group& group, float top, const Scene& scene) {
     list.AddText({left + pad.x, top + pad.y}, theme::packed(theme::label), group.key.c_str());
 }
 
+float add_button_width() {
+    return std::floor(ImGui::GetFontSize() * 1.8f);
+}
+
 // Sets the position of the next block, closer to a block of the same look.
 void continue_row(const std::vector<Group>& groups, const std::string& key, const Scene& scene) {
     const float gap = strip_gap();
@@ -176,6 +181,27 @@ void draw_blocks(const std::vector<StripBlock>& blocks, float image_height, cons
         if (!group.key.empty())
             draw_key(group, top, scene);
 }
+// A cell with a plus sign after the last pass.
+void draw_add_button(float image_height, const Scene& scene, Edits& edits) {
+    ImGui::SameLine(0.0f, strip_gap());
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 size(add_button_width(), image_height);
+    if (ImGui::InvisibleButton("##add_pass", size))
+        ask_for_pass(scene.lab.renderer->executor().look().passes.back().name, scene, edits);
+    edits.mark("add_pass");
+    const bool is_hovered = ImGui::IsItemHovered();
+    tooltip("Add a pass after the last one");
+    const ImU32 color = theme::packed(is_hovered ? theme::text : theme::dim);
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    const ImVec2 middle(std::floor(0.5f * (low.x + high.x)), std::floor(0.5f * (low.y + high.y)));
+    const float arm = ImGui::GetFontSize() * 0.4f;
+    const float thick = 1.5f * scene.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRect(low, high, theme::packed(is_hovered ? theme::label : theme::line), 0.0f, 0,
+                 scene.scale);
+    list.AddLine({middle.x - arm, middle.y}, {middle.x + arm, middle.y}, color, thick);
+    list.AddLine({middle.x, middle.y - arm}, {middle.x, middle.y + arm}, color, thick);
+}
 }  // namespace
 
 void draw_pass_strip(const Scene& scene, Edits& edits) {
@@ -195,8 +221,9 @@ void draw_pass_strip(const Scene& scene, Edits& edits) {
                           ImGuiWindowFlags_HorizontalScrollbar | ImGuiWindowFlags_NavFlattened);
     }
     const std::vector<StripPass> passes = present_passes(scene);
-    draw_blocks(arrange_strip(passes, ImGui::GetContentRegionAvail().x, scene), image_height, scene,
-                edits);
+    const float width = ImGui::GetContentRegionAvail().x - add_button_width() - strip_gap();
+    draw_blocks(arrange_strip(passes, width, scene), image_height, scene, edits);
+    draw_add_button(image_height, scene, edits);
     // The strip cannot scroll vertically, so the wheel scrolls it horizontally.
     constexpr float a_notch = 5.0f;  // in font sizes
     if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0.0f && ImGui::IsWindowHovered())

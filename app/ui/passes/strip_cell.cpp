@@ -1,6 +1,7 @@
 #include "ui/passes/strip_cell.h"
 
 #include "lab/frame/heavy_pass.h"
+#include "ui/passes/pass_edit_items.h"
 #include "ui/passes/strip_text.h"
 #include "ui/picture/pass_switch_items.h"
 #include "ui/widgets/scoped.h"
@@ -67,7 +68,8 @@ std::string cell_help(const StripPass& pass) {
         lines.push_back(strip_text::gain_help(*pass.gain));
     if (!pass.state.empty())
         lines.push_back(pass.state);
-    lines.emplace_back("Double-click to view large. Right-click to bypass, solo or freeze.");
+    lines.emplace_back(
+        "Double-click to view large. Right-click to bypass, solo, freeze, move or remove.");
     return fmt::format("{}", fmt::join(lines, "\n"));
 }
 
@@ -84,6 +86,8 @@ bool draw_button(const StripPass& pass, const ImVec2& size, const Scene& scene, 
         edits.arrange([](WindowState& window) { window.views.shows_pass_large = true; });
     if (ImGui::BeginPopupContextItem("##switches")) {
         draw_pass_switches(pass.pass.name, scene, edits);
+        ImGui::Separator();
+        draw_pass_edits(pass.pass.name, scene, edits);
         ImGui::EndPopup();
     } else {
         tooltip(cell_help(pass));

@@ -1,6 +1,7 @@
 #include "ui/window/application.h"
 
 #include "gpu/window.h"
+#include "lab/library/library_view.h"
 #include "lab/menus/palette.h"
 #include "lab/menus/window_menu.h"
 #include "lab/safe_start.h"
@@ -179,6 +180,8 @@ void Application::apply(const Edits& edits) {
     edits.apply(m_lab, m_state);
     for (const std::filesystem::path& file : m_lab.work().opened_files.take())
         note_use(m_state.recent.files, std::filesystem::absolute(file).lexically_normal().string());
+    if (const Document* document = m_lab.document())
+        note_use(m_state.recent.looks, argument_of(document->look()));
     note_first_steps(m_lab.document(), m_state);
     m_keys.update(m_state.keyboard.bindings, m_lab.messages());
     if (edits.change_lab() || m_panels.toolkit().has_input())  // displayed one frame later

@@ -43,7 +43,7 @@ void PanelDisplay::update(Lab& lab, WindowState& state, double wall_seconds) {
     list_looks(lab, wall_seconds);
     m_views.update(lab, state);
     apply_pending_fits(m_views, lab, state);
-    m_pictures.update(lab, m_views, state, wall_seconds);
+    m_pictures.update(lab, m_views, state, m_library, wall_seconds);
 }
 
 Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) {

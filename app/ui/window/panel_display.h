@@ -37,7 +37,8 @@ private:
     ActionTable m_actions = make_action_table();
     OutputWindow m_output;
     Views m_views;
-    ListThumbnails m_pictures{{}, PresetThumbnails(gpu::WindowEvents::wake), {}};
+    ListThumbnails m_pictures{
+        {}, PresetThumbnails(gpu::WindowEvents::wake), {}, LookThumbnails(gpu::WindowEvents::wake)};
     LibraryView m_library;
     Pace m_pace;
     std::filesystem::path m_state_file;

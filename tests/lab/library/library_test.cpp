@@ -2,6 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/look/look_manifest.h"
 #include "formats/preset/preset_format.h"
 #include "lab/library/library_view.h"
 
@@ -195,4 +196,36 @@ TEST_CASE("a look is duplicated with all its files and never over another") {
     CHECK(fs::exists(*copy / "look.json"));
     CHECK_FALSE(library.duplicate_look(look->folder, "mine").has_value());
     CHECK(library.looks().size() == 2);
+}
+
+TEST_CASE("a new look has the files of its template, another name, and no picture") {
+    const TemporaryRoots folder;
+    Roots roots = folder.roots();
+    roots.program = AFTERGLOW_SOURCE_DIR;
+    const Library library(roots);
+    const auto created = library.new_look("night-scope", "beam");
+    REQUIRE(created.has_value());
+    const fs::path original = roots.program / "shaders/templates/beam";
+    CHECK(read_text(*created / "beam.vert") == read_text(original / "beam.vert"));
+    CHECK(fs::exists(original / "look.png"));
+    CHECK_FALSE(fs::exists(*created / "look.png"));
+    std::vector<fs::path> files;
+    const auto look = load_manifest(*created / "look.json", files);
+    REQUIRE(look.has_value());
+    CHECK(look->name == "Night scope");
+    CHECK_FALSE(library.new_look("night-scope", "filter").has_value());
+    CHECK_FALSE(library.new_look("other", "none").has_value());
+    CHECK_FALSE(fs::exists(roots.user / "shaders/other"));
+}
+
+TEST_CASE("presets are listed as the user's, the shipped ones, then those of the article") {
+    const auto shipped = [](const char* name) {
+        return PresetEntry{"look", name, std::string(name) + ".json", true};
+    };
+    const PresetEntry mine{"look", "article-of-mine", "article-of-mine.json", false};
+    CHECK(is_listed_before(mine, "Zebra", shipped("amber"), "Amber"));
+    CHECK(is_listed_before(shipped("amber"), "amber", shipped("blue"), "Blue"));
+    CHECK(is_listed_before(shipped("white"), "White", shipped("article"), "Original article"));
+    CHECK(is_listed_before(shipped("article"), "Original article", shipped("article-mono"),
+                           "Original article, monochrome"));
 }

@@ -30,7 +30,7 @@ public:
     /// Updates until every picture is available. "": the look's defaults.
     void look_at(PresetThumbnails& pictures, const std::vector<std::filesystem::path>& files) {
         REQUIRE(update_until([&] {
-            pictures.update(lab(), true, 1.0);
+            pictures.update(lab(), PresetThumbnails::Use::drawn, 1.0);
             return std::ranges::none_of(files,
                                         [&](const auto& file) { return pictures.of(file).is_due; });
         }));
@@ -113,7 +113,7 @@ TEST_CASE("pictures are drawn only while displayed, and a broken preset reports 
     REQUIRE(write_atomically(broken, "{\n\"format\": 3 }").has_value());
     PresetThumbnails pictures;
     for (int update = 0; update < 3; ++update)
-        pictures.update(small.lab(), false, 1.0);
+        pictures.update(small.lab(), PresetThumbnails::Use::hidden, 1.0);
     CHECK_FALSE(pictures.is_drawing());
     CHECK(pictures.of(bright).is_due);
     small.look_at(pictures, {{}, bright, broken});
@@ -127,7 +127,7 @@ TEST_CASE("pictures are drawn only while displayed, and a broken preset reports 
     small.preset("broken", 2.0);  // repaired
     std::filesystem::last_write_time(
         broken, std::filesystem::last_write_time(broken) + std::chrono::seconds(2));
-    pictures.update(small.lab(), true, 1.0);
+    pictures.update(small.lab(), PresetThumbnails::Use::drawn, 1.0);
     small.look_at(pictures, {{}, bright, broken});
     CHECK(pictures.of(broken).image.handle != 0);
     CHECK(pictures.of(broken).problem.empty());
@@ -152,7 +152,7 @@ TEST_CASE("a preset's picture follows the file that the preset references") {
     PresetThumbnails pictures;
     const auto look = [&] {
         REQUIRE(small.update_until([&] {
-            pictures.update(small.lab(), true, 1.0);
+            pictures.update(small.lab(), PresetThumbnails::Use::drawn, 1.0);
             return !pictures.of(file).is_due && !pictures.of({}).is_due;
         }));
     };
@@ -161,7 +161,7 @@ TEST_CASE("a preset's picture follows the file that the preset references") {
     save_grey(grey, 0.5f);
     std::filesystem::last_write_time(
         grey, std::filesystem::last_write_time(grey) + std::chrono::seconds(2));
-    pictures.update(small.lab(), true, 1.0);
+    pictures.update(small.lab(), PresetThumbnails::Use::drawn, 1.0);
     CHECK(pictures.of(file).is_due);
     CHECK_FALSE(pictures.of({}).is_due);
     look();
