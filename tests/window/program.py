@@ -90,6 +90,9 @@ class Program:
 
     def place(self, widget):
         """The rectangle of a widget, once it is constant after all input is processed."""
+        for prefix, rows in (("preset:", "preset_rows"), ("look:", "look_rows")):
+            if widget.startswith(prefix):
+                self.scroll_to(widget, rows)
         seen = {"place": None, "since": 0, "turn": 0, "time": 0.0}
 
         def is_still(state):
@@ -102,6 +105,22 @@ class Program:
             is_asleep = time.monotonic() - seen["time"] > 1
             return turn > seen["since"] + 1 or is_asleep
         return self.wait("a widget named '%s'" % widget, is_still)["widgets"][widget]
+
+    def scroll_to(self, widget, rows):
+        """Scrolls a list by the wheel until a row is within its pane."""
+        def is_visible(state):
+            row, pane = state["widgets"].get(widget), state["widgets"].get(rows)
+            return row and pane and pane[1] <= (row[1] + row[3]) / 2 <= pane[3]
+
+        self.wait("the list '%s'" % rows, lambda s: rows in s["widgets"])
+        for button in (4, 5):  # up to the first row, then down
+            for _ in range(30):
+                if is_visible(self.state()):
+                    return
+                left, top, right, bottom = self.state()["widgets"][rows]
+                turn = self.state()["turn"]
+                self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", button)
+                self.wait("the wheel is processed", lambda s: s["turn"] > turn + 2)
 
     def middle(self, widget):
         left, top, right, bottom = self.place(widget)

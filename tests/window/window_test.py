@@ -7,6 +7,7 @@ import unittest
 from pathlib import Path
 
 from choosing import Choosing
+from collecting import Collecting
 from comparing import Comparing
 from drawing import Drawing
 from driving import Driving
@@ -34,8 +35,8 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Remoting, Comparing,
     """The second group."""
 
 
-class Owner(Owning, Foreign, Keyboard):
-    """The third group: content of the user, looks of other programs, and the keyboard."""
+class Owner(Owning, Foreign, Collecting, Keyboard):
+    """The third group: content and looks of the user, looks of other programs, and the keyboard."""
 
 
 class WindowTest(Tuner, Looker, Owner):

@@ -31,7 +31,7 @@ Edit change_comparison(const std::function<void(Comparison&)>& change) {
 }
 
 MenuSection comparison_section(const LabParts& lab) {
-    MenuSection section{"Compare", MenuSection::Menu::compare};
+    MenuSection section{"Comparison", MenuSection::Menu::compare};
     const Comparison& chosen = lab.frames.comparison().selection().chosen();
     for (const auto& [measure, name] :
          {std::pair{DifferenceMeasure::absolute, "Absolute difference"},

@@ -51,7 +51,8 @@ std::size_t name_start(const PaletteEntry& entry) {
 }
 
 struct Ranked {
-    std::tuple<int, std::size_t, bool, std::size_t, std::size_t> order;  // smallest first
+    // smallest first
+    std::tuple<int, bool, std::size_t, bool, std::size_t, std::size_t> order;
     PaletteMatch match;
 };
 
@@ -158,10 +159,13 @@ std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
         const auto use = std::find(used.begin(), used.end(), entries[i].id);
         const std::size_t start = name_start(entries[i]);
         const bool is_named = !match->positions.empty() && match->positions.back() >= start;
-        ranked.push_back({{-match->score, static_cast<std::size_t>(use - used.begin()),
-                           entries[i].kind == Kind::menu_entry,
-                           is_named ? entries[i].label.size() - start : 0, i},
-                          {i, match->positions}});
+        // A file replaces what is open, so a command that matches as well comes first.
+        const bool is_typed_file = entries[i].kind == Kind::file && !query.empty();
+        ranked.push_back(
+            {{-match->score, is_typed_file, static_cast<std::size_t>(use - used.begin()),
+              entries[i].kind == Kind::menu_entry, is_named ? entries[i].label.size() - start : 0,
+              i},
+             {i, match->positions}});
     }
     std::sort(ranked.begin(), ranked.end(),
               [](const Ranked& a, const Ranked& b) { return a.order < b.order; });

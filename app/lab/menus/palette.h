@@ -40,9 +40,9 @@ struct PaletteMatch {
     std::vector<std::size_t> positions;  // matching bytes of its label
 };
 
-/// The matches of `query`, the best first. Ties are sorted by last use (`used`: ids, last used
-/// first), then entries that are not of menus, then shorter names. An empty query returns all
-/// entries, the used ones first.
+/// The matches of `query`, the best first. In a tie, files are last. The others are sorted by last
+/// use (`used`: ids, last used first), then entries that are not of menus, then shorter names. An
+/// empty query returns all entries, the used ones first.
 std::vector<PaletteMatch> find_entries(const std::vector<PaletteEntry>& entries,
                                        std::string_view query,
                                        const std::vector<std::string>& used);

@@ -9,6 +9,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace {
@@ -122,6 +124,12 @@ void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document->look();
     const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
     const Location location{look.passes[pass].fragment.file, 1};
+    if (location.file.empty())
+        return edits.change([name = look.passes[pass].name](Messages& messages) {
+            messages.say(
+                fmt::format("\"{}\" is a pass that Afterglow adds. It has no shader file.", name),
+                true);
+        });
     edits.change([location](LookCommands& looks) { looks.open_in_editor(location); });
 }
 

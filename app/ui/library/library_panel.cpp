@@ -99,4 +99,5 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
     if (looks.empty())
         wrapped_dim_text(scene.library_view.looks().empty() ? "No looks found." : "No matches.");
     ImGui::EndChild();
+    edits.mark("look_rows");
 }

@@ -97,4 +97,5 @@ void draw_preset_list(const Scene& scene, Edits& edits) {
     hold_rows(ids, preset_file(document).string(), &ScrolledTo::presets, scene, edits);
     draw_rows(presets, scene, edits);
     ImGui::EndChild();
+    edits.mark("preset_rows");
 }

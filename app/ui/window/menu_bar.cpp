@@ -2,13 +2,13 @@
 
 #include "lab/document/opened_preset.h"
 #include "ui/frame/action_name.h"
-#include "ui/library/unsaved_menu.h"
 #include "ui/picture/picture_menus.h"
 #include "ui/widgets/menu_items.h"
 #include "ui/widgets/remote_menu.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "ui/window/file_menu.h"
 #include "ui/window/menu_keys.h"
 
 #include <fmt/format.h>
@@ -43,8 +43,8 @@ void draw_picture_submenus(const Scene& scene, Edits& edits) {
 void draw_sections(Menu menu, const Scene& scene, Edits& edits) {
     using In = MenuSection::Menu;
     for (const auto& [of, section_menu] :
-         {std::pair{Menu::file, In::file}, std::pair{Menu::edit, In::edit},
-          std::pair{Menu::compare, In::compare}, std::pair{Menu::pass, In::pass}})
+         {std::pair{Menu::edit, In::edit}, std::pair{Menu::compare, In::compare},
+          std::pair{Menu::pass, In::pass}})
         if (of == menu)
             draw_menu_sections(section_menu, scene, edits);
 }
@@ -61,12 +61,13 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     }
     if (menu == Menu::edit)
         draw_menu(Menu::parameter, "Parameter", scene, edits);
-    if (menu == Menu::file)
-        draw_unsaved_menu(scene, edits);
     draw_sections(menu, scene, edits);
     for (const Action& action : scene.actions.rows())
-        if (action.menu == menu && !action.is_hidden)
+        if (action.menu == menu && !action.is_hidden) {
             draw_item(action, scene, edits);
+            if (menu == Menu::file)
+                draw_file_submenus(action, scene, edits);
+        }
     ImGui::EndMenu();
 }
 

@@ -104,6 +104,18 @@ TEST_CASE("among equal matches the most recently used one ranks first") {
     CHECK(found("save p", {"Save preset as…", "Save preset"}).front() == "Save preset as…");
 }
 
+TEST_CASE("a command ranks before a recent file that matches as well") {
+    std::vector<PaletteEntry> entries = file_entries({"/home/me/two.slangp"});
+    const PaletteEntry file = entries.front();
+    entries.push_back({PaletteEntry::Kind::action, "save", "Save as .slangp…", {}, {}, {}, {}});
+    const auto first = [&](const char* query, const std::vector<std::string>& used) {
+        return entries[find_entries(entries, query, used).front().entry].id;
+    };
+    CHECK(first("slangp", {file.id}) == "save");
+    CHECK(first("two", {file.id}) == file.id);
+    CHECK(first("", {file.id}) == file.id);
+}
+
 TEST_CASE("a reused id moves to the front, and at most 20 ids are kept") {
     std::vector<std::string> used;
     for (int i = 0; i < 30; ++i)
