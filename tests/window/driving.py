@@ -73,8 +73,10 @@ class Driving(Person):
         gone = program.folder / "gone.wav"
         before = program.state()["signal"]
         self.open_by_name(gone)
-        state = program.wait("the message names the file", lambda s: "gone.wav" in s["notice"])
+        state = program.wait("the dialog reports the missing file", lambda s: "dialog_problem" in s["widgets"])
         self.assertEqual((state["signal"], state["problems"], state["is_content_locked"]), (before, [], False))
+        program.key("Escape")
+        program.wait("the dialog is closed", lambda s: not s["dialog"])
         program.key("ctrl+o")
         program.place("dialog_file")
         self.assertNotIn("recent:gone.wav", program.state()["widgets"])

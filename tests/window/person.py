@@ -70,11 +70,16 @@ class Person(unittest.TestCase):
         cls.screen = cls.enter(Screen(*WINDOW))
         folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-window-")))
         cls.program = Program(cls.executable, SOURCE, folder, cls.screen)
+        cls.arrange(cls.program)
         cls.program.arrange(*WINDOW, cls.size)
         cls.fresh = cls.program.start()
         cls.looks = folder / "data/shaders"
         cls.presets = folder / "data/presets"
         cls.own = folder / "own/afterglow"
+
+    @classmethod
+    def arrange(cls, program):
+        """Changes the program before its start."""
 
     def setUp(self):
         if not self.program:

@@ -20,6 +20,7 @@ class Program:
         self.folder = folder
         self.state_file = folder / "state.json"
         self.editor_log = folder / "editor.log"
+        self.bus = "disabled:"  # no session bus: the program's own file dialog opens
         for part in ("shaders", "presets"):
             shutil.copytree(source / part, folder / "data" / part)
         editor = folder / "editor"
@@ -57,7 +58,8 @@ class Program:
                 "XDG_STATE_HOME": str(self.folder / "state"),
                 "AFTERGLOW_DATA": str(self.folder / "data"),
                 "AFTERGLOW_STATE_FILE": str(self.state_file),
-                "VISUAL": str(self.folder / "editor"), "LIBGL_ALWAYS_SOFTWARE": "1"}
+                "DBUS_SESSION_BUS_ADDRESS": self.bus, "VISUAL": str(self.folder / "editor"),
+                "LIBGL_ALWAYS_SOFTWARE": "1"}
 
     def start(self, *arguments):
         self.state_file.unlink(missing_ok=True)

@@ -6,11 +6,11 @@
 #include "formats/preset/preset_update.h"
 #include "io/files/atomic_file.h"
 #include "lab/library/look_templates.h"
+#include "lab/storage/name_check.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -27,23 +27,12 @@ std::vector<fs::path> sorted_entries(const fs::path& folder) {
     return entries;
 }
 
-bool is_name(std::string_view name) {
-    const auto is_fine = [](unsigned char c) {
-        return std::isalnum(c) || c >= 0x80 ||
-               std::string_view(" -_.()+").find(static_cast<char>(c)) != std::string_view::npos;
-    };
-    return !name.empty() && name.size() <= 100 && name.front() != '.' && trim(name) == name &&
-           std::all_of(name.begin(), name.end(), is_fine);
-}
-
-Result<void> check_preset_name(std::string_view name) {
-    if (is_name(name))
+// The problem of a name with the name itself, for messages outside a dialog.
+Result<void> checked(const NameCheck& check, std::string_view name, const char* what) {
+    if (check.is_valid)
         return {};
-    return fail({{},
-                 0,
-                 fmt::format("'{}' can't be a preset name; use letters, digits, spaces and "
-                             "- _ . ( ) +",
-                             name)});
+    const std::string problem = check.problem.empty() ? "Type a name." : check.problem;
+    return fail({{}, 0, fmt::format("'{}' can't be {}. {}", name, what, problem)});
 }
 
 Diagnostic preset_exists(std::string_view name) {
@@ -177,7 +166,7 @@ std::optional<PresetEntry> Library::find_preset(std::string_view look,
 }
 
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
-    if (auto fine = check_preset_name(name); !fine)
+    if (auto fine = checked(check_preset_name(name), name, "a preset name"); !fine)
         return fail(fine.error());
     // The look name comes from the preset file. It must not contain a path to write to.
     if (look == ".." || look.find('/') != look.npos)
@@ -207,7 +196,7 @@ Result<fs::path> Library::save_preset(Preset preset, const std::string& name) co
 }
 
 Result<fs::path> Library::rename_preset(const fs::path& file, const std::string& name) const {
-    if (auto fine = check_preset_name(name); !fine)
+    if (auto fine = checked(check_preset_name(name), name, "a preset name"); !fine)
         return fail(fine.error());
     if (is_shipped(file))
         return fail({file, 0, "is a shipped preset. Save it under a new name instead."});
@@ -250,17 +239,8 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
 }
 
 Result<void> Library::check_look_name(const std::string& id) const {
-    if (!is_name(id))
-        return fail({{},
-                     0,
-                     fmt::format("'{}' can't be a look name; use letters, digits, spaces and "
-                                 "- _ . ( )",
-                                 id)});
-    if (id.find('+') != std::string::npos)
-        return fail(
-            {{},
-             0,
-             fmt::format("'{}' can't be a look name: '+' separates the looks of a stack", id)});
+    if (auto fine = checked(check_look_id(id), id, "a look name"); !fine)
+        return fine;
     if (find_look(id))
         return fail({{}, 0, fmt::format("a look called '{}' already exists", id)});
     return {};

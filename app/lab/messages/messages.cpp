@@ -62,6 +62,14 @@ void Messages::withdraw(std::string_view subject) {
         m_notice.reset();
 }
 
+std::optional<std::string> Messages::take_problem() {
+    if (!m_notice || !m_notice->is_problem)
+        return std::nullopt;
+    std::string text = std::move(m_notice->text);
+    m_notice.reset();
+    return text;
+}
+
 void Messages::update(double wall_seconds) {
     if (m_notice && m_notice->goes_by && (m_notice->seconds_left -= wall_seconds) <= 0.0)
         m_notice.reset();

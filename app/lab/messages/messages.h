@@ -35,6 +35,8 @@ public:
     }
     const std::optional<Notice>& notice() const { return m_notice; }
     void dismiss() { m_notice.reset(); }
+    /// Removes the notice if it is a problem, and returns its text: it is shown elsewhere.
+    std::optional<std::string> take_problem();
     /// Dismisses the notice about a subject: its problem is solved.
     void withdraw(std::string_view subject);
     /// Whether the notice disappears after a time.

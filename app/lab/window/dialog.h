@@ -1,9 +1,11 @@
 #pragma once
 
 #include "lab/document/changes.h"
-#include "lab/storage/folder.h"
+#include "lab/files/file_browser.h"
+#include "lab/files/places.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,13 +38,17 @@ struct Dialog {
         export_frames,  // destination and duration
         exporting,
     };
+    enum class Host { undecided, own, desktop };
 
     Kind kind = Kind::none;
-    std::string text = {};              // the typed name or path
-    std::filesystem::path folder = {};  // the listed folder
-    std::vector<FolderEntry> entries = {};
-    std::string subject = {};  // the object of the dialog
-    int chosen = 0;            // selected row of a list
+    std::string text = {};     // the typed name
+    std::string problem = {};  // why the last attempt failed, shown below the name
+    FileBrowser browser = {};  // of a file dialog
+    std::vector<Place> places = {};
+    Host host = Host::undecided;                       // whose file dialog is open
+    std::optional<std::filesystem::path> answer = {};  // of the desktop's dialog
+    std::string subject = {};                          // the object of the dialog
+    int chosen = 0;                                    // selected row of a list
     std::vector<Change> changes = {};
     bool is_new = true;  // not drawn yet
 

@@ -1,5 +1,7 @@
 #include "lab/window/window_session.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -18,6 +20,8 @@ constexpr std::initializer_list<std::pair<const char*, float PaneSizes::*>> size
 constexpr std::string_view used_prefix = "used:";
 constexpr std::string_view recent_prefix = "recent:";
 constexpr std::string_view look_prefix = "look:";
+// Prefix of the last folder of a kind of file dialog: "folder:KEY:PATH". The number has no meaning.
+constexpr std::string_view folder_prefix = "folder:";
 
 std::vector<std::string> restored_use(const std::map<std::string, double>& numbers,
                                       std::string_view prefix) {
@@ -147,6 +151,19 @@ void restore_looking(const std::map<std::string, double>& numbers, WindowState& 
 }
 }  // namespace
 
+namespace {
+void remember_file_dialogs(const FileDialogChoices& choices,
+                           std::map<std::string, double>& numbers) {
+    numbers["file_order"] = static_cast<double>(choices.order.key);
+    numbers["files_descending"] = choices.order.is_descending ? 1.0 : 0.0;
+    numbers["hidden_files"] = choices.shows_hidden ? 1.0 : 0.0;
+    numbers["desktop_files"] = choices.uses_desktop ? 1.0 : 0.0;
+    for (const auto& [key, folder] : choices.folders)
+        numbers[fmt::format("{}{}:{}", folder_prefix, key, folder.string())] = 0.0;
+}
+
+}  // namespace
+
 std::map<std::string, double> serialized_window(const WindowState& window) {
     std::map<std::string, double> numbers{
         {"width", window.geometry.size.width},
@@ -175,6 +192,7 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
         numbers["output_monitor"] = static_cast<double>(*window.output.monitor);
     remember_panels(window.layout.panels, numbers);
     remember_looking(window, numbers);
+    remember_file_dialogs(window.file_dialogs, numbers);
     remember_use(window.recent.commands, used_prefix, numbers);
     remember_use(window.recent.files, recent_prefix, numbers);
     remember_use(window.recent.looks, look_prefix, numbers);
@@ -213,6 +231,21 @@ void restore_presets(const std::map<std::string, double>& numbers, PresetBrowsin
     restore(numbers, "presets_own_content", presets.shows_own_content);
     restore(numbers, "morph_seconds", {0.1, 600.0}, presets.morph_seconds);
 }
+
+void restore_file_dialogs(const std::map<std::string, double>& numbers,
+                          FileDialogChoices& choices) {
+    constexpr auto last_key = static_cast<double>(FileOrder::Key::modified);
+    choices.order.key =
+        static_cast<FileOrder::Key>(whole(numbers, "file_order", 0.0, last_key).value_or(0));
+    restore(numbers, "files_descending", choices.order.is_descending);
+    restore(numbers, "hidden_files", choices.shows_hidden);
+    restore(numbers, "desktop_files", choices.uses_desktop);
+    for (const std::string& stored : restored_use(numbers, folder_prefix)) {
+        const std::size_t colon = stored.find(':');
+        if (colon != std::string::npos && stored.substr(colon + 1).starts_with('/'))
+            choices.folders[stored.substr(0, colon)] = stored.substr(colon + 1);
+    }
+}
 }  // namespace
 
 WindowState restored_window(const std::map<std::string, double>& numbers,
@@ -241,6 +274,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
         if (const auto stored = number(numbers, name, 60.0, 2000.0))
             window.layout.sizes.*size = static_cast<float>(*stored);
     restore_looking(numbers, window);
+    restore_file_dialogs(numbers, window.file_dialogs);
     window.recent.commands = restored_use(numbers, used_prefix);
     window.recent.files = restored_use(numbers, recent_prefix);
     window.recent.looks = restored_use(numbers, look_prefix);

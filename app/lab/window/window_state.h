@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/window/dialog.h"
+#include "lab/window/file_dialog_kind.h"
 #include "lab/window/first_steps.h"
 #include "lab/window/frame_rate.h"
 #include "lab/window/key_bindings.h"
@@ -39,7 +40,6 @@ struct RecentChoices {
     std::vector<std::string> commands;  // ids of palette entries
     std::vector<std::string> files;     // opened files
     std::vector<std::string> looks;     // arguments that open them
-    std::filesystem::path folder;       // listed last
 };
 
 /// The frames of an export.
@@ -89,6 +89,7 @@ struct WindowState {
     RecentChoices recent;
     ScrolledTo scrolled;
     ExportRange exporting;
+    FileDialogChoices file_dialogs;
     FirstSteps first_steps;
     Dialog dialog;
     std::string copied;  // for the clipboard, until it is there; "": nothing

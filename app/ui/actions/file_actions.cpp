@@ -4,6 +4,7 @@
 #include "lab/commands/look_commands.h"
 #include "lab/commands/preset_commands.h"
 #include "lab/document/opened_preset.h"
+#include "lab/storage/name_check.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
@@ -66,8 +67,8 @@ void morph_preset(const Scene& scene, Edits& edits) {
 }
 
 void duplicate_look(const Scene& scene, Edits& edits) {
-    edits.show(
-        {.kind = Dialog::Kind::duplicate_look, .text = scene.lab.document->look().id + "-copy"});
+    edits.show({.kind = Dialog::Kind::duplicate_look,
+                .text = valid_look_id(scene.lab.document->look().id) + "-copy"});
 }
 
 void copy_line(const Scene& scene, Edits& edits) {
@@ -88,6 +89,16 @@ void restore_unsaved(const Scene& scene, Edits& edits) {
 
 bool has_stashed_session(const Scene& scene) {
     return !scene.lab.looks.stash().files().empty();
+}
+
+void use_desktop_dialog(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        window.file_dialogs.uses_desktop = !window.file_dialogs.uses_desktop;
+    });
+}
+
+bool uses_desktop_dialog(const Scene& scene) {
+    return scene.window.file_dialogs.uses_desktop;
 }
 
 void quit(const Scene&, Edits& edits) {
@@ -268,8 +279,16 @@ std::vector<Action> file_actions::list() {
          false,
          show<Kind::export_frames>,
          has_document},
-        {ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit},
     };
     actions.insert(actions.end(), others.begin(), others.end());
+    actions.push_back({ActionId::use_desktop_dialog,
+                       Menu::file,
+                       "Use desktop file dialog",
+                       {},
+                       true,
+                       use_desktop_dialog,
+                       {},
+                       uses_desktop_dialog});
+    actions.push_back({ActionId::quit, Menu::file, "Quit", {'Q', true}, true, quit});
     return actions;
 }

@@ -1,12 +1,69 @@
 #include "ui/dialogs/dialog_frame.h"
 
 #include "gpu/input_event.h"
+#include "lab/messages/messages.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+
 void close_dialog(Edits& edits) {
     edits.arrange([](WindowState& window) { window.dialog = {}; });
+}
+
+namespace {
+constexpr float max_height = 0.96f;  // of the window
+}  // namespace
+
+float list_height(float wanted, float rest) {
+    const float room = ImGui::GetIO().DisplaySize.y * max_height - rest;
+    return std::clamp(room, 4.0f * ImGui::GetFontSize(), wanted);
+}
+
+void draw_dialog_problem(const std::string& problem, Edits& edits) {
+    if (problem.empty())
+        return;
+    const ScopedColor color(ImGuiCol_Text, theme::problem);
+    ImGui::PushTextWrapPos(0.0f);
+    ImGui::TextUnformatted(problem.c_str());
+    ImGui::PopTextWrapPos();
+    edits.mark("dialog_problem");
+}
+
+void begin_attempt(Edits& edits) {
+    edits.change([](Messages& messages) { messages.take_problem(); });  // an earlier one
+}
+
+void end_attempt(Edits& edits) {
+    edits.change([](WindowState& window, Messages& messages) {
+        if (auto problem = messages.take_problem())
+            window.dialog.problem = std::move(*problem);
+        else
+            window.dialog = {};
+    });
+}
+
+std::optional<std::string> draw_name_advice(const NameCheck& check, Edits& edits) {
+    if (check.problem.empty())
+        return std::nullopt;
+    ImGui::AlignTextToFramePadding();
+    draw_dialog_problem(check.problem, edits);
+    if (check.suggestion.empty())
+        return std::nullopt;
+    const std::string label = fmt::format("Use \"{}\"", check.suggestion);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float width = ImGui::CalcTextSize(label.c_str()).x + 2.0f * style.FramePadding.x;
+    const float right = ImGui::GetItemRectMax().x + style.ItemSpacing.x + width;
+    if (right < ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x)
+        ImGui::SameLine();
+    const bool is_taken = ImGui::Button(
+        elided_to_width(label, ImGui::GetContentRegionAvail().x - 2.0f * style.FramePadding.x)
+            .c_str());
+    edits.mark("dialog_suggestion");
+    return is_taken ? std::optional(check.suggestion) : std::nullopt;
 }
 
 DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edits& edits,
@@ -15,7 +72,7 @@ DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edi
         ImGui::OpenPopup(title);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({room.x * 0.5f, room.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
-    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {room.x * 0.94f, room.y * 0.96f});
+    ImGui::SetNextWindowSizeConstraints({0.0f, 0.0f}, {room.x * 0.94f, room.y * max_height});
     ImGui::SetNextWindowSize({std::min(width * ImGui::GetFontSize(), room.x * 0.94f), 0.0f});
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
                                       ImVec2(18.0f * scene.scale, 14.0f * scene.scale));

@@ -1,7 +1,12 @@
 #pragma once
 
+#include "lab/storage/name_check.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
+
+#include <optional>
+#include <string>
+#include <utility>
 
 /// A centred modal window, open during its lifetime.
 class DialogFrame {
@@ -21,6 +26,28 @@ private:
 };
 
 void close_dialog(Edits& edits);
+
+/// The height that is left for a list in a dialog of full height, with `rest` around it.
+float list_height(float wanted, float rest);
+
+/// Shows why the last attempt of the dialog failed, if it did.
+void draw_dialog_problem(const std::string& problem, Edits& edits);
+
+/// Surround the edits of the dialog's default button. If they report a problem, the dialog shows
+/// the problem and stays open; otherwise it closes.
+void begin_attempt(Edits& edits);
+void end_attempt(Edits& edits);
+
+/// The same around one change.
+template <class Change>
+void finish_dialog(Edits& edits, Change change) {
+    begin_attempt(edits);
+    edits.change(std::move(change));
+    end_attempt(edits);
+}
+
+/// Shows what is wrong with a name, and a button with a valid one. Returns that name on a click.
+std::optional<std::string> draw_name_advice(const NameCheck& check, Edits& edits);
 
 /// The only button of a dialog. Enter activates it if `is_default`. Returns true when it is
 /// activated.

@@ -31,6 +31,7 @@ struct Question {
     const char* help;
     const char* label;
     void (*answer)(Edits& edits, const std::string& name, const std::string& subject);
+    NameCheck (*check)(std::string_view name);
     bool (*is_taken)(const Scene& scene, const std::string& name);
     // Null: an existing name is refused.
     void (*replace)(Edits& edits, const std::string& name, const std::string& subject) = nullptr;
@@ -57,12 +58,16 @@ bool is_other_preset(const Scene& scene, const std::string& name) {
            is_preset(scene, name);
 }
 
-// A dialog with one text field for a name.
-void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
-    const DialogFrame frame(question.title, 26.0f, scene, edits);
-    if (!frame.is_open())
-        return;
-    dim_text(question.help);
+void set_name(const std::string& text, Edits& edits) {
+    edits.arrange([text](WindowState& window) {
+        window.dialog.text = text;
+        window.dialog.problem.clear();
+        window.dialog.is_new = true;  // focuses the field
+    });
+}
+
+// The name, including the input of this frame.
+std::string draw_name(const Scene& scene, Edits& edits) {
     std::string text = scene.window.dialog.text;
     if (scene.window.dialog.is_new) {
         ImGui::SetKeyboardFocusHere();
@@ -70,24 +75,44 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     }
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
-        edits.arrange([text](WindowState& window) { window.dialog.text = text; });
+        edits.arrange([text](WindowState& window) {
+            window.dialog.text = text;
+            window.dialog.problem.clear();
+        });
     edits.mark("dialog_name");
+    return text;
+}
+
+void draw_taken(const std::string& name, bool replaces, Edits& edits) {
+    const ScopedColor color(ImGuiCol_Text, theme::warning);
+    ImGui::TextWrapped(replaces ? "\"%s\" already exists and will be replaced."
+                                : "\"%s\" already exists. Choose another name.",
+                       name.c_str());
+    edits.mark("dialog_taken");
+}
+
+// A dialog with one text field for a name.
+void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits) {
+    const DialogFrame frame(question.title, 26.0f, scene, edits);
+    if (!frame.is_open())
+        return;
+    dim_text(question.help);
+    const std::string text = draw_name(scene, edits);
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
         wrapped_dim_text(
             fmt::format("Saved in {}", display_folder(scene.lab.presets.destination())));
-    const bool is_taken = question.is_taken(scene, text);
+    const NameCheck check = question.check(text);
+    if (const auto suggestion = draw_name_advice(check, edits))
+        set_name(*suggestion, edits);
+    const bool is_taken = check.is_valid && question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
-    if (is_taken) {
-        const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextWrapped(replaces ? "\"%s\" already exists and will be replaced."
-                                    : "\"%s\" already exists. Choose another name.",
-                           text.c_str());
-        edits.mark("dialog_taken");
-    }
+    if (is_taken)
+        draw_taken(text, replaces, edits);
+    else if (check.problem.empty())
+        draw_dialog_problem(scene.window.dialog.problem, edits);
     if (!draw_dialog_buttons(replaces ? "Replace" : question.label,
-                             !text.empty() && (!is_taken || replaces), edits))
+                             check.is_valid && (!is_taken || replaces), edits))
         return;
-    close_dialog(edits);
     const auto answer = replaces ? question.replace : question.answer;
     answer(edits, text, scene.window.dialog.subject);
 }
@@ -95,29 +120,31 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
 using Text = const std::string&;
 
 void rename_preset(Edits& edits, Text name, Text file) {
-    edits.change([name, file](PresetCommands& presets) { presets.rename(file, name); });
+    finish_dialog(edits, [name, file](PresetCommands& presets) { presets.rename(file, name); });
 }
 
 void save_preset(Edits& edits, Text name, Text) {
-    edits.change([name](PresetCommands& presets) { presets.save_as(name); });
+    finish_dialog(edits, [name](PresetCommands& presets) { presets.save_as(name); });
 }
 
 void replace_preset(Edits& edits, Text name, Text) {
-    edits.change([name](PresetCommands& presets) { presets.replace(name); });
+    finish_dialog(edits, [name](PresetCommands& presets) { presets.replace(name); });
 }
 
 void duplicate_look(Edits& edits, Text name, Text) {
-    edits.change([name](LookCommands& looks) { looks.duplicate(name); });
+    finish_dialog(edits, [name](LookCommands& looks) { looks.duplicate(name); });
 }
 
 Question name_question(Dialog::Kind kind) {
     using Kind = Dialog::Kind;
     constexpr const char* folder_help = "Folder name (lowercase letters, digits, - and _)";
     if (kind == Kind::rename_preset)
-        return {"Rename preset", "New name", "Rename", rename_preset, is_other_preset};
+        return {"Rename preset", "New name",        "Rename",
+                rename_preset,   check_preset_name, is_other_preset};
     if (kind == Kind::duplicate_look)
-        return {"Duplicate look", folder_help, "Duplicate", duplicate_look, is_look};
-    return {"Save preset as", "Preset name", "Save", save_preset, is_preset, replace_preset};
+        return {"Duplicate look", folder_help, "Duplicate", duplicate_look, check_look_id, is_look};
+    return {"Save preset as",  "Preset name", "Save",        save_preset,
+            check_preset_name, is_preset,     replace_preset};
 }
 }  // namespace
 

@@ -1,14 +1,12 @@
 #include "ui/dialogs/file_dialog.h"
 
-#include "lab/commands/content_commands.h"
-#include "lab/commands/preset_commands.h"
-#include "lab/document/automation.h"
-#include "lab/drawing/drawing_tool.h"
-#include "lab/library/open.h"
-#include "lab/views/snapshot.h"
+#include "gpu/input_event.h"
+#include "ui/dialogs/desktop_dialog.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/export_dialog.h"
-#include "ui/dialogs/recent_files.h"
+#include "ui/dialogs/file_commands.h"
+#include "ui/dialogs/file_list.h"
+#include "ui/dialogs/file_places.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -21,262 +19,278 @@
 namespace fs = std::filesystem;
 
 namespace {
-std::vector<std::string> endings_for(Dialog::Kind kind) {
-    if (kind == Dialog::Kind::save_picture)
-        return {".png", ".exr"};
-    if (kind == Dialog::Kind::save_pass)
-        return {".exr", ".png"};
-    if (kind == Dialog::Kind::export_frames)
-        return {".mp4", ".webm", ".gif", ".png", ".exr"};
-    if (kind == Dialog::Kind::load_drawing)
-        return {".svg", ".svgz"};
-    if (kind == Dialog::Kind::save_drawing)
-        return {".svg"};
-    if (kind == Dialog::Kind::save_automation)
-        return {".txt"};
-    if (kind == Dialog::Kind::choose_file)
-        return {};
-    if (kind == Dialog::Kind::choose_reference)
-        return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
-    std::vector<std::string> all{".svg",  ".svgz", ".obj",  ".png",  ".exr", ".jpg",
-                                 ".jpeg", ".wav",  ".flac", ".ogg",  ".oga", ".mp3",
-                                 ".aif",  ".aiff", ".mp4",  ".m4v",  ".mkv", ".webm",
-                                 ".mov",  ".avi",  ".mpg",  ".mpeg", ".ogv", ".gif"};
-    for (std::string& extension : look_extensions())
-        all.push_back(std::move(extension));
-    return all;
-}
+/// A frame of the dialog. The browser is a copy that the user's input changes.
+struct FileDialogFrame {
+    const Scene& scene;
+    const FileDialogKind& kind;
+    FileRules rules;
+    FileBrowser browser;
+    std::optional<fs::path> chosen = {};       // the dialog is done
+    std::vector<FolderEntry> fresh_rows = {};  // for a text that was changed in this frame
 
-const char* title_for(Dialog::Kind kind) {
-    switch (kind) {
-        case Dialog::Kind::save_picture:
-            return "Save picture";
-        case Dialog::Kind::save_pass:
-            return "Save pass (EXR: exact values, PNG: as shown)";
-        case Dialog::Kind::export_frames:
-            return "Export video (.mp4, .webm, .gif) or image sequence (frame_%04d.png, .exr)";
-        case Dialog::Kind::load_drawing:
-            return "Load drawing";
-        case Dialog::Kind::save_drawing:
-            return "Save drawing";
-        case Dialog::Kind::save_automation:
-            return "Save automation file (for afterglow render --moves)";
-        case Dialog::Kind::save_slangp:
-            return "Save changed parameters as .slangp (references the original)";
-        case Dialog::Kind::choose_file:
-            return "Choose a file";
-        case Dialog::Kind::choose_reference:
-            return "Choose a reference picture";
-        default:
-            return "Open a look, shader, preset, picture or sound";
+    bool has_rows() const {
+        const FolderListing& listing = scene.folders.listing();
+        return !scene.folders.is_reading() && listing.folder == shown_path(browser).folder;
     }
-}
-
-// Value of `Dialog::chosen` after an arrow key: scroll to the entry and focus the name field.
-constexpr int shows_chosen = 1;
-
-bool is_saving(const Dialog& dialog) {
-    return dialog.kind == Dialog::Kind::save_picture || dialog.kind == Dialog::Kind::save_pass ||
-           dialog.kind == Dialog::Kind::save_drawing ||
-           dialog.kind == Dialog::Kind::save_automation ||
-           dialog.kind == Dialog::Kind::save_slangp || dialog.kind == Dialog::Kind::export_frames;
-}
-
-void enter(const fs::path& folder, Edits& edits) {
-    edits.arrange([folder = folder.lexically_normal()](WindowState& window) {
-        window.dialog.folder = folder;
-        window.dialog.entries = list_folder(folder, endings_for(window.dialog.kind));
-        window.recent.folder = folder;
-    });
-}
+    // The entries for the text of this frame.
+    const std::vector<FolderEntry>& rows() {
+        const FileDialogChoices& choices = scene.window.file_dialogs;
+        if (browser.text == scene.window.dialog.browser.text || !has_rows())
+            return scene.folders.rows();
+        fresh_rows = file_rows(scene.folders.listing(),
+                               filter_of(browser, rules, choices.order, choices.shows_hidden));
+        return fresh_rows;
+    }
+};
 
 void start(const Scene& scene, Edits& edits) {
-    std::error_code error;
-    const fs::path& last = scene.window.recent.folder;
-    enter(fs::is_directory(last, error) ? last : fs::current_path(error), edits);
-    edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
-    if (scene.window.dialog.kind == Dialog::Kind::save_picture)
-        edits.arrange([](WindowState& window) { window.dialog.text = "picture.png"; });
-    if (scene.window.dialog.kind == Dialog::Kind::export_frames)
-        edits.arrange([](WindowState& window) { window.dialog.text = "video.mp4"; });
-    if (scene.window.dialog.kind == Dialog::Kind::save_pass)
-        edits.arrange([](WindowState& window) {
-            window.dialog.text = window.dialog.subject + ".exr";
-            std::ranges::replace(window.dialog.text, '/', '-');  // "crt/mask" in a stack
-        });
-    if (scene.window.dialog.kind == Dialog::Kind::save_drawing)
-        edits.arrange([](WindowState& window) { window.dialog.text = "drawing.svg"; });
-    if (scene.window.dialog.kind == Dialog::Kind::save_automation)
-        edits.arrange([](WindowState& window) { window.dialog.text = "automation.txt"; });
-    if (scene.window.dialog.kind == Dialog::Kind::save_slangp)
-        edits.arrange([name = scene.lab.document->look().name](WindowState& window) {
-            window.dialog.text = name + "-mine.slangp";
-        });
+    edits.arrange([browser = first_browser(scene.window.dialog, scene.window.file_dialogs,
+                                           scene.lab.document),
+                   places = dialog_places(scene)](WindowState& window) {
+        if (window.dialog.browser.folder.empty())
+            window.dialog.browser = browser;
+        window.dialog.places = places;
+        window.dialog.is_new = false;
+    });
 }
 
-void finish(const fs::path& file, const Scene& scene, Edits& edits) {
-    const Dialog& dialog = scene.window.dialog;
-    close_dialog(edits);
-    if (dialog.kind == Dialog::Kind::open_file)
-        edits.open_file(file);
-    else if (dialog.kind == Dialog::Kind::save_picture)
-        edits.change([file](const Document& document, const Renderer& renderer,
-                            const PassControl& passes, const MediaInput& media,
-                            Messages& messages) {
-            save_snapshot({renderer, passes.picture_pass(), document, media.recent()}, file,
-                          messages);
-        });
-    else if (dialog.kind == Dialog::Kind::export_frames)
-        export_frames(file, scene, edits);
-    else if (dialog.kind == Dialog::Kind::save_pass)
-        edits.change([view = scene.window.views.inspected, file](const Renderer& renderer,
-                                                                 Messages& messages) {
-            save_target(renderer, view, file, messages);
-        });
-    else if (dialog.kind == Dialog::Kind::load_drawing)
-        edits.change([file](DrawingTool& drawing) { drawing.load(file); });
-    else if (dialog.kind == Dialog::Kind::choose_reference)
-        edits.change([file](ComparisonView& comparison) { comparison.compare_with_file(file); });
-    else if (dialog.kind == Dialog::Kind::save_drawing)
-        edits.change([file](DrawingTool& drawing) { drawing.save(file); });
-    else if (dialog.kind == Dialog::Kind::save_automation)
-        edits.change([file](Automation& automation) { automation.save(file); });
-    else if (dialog.kind == Dialog::Kind::save_slangp)
-        edits.change([file](PresetCommands& presets) { presets.sharing().save_slang(file); });
-    else
-        edits.change([name = dialog.subject, file](ContentCommands& content) {
-            content.choose_picture(name, file);
-        });
-}
-
-void draw_folder_line(const Dialog& dialog, Edits& edits) {
+void draw_folder_line(FileDialogFrame& frame, Edits& edits) {
+    const fs::path folder = shown_path(frame.browser).folder;
     if (ImGui::Button("Up"))
-        enter(dialog.folder.parent_path(), edits);
+        enter_folder(frame.browser, frame.rules, folder.parent_path());
+    edits.mark("dialog_up");
     ImGui::SameLine();
-    std::string folder = dialog.folder.string();
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputText("##folder", &folder, ImGuiInputTextFlags_EnterReturnsTrue))
-        enter(folder, edits);
-    edits.mark("dialog_folder");
+    constexpr const char* hidden = "Hidden files";
+    const float box = ImGui::CalcTextSize(hidden).x + ImGui::GetFrameHeight() +
+                      ImGui::GetStyle().ItemInnerSpacing.x;
+    const float room = ImGui::GetContentRegionAvail().x - box - ImGui::GetFontSize();
+    if (const auto clicked = draw_folder_path(folder, room, edits))
+        enter_folder(frame.browser, frame.rules, *clicked);
+    same_line_right(box);
+    bool shows_hidden = frame.scene.window.file_dialogs.shows_hidden;
+    if (ImGui::Checkbox(hidden, &shows_hidden))
+        edits.arrange([shows_hidden](WindowState& window) {
+            window.file_dialogs.shows_hidden = shows_hidden;
+        });
+    edits.mark("hidden_files");
 }
 
-bool is_listed(const Dialog& dialog, const std::string& name) {
-    const std::string ending = endings_for(dialog.kind).empty() ? "" : endings_for(dialog.kind)[0];
-    return std::any_of(dialog.entries.begin(), dialog.entries.end(), [&](const FolderEntry& entry) {
-        return !entry.is_folder && (entry.name == name || entry.name == name + ending);
-    });
+std::string list_problem(const FileDialogFrame& frame) {
+    if (!frame.has_rows())
+        return "Reading…";
+    const FolderListing& listing = frame.scene.folders.listing();
+    if (!listing.problem.empty())
+        return listing.problem;
+    return listing.entries.empty() ? "This folder has no matching files."
+                                   : "No matching files. Change the name to see others.";
 }
 
-// Opens a folder in the list. The folder of a look is opened as a look.
-void accept(const fs::path& path, const Scene& scene, Edits& edits) {
-    std::error_code ignored;
-    const bool is_folder = fs::is_directory(path, ignored);
-    const bool is_look = scene.window.dialog.kind == Dialog::Kind::open_file &&
-                         fs::exists(path / "look.json", ignored);
-    if (!is_folder || is_look)
-        return finish(path, scene, edits);
-    enter(path, edits);
-    edits.arrange([](WindowState& window) { window.dialog.text.clear(); });
+// Takes the choice of the user: enters a folder, asks, shows a problem, or is done.
+void take(FileDialogFrame& frame, const FileChoice& choice) {
+    apply_choice(frame.browser, frame.rules, choice);
+    if (choice.kind == FileChoice::Kind::choose)
+        frame.chosen = choice.path;
 }
 
-// Up and Down select an entry of the list while the name field has the focus.
-void follow_arrows(const Dialog& dialog, Edits& edits) {
-    const int by = ImGui::IsKeyPressed(gpu::key::down) ? 1
-                   : ImGui::IsKeyPressed(gpu::key::up) ? -1
-                                                       : 0;
-    const int count = static_cast<int>(dialog.entries.size());
-    if (by == 0 || count == 0)
-        return;
-    const auto current = std::ranges::find(dialog.entries, dialog.text, &FolderEntry::name);
-    const int at =
-        current == dialog.entries.end()
-            ? (by > 0 ? 0 : count - 1)
-            : std::clamp(static_cast<int>(current - dialog.entries.begin()) + by, 0, count - 1);
-    ImGui::ClearActiveID();  // otherwise the active field would keep its text
-    edits.arrange([name = dialog.entries[static_cast<std::size_t>(at)].name](WindowState& window) {
-        window.dialog.text = name;
-        window.dialog.chosen = shows_chosen;
-    });
-}
-
-// The recent files, next to the entries of the folder. Click to open one.
-void draw_recent(const Scene& scene, Edits& edits) {
-    const Dialog& dialog = scene.window.dialog;
-    if (is_saving(dialog))
-        return;
-    const std::vector<fs::path> files = recent_files(scene, endings_for(dialog.kind));
-    if (files.empty())
-        return;
-    const float letter = ImGui::GetFontSize();
-    const ScopedColor back(ImGuiCol_ChildBg, theme::surround);
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(6.0f, 6.0f));
-    ImGui::BeginChild("##recent", {letter * 14.0f, letter * 20.0f}, false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding);
-    dim_text("Recent");
-    const auto clicked = draw_recent_files(files, edits);
-    ImGui::EndChild();
-    if (clicked)
-        finish(*clicked, scene, edits);
+// The picture or the length of the selected file, at the right end of wide dialogs.
+void draw_preview(const Scene& scene, float width, float height, Edits& edits) {
     ImGui::SameLine();
-}
-
-// Double-click on look.json opens its folder as a look.
-void draw_entries(const Scene& scene, Edits& edits) {
-    const Dialog& dialog = scene.window.dialog;
     const ScopedColor back(ImGuiCol_ChildBg, theme::surround);
-    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(6.0f, 6.0f));
-    ImGui::BeginChild("##entries", {0.0f, ImGui::GetFontSize() * 20.0f}, false,
-                      ImGuiWindowFlags_AlwaysUseWindowPadding);
-    for (const FolderEntry& entry : dialog.entries) {
-        const std::string label = entry.is_folder ? entry.name + "/" : entry.name;
-        const ScopedColor color(ImGuiCol_Text, entry.is_folder ? theme::label : theme::text);
-        if (ImGui::Selectable(
-                label.c_str(), entry.name == dialog.text,
-                ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
-            if (entry.is_folder)
-                enter(dialog.folder / entry.name, edits);
-            else
-                edits.arrange(
-                    [name = entry.name](WindowState& window) { window.dialog.text = name; });
-            if (!entry.is_folder && ImGui::IsMouseDoubleClicked(0))
-                finish(dialog.folder / entry.name, scene, edits);
-        }
-        edits.mark("file:" + entry.name);
-        if (dialog.chosen == shows_chosen && entry.name == dialog.text)
-            ImGui::SetScrollHereY();
+    const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding,
+                                      ImVec2(8.0f * scene.scale, 8.0f * scene.scale));
+    ImGui::BeginChild("##preview", {width, height}, false, ImGuiWindowFlags_AlwaysUseWindowPadding);
+    const ViewImage image = scene.pictures.file.image();
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (image.handle != 0) {
+        const auto wide = static_cast<float>(image.extent.width);
+        const auto high = static_cast<float>(image.extent.height);
+        const float size = std::min(room / wide, room / high);
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + (room - wide * size) * 0.5f);
+        ImGui::Image(texture_id(image.handle), {wide * size, high * size}, {0.0f, 1.0f},
+                     {1.0f, 0.0f});
+        edits.mark("file_picture");
     }
-    if (dialog.entries.empty() && !dialog.is_new)
-        dim_text("This folder has no matching files.");
+    for (const std::string& line : scene.pictures.file.lines()) {
+        wrapped_dim_text(line);
+        edits.mark("file_facts");
+    }
+    if (scene.pictures.file.lines().empty())
+        dim_text(scene.pictures.file.is_pending() ? "Reading…" : "No preview");
     ImGui::EndChild();
+}
+
+void draw_lists(FileDialogFrame& frame, float height, Edits& edits) {
+    const PlaceClick place = draw_file_places(frame.rules, height, frame.scene, edits);
+    if (place.folder)
+        enter_folder(frame.browser, frame.rules, *place.folder);
+    if (place.file)
+        frame.chosen = *place.file;
+    ImGui::SameLine();
+    const float letter = ImGui::GetFontSize();
+    const bool has_preview = ImGui::GetContentRegionAvail().x > 40.0f * letter;
+    const float preview = has_preview ? 13.0f * letter : 0.0f;
+    const float gap = has_preview ? ImGui::GetStyle().ItemSpacing.x : 0.0f;
+    const float width = ImGui::GetContentRegionAvail().x - preview - gap;
+    const std::vector<FolderEntry>& rows = frame.rows();
+    const auto click = draw_file_list({.rows = rows,
+                                       .highlighted = highlighted(frame.browser, frame.rules, rows),
+                                       .problem = list_problem(frame),
+                                       .shows_highlighted = frame.browser.shows_selection},
+                                      {width, height}, frame.scene, edits);
+    if (has_preview)
+        draw_preview(frame.scene, preview, height, edits);
+    if (frame.has_rows())
+        frame.browser.shows_selection = false;
+    if (!click || !frame.has_rows())
+        return;
+    if (click->is_double)
+        take(frame, accepted_row(frame.browser, frame.rules, click->row));
+    else
+        select_row(frame.browser, frame.rules, click->row);
+}
+
+// Up, Down, Page Up and Page Down select a row while the name field has the focus.
+void follow_arrows(FileDialogFrame& frame) {
+    constexpr int page = 10;
+    int by = 0;
+    for (const auto& [key, rows] : {std::pair{gpu::key::down, 1},
+                                    {gpu::key::up, -1},
+                                    {gpu::key::page_down, page},
+                                    {gpu::key::page_up, -page}})
+        by += ImGui::IsKeyPressed(key) ? rows : 0;
+    if (by == 0 || !frame.has_rows())
+        return;
+    const std::string text = frame.browser.text;
+    move_selection(frame.browser, frame.rules, frame.rows(), by);
+    if (frame.browser.text != text)
+        ImGui::ClearActiveID();  // otherwise the active field would keep its text
+}
+
+// The Tab key replaces the text of the active field.
+int complete(ImGuiInputTextCallbackData* data) {
+    auto& frame = *static_cast<FileDialogFrame*>(data->UserData);
+    const std::string text(data->Buf, static_cast<std::size_t>(data->BufTextLen));
+    const std::string completed = completed_path(text, frame.rows());
+    if (completed != text) {
+        data->DeleteChars(0, data->BufTextLen);
+        data->InsertChars(0, completed.c_str());
+    }
+    return 0;
+}
+
+void draw_name(FileDialogFrame& frame, Edits& edits) {
+    std::string text = frame.browser.text;
+    // Tab completes while it can. Otherwise it goes to the next field.
+    const bool can_complete =
+        frame.has_rows() && completed_path(text, frame.rows()) != text && !text.empty();
+    if (!ImGui::IsAnyItemActive())
+        ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    const char* hint = frame.rules.is_saving ? "File name" : "Part of a name, or a path";
+    if (ImGui::InputTextWithHint(
+            "##file", hint, &text,
+            can_complete ? ImGuiInputTextFlags_CallbackCompletion : ImGuiInputTextFlags_None,
+            can_complete ? complete : nullptr, &frame))
+        type_text(frame.browser, text);
+    edits.mark("dialog_file");
+}
+
+// A line below the name: what is wrong with it, or what happens to an existing file.
+void draw_advice(FileDialogFrame& frame, Edits& edits) {
+    const NameCheck check = check_typed_name(frame.browser, frame.rules);
+    const std::string& failure = frame.scene.window.dialog.problem;
+    ImGui::AlignTextToFramePadding();
+    if (!frame.browser.replaced.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::warning);
+        ImGui::TextUnformatted(frame.browser.problem.c_str());
+        edits.mark("dialog_taken");
+    } else if (!frame.browser.problem.empty()) {
+        draw_dialog_problem(frame.browser.problem, edits);
+    } else if (!check.problem.empty()) {
+        if (const auto suggestion = draw_name_advice(check, edits)) {
+            ImGui::ClearActiveID();
+            type_text(frame.browser, *suggestion);
+        }
+    } else if (frame.rules.is_saving && frame.has_rows() &&
+               !frame.scene.folders.listing().is_writable) {
+        draw_dialog_problem("You don't have permission to save in this folder.", edits);
+    } else if (!failure.empty()) {
+        draw_dialog_problem(failure, edits);
+    } else {
+        dim_text(frame.scene.folders.is_reading() ? "Reading the folder…" : "");
+    }
+}
+
+bool can_accept(const FileDialogFrame& frame) {
+    const FolderListing& listing = frame.scene.folders.listing();
+    const bool is_barred = frame.rules.is_saving && frame.has_rows() && !listing.is_writable &&
+                           frame.browser.selected.empty();
+    return !is_barred && check_typed_name(frame.browser, frame.rules).is_valid;
+}
+
+void accept(FileDialogFrame& frame) {
+    frame.browser.is_accepting = needs_rows(frame.browser, frame.rules) && !frame.has_rows();
+    if (!frame.browser.is_accepting)
+        take(frame, accepted(frame.browser, frame.rules, frame.rows()));
+}
+
+float height_around_lists(const FileDialogFrame& frame) {
+    const float settings = frame.kind.has_settings ? 1.0f : 0.0f;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return (4.0f + settings) * ImGui::GetFrameHeightWithSpacing() +
+           ImGui::GetTextLineHeightWithSpacing() + 4.0f * style.ItemSpacing.y +
+           2.0f * style.WindowPadding.y + 28.0f * frame.scene.scale;
+}
+
+const char* verb_of(FileDialogFrame& frame) {
+    if (!frame.browser.replaced.empty())
+        return "Replace";
+    const auto row = std::ranges::find(frame.rows(), frame.browser.selected, &FolderEntry::name);
+    const bool enters = row != frame.rows().end() && row->is_folder;
+    return frame.rules.is_saving && !enters ? "Save" : "Open";
+}
+
+void draw_content(FileDialogFrame& frame, Edits& edits) {
+    draw_folder_line(frame, edits);
+    const float height = list_height(20.0f * ImGui::GetFontSize(), height_around_lists(frame));
+    draw_lists(frame, height, edits);
+    follow_arrows(frame);
+    draw_name(frame, edits);
+    draw_advice(frame, edits);
+    if (frame.kind.has_settings)
+        draw_export_numbers(frame.scene, edits);
+    draw_desktop_switch(frame.scene, frame.kind, edits);
+    if (draw_dialog_buttons(verb_of(frame), can_accept(frame), edits) || frame.browser.is_accepting)
+        accept(frame);
 }
 }  // namespace
 
 void draw_file_dialog(const Scene& scene, Edits& edits) {
     const Dialog& dialog = scene.window.dialog;
-    const DialogFrame frame(title_for(dialog.kind), 44.0f, scene, edits);
-    if (!frame.is_open())
+    const FileDialogKind* kind = file_dialog_kind(dialog.kind);
+    if (!kind)
+        return close_dialog(edits);
+    if (dialog.answer) {
+        edits.arrange([](WindowState& window) { window.dialog.answer.reset(); });
+        return finish_file_dialog(*dialog.answer, scene, edits);
+    }
+    if (dialog.host == Dialog::Host::desktop)
+        return draw_desktop_dialog(scene, edits);
+    if (dialog.host == Dialog::Host::undecided)
         return;
     if (dialog.is_new)
-        start(scene, edits);
-    draw_folder_line(dialog, edits);
-    draw_recent(scene, edits);
-    draw_entries(scene, edits);
-    follow_arrows(dialog, edits);
-    std::string name = dialog.text;
-    ImGui::SetNextItemWidth(-1.0f);
-    if (dialog.is_new || dialog.chosen == shows_chosen)
-        ImGui::SetKeyboardFocusHere();
-    if (dialog.chosen == shows_chosen)
-        edits.arrange([](WindowState& window) { window.dialog.chosen = 0; });
-    if (ImGui::InputTextWithHint("##file", "File name or path", &name))
-        edits.arrange([name](WindowState& window) { window.dialog.text = name; });
-    edits.mark("dialog_file");
-    if (dialog.kind == Dialog::Kind::export_frames)
-        draw_export_numbers(scene, edits);
-    const bool replaces = is_saving(dialog) && is_listed(dialog, name);
-    if (replaces)
-        dim_text("This file exists and will be replaced.");
-    const char* verb = replaces ? "Replace" : is_saving(dialog) ? "Save" : "Open";
-    if (draw_dialog_buttons(verb, !name.empty(), edits))
-        accept(dialog.folder / name, scene, edits);
+        return start(scene, edits);
+    const DialogFrame window(kind->title, 64.0f, scene, edits);
+    if (!window.is_open())
+        return;
+    FileDialogFrame frame{scene, *kind, rules_of(*kind), dialog.browser};
+    draw_content(frame, edits);
+    if (frame.browser != dialog.browser)
+        edits.arrange([browser = frame.browser](WindowState& state) {
+            if (state.dialog.browser.text != browser.text)
+                state.dialog.problem.clear();
+            state.dialog.browser = browser;
+        });
+    if (frame.chosen)
+        finish_file_dialog(*frame.chosen, scene, edits);
 }

@@ -3,6 +3,7 @@
 #include "lab/commands/look_commands.h"
 #include "lab/library/look_templates.h"
 #include "lab/storage/display_name.h"
+#include "lab/storage/name_check.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/name_field.h"
 #include "ui/widgets/scoped.h"
@@ -69,13 +70,16 @@ void draw_new_look_dialog(const Scene& scene, Edits& edits) {
     ImGui::Spacing();
     dim_text("Folder name");
     const std::string id = draw_name_field(scene.lab.looks.proposed_id(), scene, edits);
-    const std::string problem = scene.lab.looks.problem_of_id(id);
-    if (problem.empty())
+    const NameCheck check = check_look_id(id);
+    if (const auto suggestion = draw_name_advice(check, edits))
+        edits.arrange([text = *suggestion](WindowState& window) { window.dialog.text = text; });
+    const std::string problem =
+        check.is_valid ? scene.lab.looks.problem_of_id(id) : scene.window.dialog.problem;
+    if (!problem.empty())
+        draw_dialog_problem(problem, edits);
+    else if (check.is_valid)
         dim_text("Created in " + display_folder(scene.roots.user / "shaders"));
-    else
-        draw_name_problem(problem, edits);
-    if (!draw_dialog_buttons("Create", problem.empty(), edits))
+    if (!draw_dialog_buttons("Create", check.is_valid && problem.empty(), edits))
         return;
-    close_dialog(edits);
-    edits.change([id, from = chosen.id](LookCommands& looks) { looks.create(id, from); });
+    finish_dialog(edits, [id, from = chosen.id](LookCommands& looks) { looks.create(id, from); });
 }

@@ -49,19 +49,32 @@ std::string draw_answer(const MenuEntry& entry, const Dialog& dialog, Edits& edi
     ImGui::InputText("##asked", &text, ImGuiInputTextFlags_AutoSelectAll);
     edits.mark("asked");
     edits.arrange([text](WindowState& window) {
+        if (window.dialog.text != text)
+            window.dialog.problem.clear();
         window.dialog.text = text;
         window.dialog.is_new = false;
     });
     return text;
 }
 
+// Why the typed text is not a number; "": it is one.
+std::string complaint_about(const MenuEntry& entry, const std::string& text) {
+    if (!entry.number || text.empty())
+        return {};
+    const TypedNumber typed = read_typed_number(text, info_of(*entry.number));
+    return typed.value ? std::string() : typed.complaint;
+}
+
 void answer(const MenuEntry& entry, const std::string& text, Edits& edits) {
+    begin_attempt(edits);
     if (entry.text)
-        return run(entry.text->answer(text), edits);
-    TypedNumber typed = read_typed_number(text, info_of(*entry.number));
+        run(entry.text->answer(text), edits);
+    TypedNumber typed =
+        entry.number ? read_typed_number(text, info_of(*entry.number)) : TypedNumber();
     if (typed.value)
         run(entry.number->answer(*typed.value), edits);
-    if (!typed.complaint.empty())
+    end_attempt(edits);
+    if (typed.value && !typed.complaint.empty())  // it was limited
         edits.change([complaint = std::move(typed.complaint)](Messages& messages) {
             messages.say(complaint, true);
         });
@@ -81,8 +94,9 @@ void draw_asked_dialog(const Scene& scene, Edits& edits) {
         dim_text(help_about(*entry->number));
     }
     const std::string text = draw_answer(*entry, scene.window.dialog, edits);
-    if (!draw_dialog_buttons("Apply", true, edits))
-        return;
-    close_dialog(edits);
-    answer(*entry, text, edits);
+    const std::string complaint = complaint_about(*entry, text);
+    draw_dialog_problem(complaint.empty() ? scene.window.dialog.problem : complaint, edits);
+    const bool can_apply = complaint.empty() && !(entry->number && text.empty());
+    if (draw_dialog_buttons("Apply", can_apply, edits))
+        answer(*entry, text, edits);
 }

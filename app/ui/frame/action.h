@@ -36,6 +36,7 @@ enum class ActionId {
     paste_line,
     save_picture,
     export_frames,
+    use_desktop_dialog,
     quit,
     undo,
     redo,

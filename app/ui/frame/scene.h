@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gpu/input_event.h"
+#include "lab/files/folder_reader.h"
 #include "lab/frame/frame_loop.h"
 #include "lab/lab_parts.h"
 #include "lab/library/library_view.h"
@@ -26,6 +27,7 @@ struct Scene {
     const Views& views;
     const ListThumbnails& pictures;
     const LibraryView& library_view;
+    const FolderReader& folders;  // of the file dialog
     const Roots& roots;
     const Pace& pace;
     const ActionTable& actions;

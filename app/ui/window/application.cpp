@@ -1,6 +1,7 @@
 #include "ui/window/application.h"
 
 #include "gpu/window.h"
+#include "gpu/x11_window.h"
 #include "lab/library/library_view.h"
 #include "lab/menus/palette.h"
 #include "lab/menus/window_menu.h"
@@ -11,6 +12,7 @@
 #include "lab/storage/injected_fault.h"
 #include "lab/storage/instance_lock.h"
 #include "lab/views/displayed_passes.h"
+#include "lab/window/desktop_file_dialog.h"
 #include "lab/window/key_store.h"
 #include "lab/window/window_session.h"
 #include "ui/actions/action_table.h"
@@ -114,6 +116,7 @@ private:
     UpdateSchedule m_schedule;
     LabWakers m_wakers;
     DesktopWindow m_desktop;
+    DesktopFileDialog m_files{gpu::WindowEvents::wake};
     SessionAutosave m_keeper;
     KeyStore m_keys;
     bool m_is_quitting = false;
@@ -144,6 +147,7 @@ void Application::update() {
         return m_panels.make_ready(m_lab, m_state, wall_seconds);
     if (!m_schedule.are_panels_due())
         return;  // a slow look gets all of the time
+    m_files.update(m_state, m_lab.document(), m_lab.messages(), gpu::x11_window(m_window));
     m_schedule.begin_panels();
     m_panels.update(m_lab, m_state, wall_seconds);
     apply(m_panels.draw(m_lab, m_state, m_schedule.frame_number()));

@@ -22,7 +22,8 @@ bool PanelDisplay::is_pending(const Lab& lab) const {
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
     const bool awaits_distances = compared.difference() && !compared.distances();
     const bool awaits_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
-    return awaits_distances || awaits_stops || m_views.is_pending() || m_views.is_transitioning();
+    return m_folders.is_reading() || m_pictures.file.is_pending() || awaits_distances ||
+           awaits_stops || m_views.is_pending() || m_views.is_transitioning();
 }
 
 void PanelDisplay::list_looks(const Lab& lab, double wall_seconds) {
@@ -41,6 +42,8 @@ void PanelDisplay::make_ready(const Lab& lab, const WindowState& state, double w
 
 void PanelDisplay::update(Lab& lab, WindowState& state, double wall_seconds) {
     list_looks(lab, wall_seconds);
+    m_folders.update(folder_request(state.dialog, state.file_dialogs));
+    m_pictures.file.update(selected_file(state.dialog, m_folders));
     m_views.update(lab, state);
     apply_pending_fits(m_views, lab, state);
     m_pictures.update(lab, m_views, state, m_library, wall_seconds);
@@ -60,6 +63,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
                       .views = m_views,
                       .pictures = m_pictures,
                       .library_view = m_library,
+                      .folders = m_folders,
                       .roots = lab.work().library.roots(),
                       .pace = m_pace,
                       .actions = m_actions,

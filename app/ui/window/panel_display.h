@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/files/folder_reader.h"
 #include "lab/library/library_view.h"
 #include "lab/rendering/pace.h"
 #include "lab/views/list_thumbnails.h"
@@ -40,6 +41,7 @@ private:
     ListThumbnails m_pictures{
         {}, PresetThumbnails(gpu::WindowEvents::wake), {}, LookThumbnails(gpu::WindowEvents::wake)};
     LibraryView m_library;
+    FolderReader m_folders;
     Pace m_pace;
     std::filesystem::path m_state_file;
     std::string m_state_text;

@@ -252,6 +252,17 @@ std::string remote_text(const RemoteControl& remote) {
         json_string(remote.learning_name()), fmt::join(commands, ","));
 }
 
+// The typed text of the open dialog, and the highlighted row of the file dialog.
+std::string dialog_text(const Scene& scene) {
+    const Dialog& dialog = scene.window.dialog;
+    const FileDialogKind* kind = file_dialog_kind(dialog.kind);
+    if (!kind)
+        return fmt::format(R"(,"typed":{},"highlighted":"")", json_string(dialog.text));
+    return fmt::format(
+        R"(,"typed":{},"highlighted":{})", json_string(dialog.browser.text),
+        json_string(highlighted(dialog.browser, rules_of(*kind), scene.folders.rows())));
+}
+
 std::string undo_name(const LabParts& lab) {
     const std::string removal = lab.presets.undo_name();
     return removal.empty() ? lab.document->history().undo_name() : removal;
@@ -303,7 +314,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab.frames.nan_guard()) +
             flashes_text(scene) + switches_text(lab.frames.passes().switches()) +
-            tryouts_text(scene) + presets_text(scene),
+            tryouts_text(scene) + presets_text(scene) + dialog_text(scene),
         problems_json(lab.messages), widget_rects_text(edits));
 }
 

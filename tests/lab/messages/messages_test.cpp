@@ -80,3 +80,14 @@ TEST_CASE("the notice about a file goes when its problem is solved") {
     messages.set_content_problems({});
     CHECK_FALSE(messages.notice().has_value());
 }
+
+TEST_CASE("a dialog takes the notice about its own failure, and no other") {
+    Messages messages;
+    CHECK_FALSE(messages.take_problem().has_value());
+    messages.say("Saved");
+    CHECK_FALSE(messages.take_problem().has_value());
+    CHECK(messages.notice()->text == "Saved");
+    messages.say(problem_in("/presets/a.json", "can't write the file: No space left on device"));
+    CHECK(messages.take_problem() == "a.json: can't write the file: No space left on device");
+    CHECK_FALSE(messages.notice().has_value());
+}

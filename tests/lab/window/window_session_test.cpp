@@ -27,6 +27,22 @@ TEST_CASE("recent palette entries and recent files are restored in order") {
     CHECK(restored_window(serialized_window(window)).recent.commands == window.recent.commands);
 }
 
+TEST_CASE("file dialogs are restored with the last folder of each kind") {
+    WindowState window;
+    window.file_dialogs = {.folders = {{"open", "/songs/ä: b"}, {"video", "/films"}},
+                           .order = {FileOrder::Key::modified, true},
+                           .shows_hidden = true,
+                           .uses_desktop = false};
+    const FileDialogChoices again = restored(serialized_window(window)).file_dialogs;
+    CHECK(again.folders == window.file_dialogs.folders);
+    CHECK(again.order == window.file_dialogs.order);
+    CHECK(again.shows_hidden);
+    CHECK_FALSE(again.uses_desktop);
+    CHECK(restored({}).file_dialogs.uses_desktop);
+    CHECK(restored({{"file_order", 7.0}, {"folder:open:relative", 0.0}, {"folder:x", 0.0}})
+              .file_dialogs.folders.empty());
+}
+
 TEST_CASE("the wipe position is restored if it is within the picture") {
     WindowState window;
     window.views.wipe_share = 0.25;

@@ -1,0 +1,31 @@
+#include "base/file_uri.h"
+
+#include "base/text.h"
+
+#include <charconv>
+#include <string>
+
+namespace fs = std::filesystem;
+
+fs::path path_of_uri(std::string_view uri) {
+    constexpr std::string_view scheme = "file://";
+    if (!to_lower(uri.substr(0, scheme.size())).starts_with(scheme))
+        return {};
+    uri.remove_prefix(scheme.size());
+    if (uri.starts_with("localhost/"))
+        uri.remove_prefix(std::string_view("localhost").size());
+    if (!uri.starts_with('/'))
+        return {};
+    std::string path;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        unsigned int byte = 0;
+        const char* code = uri.data() + i + 1;
+        const bool is_escape = uri[i] == '%' && i + 2 < uri.size() &&
+                               std::from_chars(code, code + 2, byte, 16).ptr == code + 2;
+        if (is_escape && byte == 0)
+            return {};  // no path contains a zero byte
+        path += is_escape ? static_cast<char>(byte) : uri[i];
+        i += is_escape ? 2 : 0;
+    }
+    return path;
+}

@@ -1,0 +1,52 @@
+#include "lab/window/desktop_question.h"
+
+#include <fmt/format.h>
+
+namespace fs = std::filesystem;
+
+FileQuestion desktop_question(const Dialog& dialog, const FileDialogChoices& choices,
+                              const Document* document) {
+    const FileDialogKind* kind = file_dialog_kind(dialog.kind);
+    if (!kind)
+        return {};
+    const FileRules rules = rules_of(*kind);
+    const FileBrowser first = first_browser(dialog, choices, document);
+    FileQuestion question{
+        .kind = kind->is_saving ? FileQuestion::Kind::save : FileQuestion::Kind::open,
+        .title = kind->title,
+        .folder = first.folder,
+        .name = first.text};
+    if (!rules.extensions.empty())
+        question.groups.push_back({kind->content, rules.extensions});
+    if (!kind->is_saving)
+        question.groups.push_back({"All files", {}});
+    return question;
+}
+
+std::string take_reply(Dialog& dialog, const FileReply& reply) {
+    if (reply.kind == FileReply::Kind::cancelled) {
+        dialog = {};
+        return {};
+    }
+    dialog.host = Dialog::Host::own;
+    dialog.is_new = true;
+    if (reply.kind == FileReply::Kind::failed || reply.files.empty())
+        return fmt::format("The desktop's file dialog failed: {}. Using Afterglow's.",
+                           reply.problem);
+    const FileDialogKind* kind = file_dialog_kind(dialog.kind);
+    const fs::path& file = reply.files.front();
+    const FileRules rules = kind ? rules_of(*kind) : FileRules();
+    dialog.browser = FileBrowser{.folder = file.parent_path(), .text = file.filename().string()};
+    if (!rules.is_saving) {
+        dialog.answer = file;
+        return {};
+    }
+    // The desktop's dialog has asked about the name without the extension.
+    dialog.browser.replaced = file;
+    const FileChoice choice = accepted(dialog.browser, rules, {});
+    if (choice.kind == FileChoice::Kind::choose)
+        dialog.answer = choice.path;
+    else
+        apply_choice(dialog.browser, rules, choice);
+    return {};
+}

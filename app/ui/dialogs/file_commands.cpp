@@ -1,0 +1,67 @@
+#include "ui/dialogs/file_commands.h"
+
+#include "lab/commands/content_commands.h"
+#include "lab/commands/look_commands.h"
+#include "lab/commands/preset_commands.h"
+#include "lab/document/automation.h"
+#include "lab/drawing/drawing_tool.h"
+#include "lab/views/snapshot.h"
+#include "ui/dialogs/dialog_frame.h"
+#include "ui/dialogs/export_dialog.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+void save_picture(const fs::path& file, Edits& edits) {
+    finish_dialog(edits, [file](const Document& document, const Renderer& renderer,
+                                const PassControl& passes, const MediaInput& media,
+                                Messages& messages) {
+        save_snapshot({renderer, passes.picture_pass(), document, media.recent()}, file, messages);
+    });
+}
+
+void save_pass(const fs::path& file, const Scene& scene, Edits& edits) {
+    finish_dialog(edits, [view = scene.window.views.inspected, file](const Renderer& renderer,
+                                                                     Messages& messages) {
+        save_target(renderer, view, file, messages);
+    });
+}
+}  // namespace
+
+void finish_file_dialog(const fs::path& file, const Scene& scene, Edits& edits) {
+    using Kind = Dialog::Kind;
+    const Dialog& dialog = scene.window.dialog;
+    if (const FileDialogKind* kind = file_dialog_kind(dialog.kind))
+        edits.arrange([key = kind->folder_key, folder = file.parent_path()](WindowState& window) {
+            window.file_dialogs.folders[key] = folder;
+        });
+    switch (dialog.kind) {
+        case Kind::open_file:
+            return finish_dialog(edits, [file](LookCommands& looks) { looks.open_file(file); });
+        case Kind::choose_reference:
+            return finish_dialog(
+                edits, [file](ComparisonView& comparison) { comparison.compare_with_file(file); });
+        case Kind::load_drawing:
+            return finish_dialog(edits, [file](DrawingTool& drawing) { drawing.load(file); });
+        case Kind::save_drawing:
+            return finish_dialog(edits, [file](DrawingTool& drawing) { drawing.save(file); });
+        case Kind::save_automation:
+            return finish_dialog(edits, [file](Automation& automation) { automation.save(file); });
+        case Kind::save_slangp:
+            return finish_dialog(
+                edits, [file](PresetCommands& presets) { presets.sharing().save_slang(file); });
+        case Kind::save_picture:
+            return save_picture(file, edits);
+        case Kind::save_pass:
+            return save_pass(file, scene, edits);
+        case Kind::export_frames:
+            close_dialog(edits);
+            return export_frames(file, scene, edits);
+        case Kind::choose_file:
+            return finish_dialog(edits, [name = dialog.subject, file](ContentCommands& content) {
+                content.choose_picture(name, file);
+            });
+        default:
+            return close_dialog(edits);
+    }
+}
