@@ -17,6 +17,7 @@ std::string draw_name_field(const std::string& proposed, const Scene& scene, Edi
     if (is_new || is_typed)
         edits.arrange([text](WindowState& window) {
             window.dialog.text = text;
+            window.dialog.problem.clear();
             window.dialog.is_new = false;
         });
     return text;

@@ -73,13 +73,13 @@ void draw_new_look_dialog(const Scene& scene, Edits& edits) {
     const NameCheck check = check_look_id(id);
     if (const auto suggestion = draw_name_advice(check, edits))
         edits.arrange([text = *suggestion](WindowState& window) { window.dialog.text = text; });
-    const std::string problem =
-        check.is_valid ? scene.lab.looks.problem_of_id(id) : scene.window.dialog.problem;
-    if (!problem.empty())
+    const std::string taken = check.is_valid ? scene.lab.looks.problem_of_id(id) : std::string();
+    const std::string& problem = taken.empty() ? scene.window.dialog.problem : taken;
+    if (check.is_valid && !problem.empty())
         draw_dialog_problem(problem, edits);
     else if (check.is_valid)
         dim_text("Created in " + display_folder(scene.roots.user / "shaders"));
-    if (!draw_dialog_buttons("Create", check.is_valid && problem.empty(), edits))
+    if (!draw_dialog_buttons("Create", check.is_valid && taken.empty(), edits))
         return;
     finish_dialog(edits, [id, from = chosen.id](LookCommands& looks) { looks.create(id, from); });
 }
