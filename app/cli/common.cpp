@@ -4,6 +4,7 @@
 #include "cli/progress.h"
 #include "io/system/machine_memory.h"
 #include "lab/messages/source_lines.h"
+#include "lab/rendering/named_size.h"
 
 #include <fmt/format.h>
 
@@ -19,16 +20,15 @@ void warn(const Diagnostics& warnings) {
 }
 
 Extent parse_size(const std::string& text) {
-    const std::size_t cross = text.find('x');
-    const auto width = parse_integer(std::string_view(text).substr(0, cross));
-    const auto height = cross == std::string::npos
-                            ? std::nullopt
-                            : parse_integer(std::string_view(text).substr(cross + 1));
-    constexpr int largest = 16384;
-    if (!width || !height || *width < 1 || *height < 1 || *width > largest || *height > largest)
-        throw UsageError(fmt::format(
-            "--size: expected WIDTHxHEIGHT with 1 to {} px per side, got '{}'", largest, text));
-    return {*width, *height};
+    if (const auto extent = parse_extent(text))
+        return *extent;
+    std::vector<std::string> names;
+    for (const NamedSize& size : named_sizes())
+        names.push_back(size.name);
+    throw UsageError(
+        fmt::format("--size: expected WIDTHxHEIGHT with 1 to 16384 px per side, got '{}'. Named "
+                    "sizes: {}.",
+                    text, fmt::join(names, ", ")));
 }
 
 void check_ending(const std::string& option, const std::string& file,
@@ -57,7 +57,11 @@ void LookOptions::add_to(Options& options, Take take) {
     options.add("--source SOURCE", m_request.source,
                 "Picture of a CRT look: an image file, frame_%04d.png, a video or pattern:NAME, "
                 "with optional settings ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
-    options.add("--size WxH", m_size, "Render size in pixels").show_default();
+    options
+        .add("--size WxH", m_size,
+             "Render size in pixels, or 720p, 1080p, 1440p, 2160p, square (1080x1080) or portrait "
+             "(1080x1920)")
+        .show_default();
     if (take == Take::drawing)
         options.add("--fps N", m_request.fps, "Frames per second of the fixed clock")
             .show_default()

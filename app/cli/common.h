@@ -17,7 +17,8 @@ int report(const Diagnostics& reasons);
 /// Prints the warnings to stderr, one per line.
 void warn(const Diagnostics& warnings);
 
-/// Parses "1280x720". Throws UsageError for other text and sizes outside 1 to 16384.
+/// Parses "1280x720" or the name of a size. Throws UsageError for other text and sizes outside 1 to
+/// 16384.
 Extent parse_size(const std::string& text);
 
 /// Throws UsageError if the file's name has none of these endings.

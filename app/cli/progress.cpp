@@ -16,6 +16,9 @@ const char* pattern_of(Progress::Kind work) {
             return "\rRendering: {} of {} pictures, {:.{}f} pictures/s, {:.0f} s left\033[K";
         case Progress::Kind::checking_files:
             return "\rChecking: {} of {} files, {:.{}f} files/s, {:.0f} s left\033[K";
+        case Progress::Kind::finding_period:
+            return "\rFinding the period: {} of at most {} frames, {:.{}f} frames/s, {:.0f} s at "
+                   "most\033[K";
         case Progress::Kind::rendering_frames:
             break;
     }

@@ -6,7 +6,8 @@
 #include "io/pictures/picture_file.h"
 #include "io/system/standard_streams.h"
 #include "lab/document/sharing.h"
-#include "lab/offline/export.h"
+#include "lab/offline/export_output.h"
+#include "lab/offline/loop.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,8 @@ constexpr std::array render_examples{
     "afterglow render crt --source screenshot.png --set exposure=1.5 -o crt.png",
     "afterglow render phosphor --signal audio:song.flac,mode=xy -o song.mp4",
     "afterglow render vector-beam --size 640x360 --seconds 1 -o frame_%04d.png",
+    "afterglow render phosphor --signal lissajous:speed=0.5 --size square --fps 50 --loop -o "
+    "loop.gif",
 };
 
 struct RenderArguments {
@@ -32,6 +35,16 @@ struct RenderArguments {
     std::string all_passes;
     std::string automation;
     double timeout = 0.0;  // s; 0: not given
+    FilmChoice film;
+    double quality = 0.0;  // 0: not given
+    bool loops = false;
+
+    FilmChoice film_choice() const {
+        FilmChoice choice = film;
+        if (quality > 0.0)
+            choice.quality = quality;
+        return choice;
+    }
 };
 
 Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
@@ -71,6 +84,38 @@ Result<void> save_all_passes(const Offline& offline, const std::filesystem::path
     return {};
 }
 
+std::vector<std::string> output_endings() {
+    std::vector<std::string> endings{".png", ".exr"};
+    for (std::string& ending : film_endings())
+        endings.push_back(std::move(ending));
+    return endings;
+}
+
+// Wrong usage of the options for videos.
+void check_film_options(const RenderArguments& arguments, const FrameNames& names) {
+    const std::string& output = arguments.output;
+    const bool is_film = is_film_output(output);
+    const FilmChoice& film = arguments.film;
+    const bool has_choice = !film.codec.empty() || !film.sound.empty() || arguments.quality > 0.0;
+    if (has_choice && (!is_film || output == export_pipe))
+        throw UsageError("--codec, --audio-codec and --quality need a video file");
+    const bool can_have_alpha =
+        is_film ? output != export_pipe : names.is_sequence() && to_lower(output).ends_with(".png");
+    if (film.keeps_alpha && !can_have_alpha)
+        throw UsageError("--alpha needs a video file or numbered PNG files");
+    if (arguments.loops && (output == export_pipe || (!is_film && !names.is_sequence())))
+        throw UsageError("--loop needs a video file or an image sequence");
+    if (arguments.loops && (arguments.start > 0.0 || arguments.frames > 0))
+        throw UsageError(
+            "--loop finds its first frame and its length: leave out --start and "
+            "--frames");
+    if (arguments.loops && !arguments.automation.empty())
+        throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
+    if (is_film && output != export_pipe)
+        if (const auto encoding = film_encoding(output, arguments.film_choice()); !encoding)
+            throw UsageError(encoding.error().front().message);
+}
+
 // Checks the output before anything is drawn.
 FrameNames output_names(const RenderArguments& arguments) {
     const std::string& output = arguments.output;
@@ -80,11 +125,12 @@ FrameNames output_names(const RenderArguments& arguments) {
     if (output == export_pipe && is_terminal(standard_output))
         throw UsageError("--output: '-' writes video data; pipe it to another program");
     if (output != export_pipe)
-        check_ending("--output", output, {".png", ".exr", ".mp4", ".webm", ".gif"});
+        check_ending("--output", output, output_endings());
     if (is_film_output(arguments.output) && names->is_sequence())
         throw UsageError("--output: a video is one file; use %04d with .png or .exr only");
     if (!is_film_output(arguments.output) && !names->is_sequence() && arguments.start > 0.0)
         throw UsageError("--start needs a video or an image sequence, such as frame_%04d.png");
+    check_film_options(arguments, *names);
     return std::move(*names);
 }
 
@@ -128,6 +174,39 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
     return save_picture_with_preset(offline.picture(pass), offline.document(), file, recent);
 }
 
+/// Finds one period and saves its frames.
+Result<void> draw_loop(const RenderArguments& arguments, ExportJob job, Offline& offline) {
+    Diagnostics warnings;
+    {
+        std::optional<Progress> progress;
+        const LoopSearch search{.extent = arguments.look.request().size,
+                                .fps = job.fps,
+                                .seconds = arguments.seconds,
+                                .should_continue = [&](std::int64_t drawn, std::int64_t of) {
+                                    if (!progress)
+                                        progress.emplace(Progress::Kind::finding_period,
+                                                         static_cast<int>(of));
+                                    progress->show(static_cast<int>(drawn));
+                                    return true;
+                                }};
+        const auto part = find_loop(offline.document(), search);
+        offline.make_current();
+        if (!part)
+            return fail(part.error());
+        job.part = part->value_or(ExportPart{});
+    }
+    Progress progress(Progress::Kind::rendering_frames, static_cast<int>(job.part.end));
+    job.should_continue = [&](std::int64_t drawn) {
+        progress.show(static_cast<int>(std::min(drawn, job.part.end)));
+        return true;
+    };
+    const auto done = export_loop(arguments.output, offline, job, warnings);
+    if (!done)
+        return fail(done.error());
+    warn(warnings);
+    return {};
+}
+
 /// Draws all frames of the part and saves them.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
     Progress progress(Progress::Kind::rendering_frames, static_cast<int>(job.part.end));
@@ -165,7 +244,8 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     const auto pass = chosen_pass(arguments, offline.executor().look());
     if (!pass)
         return fail(pass.error());
-    const auto part = part_to_write(arguments, offline);
+    const auto part =
+        arguments.loops ? Result<ExportPart>(ExportPart{}) : part_to_write(arguments, offline);
     if (!part)
         return fail(part.error());
     if (draws_many(arguments, offline.executor().look()))
@@ -173,8 +253,12 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
                 offline.specialize(seen_passes(arguments, offline.executor().look(), *pass));
             !specialized)
             return specialized;
-    ExportJob job{.part = *part, .pass = *pass, .fps = arguments.look.request().fps};
-    auto done = is_film_output(arguments.output) || names.is_sequence()
+    ExportJob job{.part = *part,
+                  .pass = *pass,
+                  .fps = arguments.look.request().fps,
+                  .film = arguments.film_choice()};
+    auto done = arguments.loops ? draw_loop(arguments, std::move(job), offline)
+                : is_film_output(arguments.output) || names.is_sequence()
                     ? draw_frames(arguments, std::move(job), offline)
                     : draw_picture(names.name(0), *part, *pass, offline, recent);
     if (!done || arguments.all_passes.empty())
@@ -202,6 +286,40 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
     };
     return run_drawing(request, data, {check, work, displayed});
 }
+std::string codec_list() {
+    std::vector<std::string> texts;
+    for (const FilmCodec& codec : film_codecs())
+        if (codec.endings.front() != ".avif")
+            texts.push_back(fmt::format("{} ({})", codec.name, fmt::join(codec.endings, " ")));
+    return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string sound_codec_list() {
+    std::vector<std::string> texts;
+    for (const SoundCodec& codec : sound_codecs())
+        texts.push_back(fmt::format("{} ({})", codec.name, fmt::join(codec.endings, " ")));
+    return fmt::format("{}, {}", fmt::join(texts, ", "), no_sound);
+}
+
+void add_film_options(Options& options, RenderArguments& arguments) {
+    options.add("--codec NAME", arguments.film.codec,
+                fmt::format("Picture codec of a video: {} (default: by file type)", codec_list()));
+    options
+        .add("--quality N", arguments.quality,
+             "Quality of the picture codec; lower is better: 1 to 51 (h264, h265), 1 to 63 (av1, "
+             "vp9), 1 to 31 (prores)")
+        .between(0.001, 1000.0);
+    options.add(
+        "--audio-codec NAME", arguments.film.sound,
+        fmt::format("Sound codec of a video: {} (default: by file type)", sound_codec_list()));
+    options.add_flag("--alpha", arguments.film.keeps_alpha,
+                     "Keep transparency. A look without its own becomes transparent where it is "
+                     "black.");
+    options.add_flag(
+        "--loop", arguments.loops,
+        "Write exactly one period, after the look has settled. With --seconds, that is "
+        "the period.");
+}
 }  // namespace
 
 /// afterglow render LOOK -o OUT
@@ -217,7 +335,7 @@ Command add_render(CommandLine& program) {
     options
         .add("-o,--output FILE", arguments->output,
              "Picture of the last frame (.png, .exr), image sequence (frame_%04d.png or .exr, from "
-             "0000), video (.mp4, .webm, .gif), or - for y4m on standard output")
+             "0000), video (.mp4, .mov, .mkv, .webm, .gif), or - for y4m on standard output")
         .required();
     Option frames = options.add("--frames N", arguments->frames,
                                 "Number of frames to render, from t = 0 (default: until the look "
@@ -232,6 +350,7 @@ Command add_render(CommandLine& program) {
              "10 without sound)")
         .between(0.001, 86400.0)
         .excludes(frames);
+    add_film_options(options, *arguments);
     options.add("--moves FILE", arguments->automation,
                 "Automation file, as recorded in the window, with lines of 'seconds name value'");
     options

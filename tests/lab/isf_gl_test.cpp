@@ -2,7 +2,7 @@
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
 #include "lab/document/sharing.h"
-#include "lab/offline/export.h"
+#include "lab/offline/export_output.h"
 #include "lab/offline/offline.h"
 #include "problems_of.h"
 

@@ -13,5 +13,9 @@
 Result<std::string> encode_png(Extent extent, std::span<const std::uint8_t> rgb);
 Result<std::string> encode_png(const Picture& picture);
 
+/// As 16-bit RGBA or, without `has_alpha`, RGB, from display_words().
+Result<std::string> encode_png_16(Extent extent, std::span<const std::uint16_t> rgba,
+                                  bool has_alpha);
+
 /// As RGBA, from display_bytes_with_alpha().
 Result<std::string> encode_png_with_alpha(Extent extent, std::span<const std::uint8_t> rgba);

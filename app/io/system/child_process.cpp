@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
@@ -15,7 +16,10 @@
 #include <spawn.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/time.h>
 #include <sys/wait.h>
+#include <thread>
+#include <time.h>
 #include <utility>
 
 extern char** environ;
@@ -67,7 +71,75 @@ int wait_for(pid_t process) {
     }
     return status;
 }
+
+// All its threads so far; 0 if it has ended.
+double processor_seconds(pid_t process) {
+    clockid_t clock{};
+    timespec time{};
+    if (::clock_getcpuclockid(process, &clock) != 0 || ::clock_gettime(clock, &time) != 0)
+        return 0.0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::string fault_of(int status) {
+    if (WIFSIGNALED(status))
+        return fmt::format("it was stopped by signal {} ({}){}", WTERMSIG(status),
+                           ::strsignal(WTERMSIG(status)),
+                           WTERMSIG(status) == SIGKILL ? ", perhaps because memory is full" : "");
+    const int code = WEXITSTATUS(status);
+    return code == 0 ? "" : fmt::format("it ended with exit status {}", code);
+}
+
+// The environment of a child: ours, with some variables added or replaced.
+class Environment {
+public:
+    explicit Environment(std::vector<std::string> more) : m_more(std::move(more)) {
+        for (std::string& variable : m_more)
+            m_variables.push_back(variable.data());
+        for (char** variable = environ; *variable; ++variable)
+            if (!is_replaced(*variable))
+                m_variables.push_back(*variable);
+        m_variables.push_back(nullptr);
+    }
+    char* const* get() const { return m_variables.data(); }
+
+private:
+    bool is_replaced(std::string_view variable) const {
+        const std::string_view name = variable.substr(0, variable.find('=') + 1);
+        return std::ranges::any_of(
+            m_more, [&](const std::string& other) { return other.starts_with(name); });
+    }
+
+    std::vector<std::string> m_more;
+    std::vector<char*> m_variables;
+};
 }  // namespace
+
+/// Notices that a child is stuck: it uses no processor time.
+class ChildProcess::Watch {
+public:
+    Watch(pid_t process, double patience) : m_process(process), m_patience(patience) {}
+
+    /// Call it repeatedly while waiting.
+    bool is_stuck() {
+        constexpr double idle = 1e-3;  // s, which a waiting process may also use
+        const auto now = Clock::now();
+        const double used = processor_seconds(m_process);
+        if (used - m_used > idle) {
+            m_used = used;
+            m_last = now;
+        }
+        return std::chrono::duration<double>(now - m_last).count() > m_patience;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    pid_t m_process;
+    double m_patience;
+    double m_used = 0.0;
+    Clock::time_point m_last = Clock::now();
+};
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command, Files files) {
     Inputs fed;
@@ -102,8 +174,9 @@ Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
     pid_t process = -1;
+    const Environment environment(files.environment);
     const int error = ::posix_spawnp(&process, arguments.front(), actions.get(), nullptr,
-                                     arguments.data(), environ);
+                                     arguments.data(), environment.get());
     if (error == ENOENT)
         return fail({{}, 0, fmt::format("the program '{}' isn't installed", command.front())});
     if (error != 0)
@@ -116,13 +189,17 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
     : m_process(std::exchange(other.m_process, -1)),
       m_inputs(std::move(other.m_inputs)),
       m_output(std::move(other.m_output)),
-      m_complaints(std::move(other.m_complaints)) {}
+      m_complaints(std::move(other.m_complaints)),
+      m_patience(other.m_patience),
+      m_fault(std::move(other.m_fault)) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
     std::swap(m_process, other.m_process);
     m_inputs = std::move(other.m_inputs);
     m_output = std::move(other.m_output);
     m_complaints = std::move(other.m_complaints);
+    m_patience = other.m_patience;
+    m_fault = std::move(other.m_fault);
     return *this;
 }
 
@@ -180,23 +257,67 @@ std::optional<std::string> ChildProcess::read_all_within(double seconds, std::si
     }
 }
 
-bool ChildProcess::feed(int input, std::string_view bytes) const {
+void ChildProcess::set_patience(double seconds) {
+    m_patience = seconds;
+    constexpr timeval between_looks{0, 200'000};
+    if (m_inputs[0].is_open())
+        ::setsockopt(m_inputs[0].get(), SOL_SOCKET, SO_SNDTIMEO, &between_looks,
+                     sizeof between_looks);
+}
+
+void ChildProcess::end_stuck() {
+    end();
+    m_fault =
+        fmt::format("it made no progress for {} s and was stopped", format_number(m_patience));
+}
+
+bool ChildProcess::feed(int input, std::string_view bytes) {
     const int descriptor = m_inputs[static_cast<std::size_t>(input)].get();
+    std::optional<Watch> watch;
     while (!bytes.empty()) {
         const ssize_t sent = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR)
             continue;
+        if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+            if (!watch)
+                watch.emplace(m_process, m_patience);
+            if (!watch->is_stuck())
+                continue;
+            end_stuck();
+            return false;
+        }
         if (sent <= 0)
             return false;
+        watch.reset();
         bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
     return true;
 }
 
+// The status; that of a killed process if it is stuck.
+int ChildProcess::wait_for_exit() {
+    if (std::isinf(m_patience))
+        return wait_for(std::exchange(m_process, -1));
+    constexpr auto between_looks = std::chrono::milliseconds(10);
+    Watch watch(m_process, m_patience);
+    int status = 0;
+    while (::waitpid(m_process, &status, WNOHANG) == 0) {
+        if (watch.is_stuck()) {
+            end_stuck();
+            return SIGKILL;
+        }
+        std::this_thread::sleep_for(between_looks);
+    }
+    m_process = -1;
+    return status;
+}
+
 bool ChildProcess::finish() {
     if (m_process < 0)
         return false;
-    const int status = wait_for(std::exchange(m_process, -1));
+    const int status = wait_for_exit();
+    if (m_fault.empty())
+        m_fault = fault_of(status);
     return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 

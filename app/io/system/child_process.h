@@ -4,6 +4,7 @@
 #include "io/system/descriptor.h"
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,10 +14,11 @@
 /// A child process that is started for its output; the destructor kills it.
 class ChildProcess {
 public:
-    /// The files that the child gets, besides its arguments.
+    /// What the child gets besides its arguments.
     struct Files {
         int inputs = 0;   // 0, 1 (its standard input) or 2 (also second_input)
         int output = -1;  // a file that it gets as given_output; -1: no file
+        std::vector<std::string> environment = {};  // variables in addition to ours: "NAME=VALUE"
     };
     static constexpr int second_input = 3;
     static constexpr int given_output = 4;
@@ -25,7 +27,7 @@ public:
     /// system lacks resources.
     static Result<ChildProcess> start(const std::vector<std::string>& command, Files files);
     static Result<ChildProcess> start(const std::vector<std::string>& command) {
-        return start(command, {0, -1});
+        return start(command, Files());
     }
 
     ChildProcess(ChildProcess&& other) noexcept;
@@ -38,9 +40,11 @@ public:
     std::string read_all(std::size_t maximum);
     /// As read_all; nullopt if the output has not ended within `seconds`.
     std::optional<std::string> read_all_within(double seconds, std::size_t maximum);
+    /// Ends a child that uses no processor time for this long, while feed(0) or finish() waits.
+    void set_patience(double seconds);
     /// Writes to one of its inputs, from 0, and blocks while its buffer is full. False if the child
     /// no longer reads it. Each input may be fed from its own thread.
-    bool feed(int input, std::string_view bytes) const;
+    bool feed(int input, std::string_view bytes);
     /// Closes an input.
     void end_input(int input) { m_inputs[static_cast<std::size_t>(input)] = Descriptor(); }
     /// Kills it if it is still running.
@@ -49,8 +53,13 @@ public:
     bool finish();
     /// The first line of its stderr so far.
     std::string complaint() const;
+    /// Why it ended, if not by itself with exit status 0: "it was stopped by signal 9 (Killed)".
+    const std::string& fault() const { return m_fault; }
 
 private:
+    class Watch;
+    void end_stuck();
+    int wait_for_exit();
     using Inputs = std::array<Descriptor, 2>;
 
     ChildProcess(pid_t process, Inputs inputs, Descriptor output, Descriptor complaints)
@@ -63,4 +72,6 @@ private:
     Inputs m_inputs;          // sockets: a failed write raises no signal
     Descriptor m_output;      // read end of a pipe
     Descriptor m_complaints;  // a file in memory, so the child never blocks on stderr
+    double m_patience = std::numeric_limits<double>::infinity();
+    std::string m_fault;
 };

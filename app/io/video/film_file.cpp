@@ -1,132 +1,50 @@
 #include "io/video/film_file.h"
 
-#include "base/text.h"
+#include "io/video/film_command.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fs = std::filesystem;
 
 namespace {
-using Arguments = std::vector<std::string>;
-
 constexpr double max_gif_rate = 50.0;  // browsers treat a higher rate as an error
 
-std::string ending_of(const fs::path& file) {
-    return to_lower(file.extension().string());
-}
-
 // The step between the pictures that are kept.
-int step_of(const fs::path& file, const FrameRateFraction& rate) {
-    if (ending_of(file) != ".gif")
+int step_of(const FilmFormat& format) {
+    if (format.encoding.codec->name != "gif")
         return 1;
-    return std::max(1, static_cast<int>(std::ceil(rate.number() / max_gif_rate - 1e-9)));
+    return std::max(1, static_cast<int>(std::ceil(format.rate.number() / max_gif_rate - 1e-9)));
 }
 
-void add_arguments(Arguments& arguments, const Arguments& more) {
-    arguments.insert(arguments.end(), more.begin(), more.end());
-}
-
-// H.264 with 4:2:0 needs even sides: the last row and column are repeated.
-std::string evened(Extent extent) {
-    const int right = extent.width % 2;
-    const int below = extent.height % 2;
-    if (right + below == 0)
-        return "";
-    return fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,", extent.width + right,
-                       extent.height + below, right, below);
-}
-
-Arguments picture_arguments(const std::string& ending, Extent extent) {
-    if (ending == ".gif")  // one palette per picture, so none waits for the last picture
-        return {"-vf",
-                "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither="
-                "bayer:bayer_scale=3",
-                "-f", "gif"};
-    Arguments arguments{"-vf",
-                        (ending == ".mp4" ? evened(extent) : std::string()) +
-                            "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
-                            "full_chroma_int+full_chroma_inp,format=yuv420p",
-                        "-colorspace",
-                        "bt709",
-                        "-color_primaries",
-                        "bt709",
-                        "-color_trc",
-                        "bt709",
-                        "-color_range",
-                        "tv"};
-    if (ending == ".mp4")
-        add_arguments(arguments, {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-movflags",
-                                  "+faststart", "-f", "mp4"});
-    else
-        add_arguments(arguments, {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-row-mt", "1",
-                                  "-deadline", "good", "-cpu-used", "4", "-f", "webm"});
-    return arguments;
-}
-
-Arguments sound_arguments(const std::string& ending) {
-    if (ending == ".mp4")
-        return {"-c:a", "aac", "-b:a", "256k"};
-    // Opus starts before the sound, for which WebM has a field. With additional negative
-    // timestamps, ffmpeg 5 shows the pictures too late by that time.
-    return {"-c:a", "libopus", "-b:a", "256k", "-bsf:a", "setts=pts=PTS-STARTPTS:dts=DTS-STARTDTS"};
-}
-
-Arguments command_of(const std::string& ending, const FilmFormat& format, int step) {
-    const FrameRateFraction rate = frame_rate_fraction(format.rate.number() / step);
-    Arguments arguments{"ffmpeg",
-                        "-v",
-                        "error",
-                        "-nostdin",
-                        "-y",
-                        "-f",
-                        "rawvideo",
-                        "-pixel_format",
-                        "rgb24",
-                        "-video_size",
-                        fmt::format("{}x{}", format.extent.width, format.extent.height),
-                        "-framerate",
-                        rate.text('/'),
-                        "-i",
-                        "pipe:0"};
-    const bool has_sound = format.sound.rate > 0;
-    if (has_sound)
-        add_arguments(arguments, {"-f", "f32le", "-ar", std::to_string(format.sound.rate), "-ac",
-                                  "2", "-i", fmt::format("pipe:{}", ChildProcess::second_input)});
-    add_arguments(arguments, {"-map", "0:v"});
-    if (has_sound)
-        add_arguments(arguments, {"-map", "1:a"});
-    if (has_sound)
-        add_arguments(arguments, sound_arguments(ending));
-    add_arguments(arguments, picture_arguments(ending, format.extent));
-    // Already open, so a cancelled film never creates a file.
-    arguments.push_back(fmt::format("file:/dev/fd/{}", ChildProcess::given_output));
-    return arguments;
+std::vector<std::string> command_of(const FilmFormat& format) {
+    return film_command(format.encoding,
+                        {.extent = format.extent,
+                         .rate = frame_rate_fraction(format.rate.number() / step_of(format)),
+                         .sound_rate = format.sound.rate});
 }
 }  // namespace
 
-bool is_film_name(const fs::path& file) {
-    constexpr std::array<std::string_view, 3> extensions{".mp4", ".webm", ".gif"};
-    return std::ranges::find(extensions, ending_of(file)) != extensions.end();
-}
-
 Result<std::unique_ptr<FilmFile>> FilmFile::create(const fs::path& file, FilmFormat format) {
-    const std::string ending = ending_of(file);
-    if (ending == ".gif")
+    if (!format.encoding.sound)
         format.sound = {};
+    if (const auto fits = check_film_extent(format.encoding, format.extent); !fits)
+        return fail({file, 0, fits.error().front().message});
     auto target = AtomicFile::create(file);
     if (!target)
         return fail(target.error());
-    auto process = ChildProcess::start(
-        command_of(ending, format, step_of(file, format.rate)),
-        {.inputs = format.sound.rate > 0 ? 2 : 1, .output = target->descriptor()});
+    auto process = ChildProcess::start(command_of(format),
+                                       {.inputs = format.sound.rate > 0 ? 2 : 1,
+                                        .output = target->descriptor(),
+                                        // Otherwise the AV1 encoder prints its settings to stderr.
+                                        .environment = {"SVT_LOG=1"}});
     if (!process)
         return fail({file, 0,
                      fmt::format("writing videos needs the Debian package ffmpeg: {}",
                                  process.error().front().message)});
+    process->set_patience(format.patience_seconds);
     return std::unique_ptr<FilmFile>(
         new FilmFile(file, std::move(format), std::move(*target), std::move(*process)));
 }
@@ -147,33 +65,50 @@ FilmFile::~FilmFile() {
         m_sound.join();
 }
 
+bool FilmFile::feed_samples(std::span<const float> samples) {
+    return m_process.feed(
+        1, {reinterpret_cast<const char*>(samples.data()), samples.size() * sizeof(float)});
+}
+
+// The start of the sound in reverse order, so that it begins without a jump.
+bool FilmFile::feed_lead_in() {
+    const auto count = static_cast<std::size_t>(m_format.encoding.sound->lead_in);
+    std::vector<float> samples(2 * count, 0.0f);
+    const auto known = std::min(static_cast<std::int64_t>(count), m_format.sound.count);
+    std::vector<float> start(static_cast<std::size_t>(2 * known));
+    m_format.sound.read(0, start);
+    for (std::size_t i = 0; i < start.size() / 2; ++i) {
+        samples[2 * (count - 1 - i)] = start[2 * i];
+        samples[2 * (count - 1 - i) + 1] = start[2 * i + 1];
+    }
+    return feed_samples(samples);
+}
+
 void FilmFile::feed_sound() {
     constexpr std::int64_t piece = 16384;
     std::vector<float> samples;
-    for (std::int64_t first = 0; first < m_format.sound.count; first += piece) {
+    bool is_read = feed_lead_in();
+    for (std::int64_t first = 0; is_read && first < m_format.sound.count; first += piece) {
         const std::int64_t count = std::min(piece, m_format.sound.count - first);
         samples.resize(static_cast<std::size_t>(2 * count));
         m_format.sound.read(first, samples);
-        const std::string_view bytes(reinterpret_cast<const char*>(samples.data()),
-                                     samples.size() * sizeof(float));
-        if (!m_process.feed(1, bytes))
-            break;  // ffmpeg has ended: add() or finish() reports the reason
+        is_read = feed_samples(samples);  // if not, add() or finish() reports the reason
     }
     m_process.end_input(1);
 }
 
 tl::unexpected<Diagnostics> FilmFile::failed() {
     const std::string complaint = m_process.complaint();
+    const std::string& reason = complaint.empty() ? m_process.fault() : complaint;
     return fail({m_file, 0,
-                 complaint.empty() ? "can't write the video: ffmpeg stopped without a message"
-                                   : fmt::format("can't write the video: ffmpeg: {}", complaint)});
+                 reason.empty() ? "can't write the video: ffmpeg stopped without a message"
+                                : fmt::format("can't write the video: ffmpeg: {}", reason)});
 }
 
-Result<void> FilmFile::add(std::span<const std::uint8_t> rgb) {
-    if (m_count++ % step_of(m_file, m_format.rate) != 0)
+Result<void> FilmFile::add(std::string_view pixels) {
+    if (m_count++ % step_of(m_format) != 0)
         return {};
-    const std::string_view bytes(reinterpret_cast<const char*>(rgb.data()), rgb.size());
-    if (m_process.feed(0, bytes))
+    if (m_process.feed(0, pixels))
         return {};
     m_process.finish();
     return failed();
@@ -181,9 +116,9 @@ Result<void> FilmFile::add(std::span<const std::uint8_t> rgb) {
 
 Result<void> FilmFile::finish() {
     m_process.end_input(0);
+    const bool is_good = m_process.finish();
     if (m_sound.joinable())
         m_sound.join();
-    const bool is_good = m_process.finish();
     if (!is_good || !m_process.complaint().empty())  // on a full disk ffmpeg prints an error but
                                                      // succeeds
         return failed();

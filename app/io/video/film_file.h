@@ -3,6 +3,7 @@
 #include "base/diagnostic.h"
 #include "io/files/atomic_file.h"
 #include "io/system/child_process.h"
+#include "io/video/film_codec.h"
 #include "model/look/extent.h"
 #include "model/picture/frame_rate_fraction.h"
 
@@ -27,14 +28,13 @@ struct FilmFormat {
     Extent extent;
     FrameRateFraction rate;
     FilmSound sound = {};
+    FilmEncoding encoding;
+    double patience_seconds = 60.0;  // how long ffmpeg may make no progress
 };
 
-/// Whether the extension is a film format that can be written: .mp4, .webm or .gif.
-bool is_film_name(const std::filesystem::path& file);
-
-/// A film that is written by ffmpeg: .mp4 (H.264, AAC), .webm (VP9, Opus) or .gif. A GIF has no
-/// sound and at most 50 pictures per second; at higher rates only every second (or third, ...) is
-/// kept. BT.709 colours. The file appears only when complete.
+/// A film that is written by ffmpeg. A GIF has at most 50 pictures per second; at higher rates only
+/// every second (or third, ...) is kept. BT.709 colours, or RGB if lossless. The file appears only
+/// when complete.
 class FilmFile {
 public:
     /// Fails if the file can't be written or ffmpeg is missing.
@@ -45,14 +45,18 @@ public:
     FilmFile& operator=(const FilmFile&) = delete;
 
     const Extent& extent() const { return m_format.extent; }
-    /// Adds the next picture, from display_bytes(); waits while ffmpeg is busy.
-    Result<void> add(std::span<const std::uint8_t> rgb);
+    const FilmEncoding& encoding() const { return m_format.encoding; }
+    /// Adds the next picture: RGB or RGBA with 8 or 16 bits per channel, as the encoding says, row
+    /// 0 at the top. Waits while ffmpeg is busy. Fails if ffmpeg has ended or is stuck.
+    Result<void> add(std::string_view pixels);
     Result<void> finish();
 
 private:
     FilmFile(std::filesystem::path file, FilmFormat format, AtomicFile target,
              ChildProcess process);
     void feed_sound();
+    bool feed_lead_in();
+    bool feed_samples(std::span<const float> samples);
     tl::unexpected<Diagnostics> failed();
 
     std::filesystem::path m_file;

@@ -52,6 +52,12 @@ Result<void> write_preset(const Document& document, const std::string& name, con
     return save_preset(file, preset, &document.look());
 }
 
+Result<std::string> png_with_preset(std::string png, const Document& document,
+                                    const RecentMedia& recent) {
+    return with_preset(std::move(png), portable(complete_preset_of(document), document, {}, recent),
+                       &document.look());
+}
+
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
                                       const fs::path& file, const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".png")
@@ -61,9 +67,7 @@ Result<void> save_picture_with_preset(const Picture& picture, const Document& do
                          : encode_png(picture);
     if (!png)
         return fail(png.error());
-    const auto whole =
-        with_preset(std::move(*png), portable(complete_preset_of(document), document, {}, recent),
-                    &document.look());
+    const auto whole = png_with_preset(std::move(*png), document, recent);
     if (!whole)
         return fail(whole.error());
     return write_atomically(file, *whole);

@@ -26,6 +26,10 @@ std::string share_line_of(const Document& document, const RecentMedia& recent);
 Result<void> write_preset(const Document& document, const std::string& name,
                           const std::filesystem::path& file, const RecentMedia& recent);
 
+/// The bytes of a PNG with the document as a preset, so that it can be opened.
+Result<std::string> png_with_preset(std::string png, const Document& document,
+                                    const RecentMedia& recent);
+
 /// Writes a picture. A PNG also contains the document as a preset, so that it can be opened. If the
 /// look has alpha (ISF) and any pixel is transparent, the PNG has unassociated alpha.
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,

@@ -4,7 +4,6 @@
 #include "io/pictures/picture_file.h"
 #include "io/pictures/png_encoder.h"
 #include "io/system/descriptor.h"
-#include "io/system/standard_streams.h"
 #include "io/video/y4m.h"
 #include "lab/offline/frame_export.h"
 #include "lab/offline/offline.h"
@@ -21,26 +20,25 @@ namespace {
 using PipedFrame = FramePipeline::Frame;
 using FromFrame = FramePipeline::Made;
 
+// All frames of a film must have the same size.
+Result<void> check_size(const PipedFrame& frame, Extent extent) {
+    const Extent now = frame.picture.extent;
+    if (now == extent)
+        return {};
+    return fail({{},
+                 0,
+                 fmt::format("a video has one frame size: {} x {} px, but frame {} is {} x {} px",
+                             extent.width, extent.height, frame.number, now.width, now.height)});
+}
+
 std::span<const std::uint8_t> as_numbers(const std::string& bytes) {
     return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
 }
 
-// All frames of a film must have the same size.
-Result<std::vector<std::uint8_t>> film_bytes(const PipedFrame& frame, Extent extent) {
-    const Extent now = frame.picture.extent;
-    if (now != extent)
-        return fail(
-            {{},
-             0,
-             fmt::format("a video has one frame size: {} x {} px, but frame {} is {} x {} px",
-                         extent.width, extent.height, frame.number, now.width, now.height)});
-    return display_bytes(frame.picture);
-}
-
 Result<std::string> encoded(const RawPicture& picture, std::string_view extension,
-                            bool keeps_alpha) {
-    if (keeps_alpha && extension == ".png")
-        return encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture));
+                            FrameAlpha alpha) {
+    if (alpha != FrameAlpha::none && extension == ".png")
+        return encode_png_with_alpha(picture.extent, as_numbers(frame_bytes(picture, 8, alpha)));
     return encode_picture(picture, extension);
 }
 
@@ -59,10 +57,10 @@ ExportPart part_of(double start_seconds, double seconds, double fps) {
 }
 
 FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
-                                      bool keeps_alpha) {
-    const auto make = [names, first, keeps_alpha](const PipedFrame& frame) -> Result<FromFrame> {
+                                      FrameAlpha alpha) {
+    const auto make = [names, first, alpha](const PipedFrame& frame) -> Result<FromFrame> {
         const auto file = names.name(static_cast<int>(frame.number));
-        const auto bytes = encoded(frame.picture, to_lower(file.extension().string()), keeps_alpha);
+        const auto bytes = encoded(frame.picture, to_lower(file.extension().string()), alpha);
         if (!bytes)
             return fail({file, 0, bytes.error().front().message});
         // Checking for leftovers before every file would take longer with each new file.
@@ -75,25 +73,21 @@ FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t firs
     return {make, [](std::int64_t, const FromFrame&) -> Result<void> { return {}; }, is_exr};
 }
 
-FramePipeline::Stages film_stages(FilmFile& film) {
-    const auto make = [extent = film.extent()](const PipedFrame& frame) -> Result<FromFrame> {
-        const auto bytes = film_bytes(frame, extent);
-        if (!bytes)
-            return fail(bytes.error());
-        return FromFrame{std::string(bytes->begin(), bytes->end()), {}};
+FramePipeline::Stages film_stages(FilmFile& film, FrameAlpha alpha) {
+    const auto make = [&film, alpha](const PipedFrame& frame) -> Result<FromFrame> {
+        if (const auto fits = check_size(frame, film.extent()); !fits)
+            return fail(fits.error());
+        return FromFrame{frame_bytes(frame.picture, film.encoding().bits(), alpha), {}};
     };
-    return {
-        make,
-        [&film](std::int64_t, const FromFrame& made) { return film.add(as_numbers(made.bytes)); },
-        false};
+    return {make, [&film](std::int64_t, const FromFrame& made) { return film.add(made.bytes); },
+            false};
 }
 
 FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate) {
     const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
-        const auto bytes = film_bytes(frame, extent);
-        if (!bytes)
-            return fail(bytes.error());
-        return FromFrame{y4m_frame(extent, *bytes), {}};
+        if (const auto fits = check_size(frame, extent); !fits)
+            return fail(fits.error());
+        return FromFrame{y4m_frame(extent, display_bytes(frame.picture)), {}};
     };
     auto deliver = [descriptor, header = y4m_header(extent, rate)](
                        std::int64_t, const FromFrame& made) mutable -> Result<void> {
@@ -104,9 +98,7 @@ FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRate
     return {make, deliver, false};
 }
 
-namespace {
-// The stages with flash detection, if requested.
-FramePipeline::Stages watched(const ExportJob& job) {
+FramePipeline::Stages watched_stages(const ExportJob& job) {
     if (!job.flashes)
         return job.stages;
     const auto make = [&job](const PipedFrame& frame) {
@@ -121,10 +113,9 @@ FramePipeline::Stages watched(const ExportJob& job) {
     };
     return {make, deliver, job.stages.steps_back};
 }
-}  // namespace
 
 Result<bool> export_frames(Offline& offline, const ExportJob& job) {
-    FramePipeline pipeline(watched(job));
+    FramePipeline pipeline(watched_stages(job));
     for (std::int64_t number = 0; number < job.part.end; ++number) {
         if (!job.should_continue(number)) {
             pipeline.cancel();
@@ -166,10 +157,6 @@ FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
             }};
 }
 
-bool is_film_output(const std::string& output) {
-    return output == export_pipe || is_film_name(output);
-}
-
 Result<double> default_video_seconds(const Offline& offline, double start_seconds) {
     const double sound = offline.signal().sound_seconds();
     if (sound <= 0.0)
@@ -180,38 +167,4 @@ Result<double> default_video_seconds(const Offline& offline, double start_second
                      fmt::format("nothing to export from {} s on: the sound ends at {} s",
                                  format_number(start_seconds), format_number(sound))});
     return sound - start_seconds;
-}
-
-Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
-                       Diagnostics& warnings) {
-    const Extent extent = offline.executor().target(job.pass).extent();
-    const FrameRateFraction rate = frame_rate_fraction(job.fps);
-    std::unique_ptr<FilmFile> film;
-    if (output == export_pipe) {
-        job.stages = pipe_stages(standard_output, extent, rate);
-    } else if (is_film_output(output)) {
-        auto made = FilmFile::create(output, {extent, rate, sound_of(offline, job.part, job.fps)});
-        if (!made)
-            return fail(made.error());
-        film = std::move(*made);
-        job.stages = film_stages(*film);
-    } else {
-        const auto names = parse_frame_names(output);
-        if (!names)
-            return fail(names.error());
-        const Pass& pass = offline.executor().look().passes[static_cast<std::size_t>(job.pass)];
-        job.stages = sequence_stages(*names, job.part.first, pass.has_alpha);
-    }
-    FlashLog flashes;
-    if (job.pass + 1 == static_cast<int>(offline.executor().look().passes.size()))
-        job.flashes = &flashes;
-    auto done = export_frames(offline, job);
-    if (!done || !*done)
-        return done;
-    if (film)
-        if (auto finished = film->finish(); !finished)
-            return fail(finished.error());
-    if (const auto warning = flashes.warning())
-        warnings.push_back({{}, 0, *warning, Severity::warning});
-    return true;
 }

@@ -2,6 +2,7 @@
 
 #include "io/pictures/frame_names.h"
 #include "io/video/film_file.h"
+#include "io/video/frame_bytes.h"
 #include "io/video/frame_pipeline.h"
 #include "model/picture/flash_log.h"
 
@@ -27,6 +28,7 @@ struct ExportJob {
     ExportPart part;
     int pass = 0;
     double fps = 60.0;
+    FilmChoice film = {};
     FramePipeline::Stages stages = {};
     FlashLog* flashes = nullptr;  // null: not counted
     /// Reports the number of drawn frames; false: cancel.
@@ -36,11 +38,14 @@ struct ExportJob {
 /// Separate pictures, .png or .exr, numbered as on the look's clock. Either all PNGs have alpha or
 /// none has.
 FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
-                                      bool keeps_alpha = false);
+                                      FrameAlpha alpha = FrameAlpha::none);
 /// Writes into `film`, which must outlive the stages.
-FramePipeline::Stages film_stages(FilmFile& film);
+FramePipeline::Stages film_stages(FilmFile& film, FrameAlpha alpha);
 /// Writes y4m to an open file descriptor.
 FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate);
+
+/// The stages of a job, with flash detection if requested. The job must outlive them.
+FramePipeline::Stages watched_stages(const ExportJob& job);
 
 /// Draws from a fresh start and writes on background threads. Each file is complete or missing.
 /// False: cancelled.
@@ -49,15 +54,6 @@ Result<bool> export_frames(Offline& offline, const ExportJob& job);
 /// The sound of the frames; empty if the signal has no sound.
 FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps);
 
-/// The output name for standard output.
-inline constexpr const char* export_pipe = "-";
-
-/// Whether the output is a single film.
-bool is_film_output(const std::string& output);
 /// The default duration of a film from `start_seconds` on: the remaining sound, else 10 s. Fails
 /// after the end of the sound.
 Result<double> default_video_seconds(const Offline& offline, double start_seconds);
-/// As export_frames(), with stages for the output name: a film, y4m to standard output, or
-/// pictures. Warns about flashes if the pass is the picture.
-Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
-                       Diagnostics& warnings);

@@ -2,55 +2,100 @@
 
 #include "base/text.h"
 #include "io/files/atomic_file.h"
-#include "lab/offline/export.h"
+#include "lab/offline/export_output.h"
+#include "lab/offline/loop.h"
 #include "lab/offline/offline.h"
 #include "signals/signal_table.h"
 
 namespace {
-Result<void> check_export(const Document& document, const std::filesystem::path& file) {
-    const SignalKind* kind = find_kind(document.state().signal.kind);
-    if (document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent))
-        return fail({{}, 0, "live input can't be exported. Choose another signal."});
-    const auto names = parse_frame_names(file.string());
+tl::unexpected<Diagnostics> cancelled() {
+    return fail({{}, 0, "the export was cancelled"});
+}
+
+Result<void> check_file(const ExportSettings& settings) {
+    const auto names = parse_frame_names(settings.file.string());
     if (!names)
         return fail(names.error());
-    const std::string ending = to_lower(file.extension().string());
-    if (names->is_sequence() ? ending != ".png" && ending != ".exr" : !is_film_name(file))
-        return fail({file, 0,
-                     "video files must end in .mp4, .webm or .gif. Image sequences need %04d in "
-                     "the name and must end in .png or .exr."});
+    const std::string ending = to_lower(settings.file.extension().string());
+    if (names->is_sequence()) {
+        if (ending != ".png" && ending != ".exr")
+            return fail({settings.file, 0, "image sequences must end in .png or .exr"});
+    } else if (ending == ".png" || ending == ".exr") {
+        return fail({settings.file, 0, "image sequences need %04d in the name"});
+    } else if (const auto encoding = film_encoding(settings.file, settings.film); !encoding) {
+        return fail(encoding.error());
+    } else if (const auto fits = check_film_extent(*encoding, settings.size);
+               !settings.size.is_empty() && !fits) {
+        return fits;
+    }
     return check_writable(names->name(0));
+}
+
+// The frames of an export that does not loop.
+Result<ExportPart> part_to_export(const Offline& offline, const ExportSettings& settings) {
+    const auto usual = default_video_seconds(offline, settings.start);
+    if (!usual)
+        return fail(usual.error());
+    return part_of(settings.start, settings.seconds > 0.0 ? settings.seconds : *usual,
+                   settings.fps);
+}
+
+// The frames of one period.
+Result<ExportPart> loop_to_export(Offline& offline, Extent size, const ExportSettings& settings,
+                                  JobProgress& work) {
+    const LoopSearch search{
+        .extent = size,
+        .fps = settings.fps,
+        .seconds = settings.seconds,
+        .should_continue = [&work](std::int64_t, std::int64_t) { return !work.is_cancelled; }};
+    const auto part = find_loop(offline.document(), search);
+    offline.make_current();
+    if (!part)
+        return fail(part.error());
+    return *part ? Result<ExportPart>(**part) : cancelled();
 }
 }  // namespace
 
+Result<void> check_export(const Document& document, const ExportSettings& settings) {
+    const SignalKind* kind = find_kind(document.state().signal.kind);
+    if (document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent))
+        return fail({{}, 0, "live input can't be exported. Choose another signal."});
+    return check_file(settings);
+}
+
 Result<ExportResult> export_document(const Document& document, Extent size,
-                                     const ExportSettings& wishes, JobProgress& work) {
-    if (auto good = check_export(document, wishes.file); !good)
+                                     const ExportSettings& settings, JobProgress& work) {
+    if (auto good = check_export(document, settings); !good)
         return fail(good.error());
     Document changed = document;  // the window may not have applied its constants yet
     if (auto done = apply_constants(changed); !done)
         return fail(done.error());
-    auto offline = Offline::create({std::move(changed), {}}, size, wishes.fps);
+    if (!settings.size.is_empty())
+        size = settings.size;
+    auto offline = Offline::create({std::move(changed), {}}, size, settings.fps);
     if (!offline)
         return fail(offline.error());
-    const auto usual = default_video_seconds(*offline, 0.0);
-    if (!usual)
-        return fail(usual.error());
-    const double seconds = wishes.seconds > 0.0 ? wishes.seconds : *usual;
-    ExportJob job{.part = part_of(0.0, seconds, wishes.fps),
+    const auto part = settings.loops ? loop_to_export(*offline, size, settings, work)
+                                     : part_to_export(*offline, settings);
+    if (!part)
+        return fail(part.error());
+    ExportJob job{.part = *part,
                   .pass = static_cast<int>(document.look().passes.size()) - 1,
-                  .fps = wishes.fps};
-    const std::int64_t count = job.part.count();
-    job.should_continue = [&work, count](std::int64_t drawn) {
-        work.share = static_cast<double>(drawn) / static_cast<double>(count);
+                  .fps = settings.fps,
+                  .film = settings.film};
+    job.should_continue = [&work, end = part->end](std::int64_t drawn) {
+        work.share = std::min(1.0, static_cast<double>(drawn) / static_cast<double>(end));
         return !work.is_cancelled;
     };
-    ExportResult exported{wishes.file, count, size, {}};
-    const auto done = export_to(wishes.file.string(), *offline, std::move(job), exported.warnings);
+    ExportResult exported{settings.file, part->count(), size, {}};
+    const auto done =
+        settings.loops
+            ? export_loop(settings.file.string(), *offline, std::move(job), exported.warnings)
+            : export_to(settings.file.string(), *offline, std::move(job), exported.warnings);
     if (!done)
         return fail(done.error());
     if (!*done)
-        return fail({{}, 0, "the export was cancelled"});
+        return cancelled();
     if (const Diagnostics problems = offline->take_problems(); has_errors(problems))
         return fail(problems);
     return exported;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/job_progress.h"
+#include "io/video/film_codec.h"
 #include "lab/document/document.h"
 
 #include <cstdint>
@@ -11,9 +12,13 @@ inline constexpr double film_seconds_without_sound = 10.0;
 
 /// The user's settings for an export.
 struct ExportSettings {
-    std::filesystem::path file = {};  // .mp4, .webm, .gif, or .png and .exr with %04d
+    std::filesystem::path file = {};  // a film, or .png and .exr with %04d
+    Extent size = {};                 // empty: the render size
     double fps = 60.0;
+    double start = 0.0;    // s
     double seconds = 0.0;  // 0: the duration of the sound, else the default
+    FilmChoice film = {};
+    bool loops = false;  // one period; `seconds` is its length, 0: find it
 
     bool operator==(const ExportSettings&) const = default;
 };
@@ -21,13 +26,16 @@ struct ExportSettings {
 /// The result of an export.
 struct ExportResult {
     std::filesystem::path file;
-    std::int64_t frames = 0;
+    std::int64_t frames = 0;  // 0: a single picture
     Extent size;
     Diagnostics warnings;
 };
 
+/// Fails if the document can't be exported to this file: live input, a file type that is not known,
+/// a codec that does not fit, a folder that can't be written. Draws nothing.
+Result<void> check_export(const Document& document, const ExportSettings& settings);
+
 /// Draws a document from a fresh start in its own GL context, like the command render. Fails if it
-/// cannot be drawn or written, if its input is live, or when cancelled. Then no film remains, and
-/// only complete pictures.
+/// cannot be drawn or written, or when cancelled. Then no film remains, and only complete pictures.
 Result<ExportResult> export_document(const Document& document, Extent size,
-                                     const ExportSettings& wishes, JobProgress& work);
+                                     const ExportSettings& settings, JobProgress& work);

@@ -43,6 +43,7 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
     if (!programs)
         return fail(programs.error());
     const auto displayed = prepared.displayed;
+    const double start_seconds = prepared.start_seconds;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.take_values();  // first, because sizes can depend on them
     if (displayed)
@@ -56,6 +57,8 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
         return fail(done.error());
     if (auto done = offline.load_pictures(); !done)
         return fail(done.error());
+    if (start_seconds > 0.0)
+        offline.m_player->seek(start_seconds);
     return offline;
 }
 

@@ -38,6 +38,7 @@ struct PreparedLook {
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
+    double start_seconds = 0.0;  // of the first frame on the look's clock
     // Content of the preset that was not used.
     std::optional<OutsideContent> outside = {};
     // For programs that are specialised before the first frame: the displayed passes besides the

@@ -46,6 +46,17 @@ public:
         return longest;
     }
 
+    /// Of the keyframes and the rotation.
+    Repetition repetition() const {
+        Repetition repetition;
+        repetition.add(m_spin / 360.0);
+        const double cycle =
+            static_cast<double>(m_order.steps()) * (m_order.hold_seconds + m_order.morph_seconds);
+        if (m_order.loops && cycle > 0.0)
+            repetition.add(1.0 / cycle);
+        return repetition;
+    }
+
     std::size_t max_points() const {
         std::size_t maximum = 0;
         for (const auto& morphs : m_steps)
@@ -126,8 +137,9 @@ Result<std::unique_ptr<Signal>> make_drawing(const Settings& settings, const Sig
                      fmt::format("drawing: too many points ({}); the limit is {}",
                                  moving.max_points(), max_scene_points)});
     const double seconds = moving.seconds();
-    return make_changing_scene_signal({[moving](double time) { return moving.at(time); }, seconds},
-                                      rate_of(settings));
+    return make_changing_scene_signal(
+        {[moving](double time) { return moving.at(time); }, seconds, moving.repetition()},
+        rate_of(settings));
 }
 
 std::vector<SettingInfo> keyframe_settings() {

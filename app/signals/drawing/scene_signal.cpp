@@ -189,6 +189,20 @@ private:
     std::vector<Pose> m_poses;
 };
 
+// Of drawings that start at this interval. Only a fixed rate repeats together with other parts.
+Repetition repetition_of_drawings(double seconds, double refresh) {
+    constexpr double rounding = 1e-9;
+    Repetition repetition;
+    if (refresh > 0.0 && seconds <= 1.0 / refresh + rounding)
+        repetition.add(refresh);
+    else
+        repetition.obstacle = fmt::format(
+            "one drawing takes {:.4g} s, so it has no fixed rate. Raise the beam speed until it "
+            "fits the refresh rate.",
+            seconds);
+    return repetition;
+}
+
 // The first drawing with points in the span; each is `length` long.
 std::int64_t first_drawing(const TimeSpan& span, double length) {
     const auto drawing = static_cast<std::int64_t>(std::floor(std::max(span.start, 0.0) / length));
@@ -208,6 +222,14 @@ public:
              static_cast<double>(drawing) * length < span.end; ++drawing)
             DrawnOnce(*m_scene, m_table, static_cast<double>(drawing) * length)
                 .trace({m_rate, span}, beam);
+    }
+
+    Repetition repetition() const override {
+        Repetition repetition = repetition_of_drawings(m_table.seconds(), m_scene->refresh);
+        for (const SceneItem& item : m_scene->items)
+            for (const double spin : item.spin)
+                repetition.add(spin / 360.0);
+        return repetition;
     }
 
 private:
@@ -230,6 +252,12 @@ public:
             const Timetable table(scene);
             DrawnOnce(scene, table, start).trace({m_rate, span}, beam);
         }
+    }
+
+    Repetition repetition() const override {
+        Repetition repetition = repetition_of_drawings(m_scene.seconds, m_scene.at(0.0).refresh);
+        repetition.add(m_scene.repetition);
+        return repetition;
     }
 
 private:

@@ -40,6 +40,8 @@ public:
         return std::lerp(m_table[below], m_table[below + 1], position - static_cast<double>(below));
     }
 
+    std::vector<double> frequencies() const { return {m_base}; }
+
     double quarter_period;
 
 private:

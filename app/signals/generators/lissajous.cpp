@@ -40,6 +40,13 @@ public:
         });
     }
 
+    Repetition repetition() const override {
+        Repetition repetition;
+        repetition.add((m_x + m_drift) * 60.0);
+        repetition.add(m_y * 60.0);
+        return repetition;
+    }
+
 private:
     // Speed of the beam relative to both deflections at their maximum speed.
     double relative_speed(double across, double up) const {

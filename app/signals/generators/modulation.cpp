@@ -12,6 +12,8 @@ struct Carrier {
           modulator(settings.number("modulator")),
           quarter_period(0.25 / carrier) {}
 
+    std::vector<double> frequencies() const { return {carrier, modulator}; }
+
     double carrier;  // periods per 1/60 s
     double modulator;
     double quarter_period;

@@ -4,9 +4,11 @@
 #include "signals/signal/settings.h"
 
 #include <memory>
+#include <vector>
 
 /// A signal of one wave, drawn over time (yt) or against itself a quarter period earlier (xy).
-/// `Wave` is called with a time in sweeps of 1/60 s. Its quarter_period has the same unit.
+/// `Wave` is called with a time in sweeps of 1/60 s. Its quarter_period has the same unit, and
+/// frequencies() are in periods per sweep.
 template <class Wave>
 class OneChannel : public Signal {
 public:
@@ -21,6 +23,15 @@ public:
     void trace(const TimeSpan& span, Beam& beam) const override {
         trace_points(span, {.rate = static_cast<double>(m_points) * 60.0}, beam,
                      [this](std::int64_t k) { return m_is_xy ? against_itself(k) : swept(k); });
+    }
+
+    Repetition repetition() const override {
+        Repetition repetition;
+        if (!m_is_xy)
+            repetition.add(60.0);
+        for (const double frequency : m_wave.frequencies())
+            repetition.add(60.0 * frequency * (m_is_xy ? 1.0 : m_scroll));
+        return repetition;
     }
 
 private:

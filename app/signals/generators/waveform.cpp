@@ -95,6 +95,23 @@ public:
         });
     }
 
+    Repetition repetition() const override {
+        Repetition repetition;
+        if (!m_is_xy && m_sweeps->period() > 0.0)
+            repetition.add(m_scope.rate() / m_sweeps->period());
+        for (std::size_t i = 0; i < m_inputs.size(); ++i) {
+            if (m_inputs[i].coupling == Coupling::ground || !m_inputs[i].is_on())
+                continue;
+            if (m_inputs[i].shape == Shape::noise)
+                repetition.obstacle = "noise never repeats. Choose another shape of the wave.";
+            const bool scrolls = !m_is_xy || i == 0;
+            repetition.add(m_inputs[i].hertz + (m_is_xy && scrolls ? m_scroll : 0.0));
+            if (!m_is_xy)
+                repetition.add(m_scroll);
+        }
+        return repetition;
+    }
+
 private:
     Waveform(const Settings& settings, const ScopeControls& controls,
              std::array<Generator, 2> inputs)

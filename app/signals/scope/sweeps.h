@@ -27,6 +27,8 @@ public:
     virtual ~Sweeps() = default;
     /// The last sweep that starts at or before this sample; it may have ended.
     virtual std::optional<Sweep> latest(std::int64_t sample) const = 0;
+    /// Samples from one start to the next; 0: not constant, or never.
+    virtual double period() const { return 0.0; }
 };
 
 /// Sweeps with a constant period.
@@ -38,6 +40,7 @@ public:
         : m_start(start), m_period(period), m_length(length) {}
 
     std::optional<Sweep> latest(std::int64_t sample) const override;
+    double period() const override { return m_period; }
 
 private:
     double m_start;

@@ -5,6 +5,7 @@
 #include "model/devices/sound.h"
 #include "model/look/spec.h"
 #include "model/plan/beam.h"
+#include "model/tuning/repetition.h"
 #include "signals/signal/clock.h"
 
 #include <limits>
@@ -23,6 +24,9 @@ public:
 
     /// Duration; infinite for a signal without an end.
     virtual double seconds() const { return std::numeric_limits<double>::infinity(); }
+
+    /// How it repeats, apart from a sound that it plays. By default unknown.
+    virtual Repetition repetition() const { return {.is_known = false}; }
 };
 
 struct BeamScene;

@@ -60,3 +60,43 @@ TEST_CASE("descriptors of a child process do not collide with those it expects")
         taken.emplace_back(::open("/dev/null", O_RDONLY | O_CLOEXEC));
     }
 }
+
+TEST_CASE("a child process that is stuck is ended, one that works is not") {
+    auto stuck = ChildProcess::start({"sleep", "600"}, {.inputs = 1});
+    REQUIRE(stuck.has_value());
+    stuck->set_patience(0.5);
+    bool is_read = true;
+    for (int i = 0; i < 1000 && is_read; ++i)
+        is_read = stuck->feed(0, std::string(10000, 'a'));
+    CHECK_FALSE(is_read);
+    CHECK_FALSE(stuck->finish());
+    CHECK(stuck->fault() == "it made no progress for 0.5 s and was stopped");
+
+    auto waiting = ChildProcess::start({"sleep", "600"}, {.inputs = 1});
+    REQUIRE(waiting.has_value());
+    waiting->set_patience(0.5);
+    CHECK_FALSE(waiting->finish());
+    CHECK(waiting->fault() == "it made no progress for 0.5 s and was stopped");
+
+    auto busy = ChildProcess::start(
+        {"sh", "-c", "i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done"}, {.inputs = 1});
+    REQUIRE(busy.has_value());
+    busy->set_patience(0.4);
+    CHECK(busy->finish());
+    CHECK(busy->fault() == "");
+}
+
+TEST_CASE("the end of a child process has a reason, and its environment can be extended") {
+    auto killed = ChildProcess::start({"sh", "-c", "kill -11 $$"});
+    REQUIRE(killed.has_value());
+    CHECK_FALSE(killed->finish());
+    CHECK(killed->fault() == "it was stopped by signal 11 (Segmentation fault)");
+    auto failed = ChildProcess::start({"sh", "-c", "exit 7"});
+    REQUIRE(failed.has_value());
+    CHECK_FALSE(failed->finish());
+    CHECK(failed->fault() == "it ended with exit status 7");
+    auto told = ChildProcess::start({"sh", "-c", "echo \"$AFTERGLOW_TEST $HOME\""},
+                                    {.environment = {"AFTERGLOW_TEST=a=b", "HOME=/nowhere"}});
+    REQUIRE(told.has_value());
+    CHECK(told->read_all(100) == "a=b /nowhere\n");
+}

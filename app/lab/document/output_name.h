@@ -1,0 +1,18 @@
+#pragma once
+
+#include "lab/document/document.h"
+#include "model/devices/date.h"
+
+#include <filesystem>
+#include <string>
+
+/// The default name of an exported file without its ending: look, preset and date, such as
+/// "phosphor-amber-p3-2026-11-26". Only letters that every file system takes.
+std::string output_stem(const Document& document, const Date& date);
+
+/// A name in the folder that no file has: STEM.ENDING, or with -2, -3, … behind the stem.
+std::string unused_name(const std::filesystem::path& folder, const std::string& stem,
+                        const std::string& ending);
+
+/// The file of a typed name or path: "~" is the home folder, a name is in `folder`.
+std::filesystem::path typed_file(const std::string& text, const std::filesystem::path& folder);

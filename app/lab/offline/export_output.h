@@ -1,0 +1,30 @@
+#pragma once
+
+#include "lab/offline/export.h"
+#include "model/look/spec.h"
+
+#include <memory>
+#include <string>
+
+/// The output name for standard output.
+inline constexpr const char* export_pipe = "-";
+
+/// Whether the output is a single film.
+bool is_film_output(const std::string& output);
+
+/// Whether the sound of a completed signal is drawn as XY, so that a lossy sound bends the figure.
+bool is_drawn_as_xy(const Spec& signal);
+
+/// The warning about a film whose lossy sound is drawn as XY; "": it is not.
+std::string lossy_sound_warning(const FilmEncoding& encoding, const Spec& signal);
+
+/// As export_frames(), with stages for the output name: a film, y4m to standard output, or
+/// pictures. Warns about flashes if the pass is the picture, and about lossy sound.
+Result<bool> export_to(const std::string& output, Offline& offline, ExportJob job,
+                       Diagnostics& warnings);
+
+/// As export_to() for a loop: the frame after the last one must equal the first within 1/255. If
+/// not, the look has not settled, and the next period is written instead, up to a few times. The
+/// pictures of a sequence are numbered from 0.
+Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob job,
+                         Diagnostics& warnings);

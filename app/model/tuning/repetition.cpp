@@ -1,0 +1,113 @@
+#include "model/tuning/repetition.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+Fraction fraction_of(double number) {
+    constexpr double as_good = 1e-9;
+    constexpr std::int64_t largest_below = 1000000;
+    Fraction before{1, 0};
+    Fraction now{static_cast<std::int64_t>(std::floor(number)), 1};
+    double rest = number - std::floor(number);
+    while (std::abs(now.number() - number) > as_good * number && rest > 0.0) {
+        const double inverse = 1.0 / rest;
+        const double whole = std::floor(inverse);
+        if (whole > static_cast<double>(largest_below))
+            break;
+        const auto term = static_cast<std::int64_t>(whole);
+        const Fraction next{term * now.above + before.above, term * now.below + before.below};
+        if (next.below > largest_below)
+            break;
+        before = now;
+        now = next;
+        rest = inverse - whole;
+    }
+    return now;
+}
+
+Fraction reciprocal(const Fraction& fraction) {
+    return {fraction.below, fraction.above};
+}
+
+namespace {
+std::optional<std::int64_t> times(std::int64_t a, std::int64_t b) {
+    std::int64_t result = 0;
+    return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
+}
+
+Fraction reduced(std::int64_t above, std::int64_t below) {
+    const std::int64_t common = std::gcd(above, below);
+    return common > 1 ? Fraction{above / common, below / common} : Fraction{above, below};
+}
+
+// gcd(a / b, c / d) = gcd(a d, c b) / (b d).
+std::optional<Fraction> common_divisor(const Fraction& a, const Fraction& b) {
+    const auto first = times(a.above, b.below);
+    const auto second = times(b.above, a.below);
+    const auto below = times(a.below, b.below);
+    if (!first || !second || !below)
+        return std::nullopt;
+    return reduced(std::gcd(*first, *second), *below);
+}
+}  // namespace
+
+std::optional<Fraction> product(const Fraction& a, const Fraction& b) {
+    const Fraction left = reduced(a.above, b.below);
+    const Fraction right = reduced(b.above, a.below);
+    const auto above = times(left.above, right.above);
+    const auto below = times(left.below, right.below);
+    return above && below ? std::optional(reduced(*above, *below)) : std::nullopt;
+}
+
+void Repetition::add(double frequency) {
+    constexpr double never = 1e-7;  // Hz, a period of months
+    if (std::abs(frequency) > never)
+        hertz.push_back(fraction_of(std::abs(frequency)));
+}
+
+void Repetition::add(const Repetition& other) {
+    hertz.insert(hertz.end(), other.hertz.begin(), other.hertz.end());
+    if (obstacle.empty())
+        obstacle = other.obstacle;
+    is_known = is_known && other.is_known;
+}
+
+std::optional<Fraction> common_period(const Repetition& repetition) {
+    constexpr double longest = 3600.0;
+    if (repetition.hertz.empty())
+        return Fraction{0, 1};
+    std::optional<Fraction> common = repetition.hertz.front();
+    for (const Fraction& frequency : repetition.hertz)
+        if (common = common_divisor(*common, frequency); !common)
+            return std::nullopt;
+    const Fraction period = reciprocal(*common);
+    return period.number() <= longest ? std::optional(period) : std::nullopt;
+}
+
+std::optional<std::int64_t> frames_of_period(const Fraction& seconds, double fps) {
+    if (seconds.above == 0)
+        return 1;
+    const auto frames = product(seconds, fraction_of(fps));
+    if (!frames)
+        return std::nullopt;
+    if (frames->is_whole())
+        return frames->above;
+    return frames->above == 1 ? std::optional<std::int64_t>(1) : std::nullopt;
+}
+
+std::vector<double> fitting_rates(const Fraction& seconds, double fps) {
+    constexpr std::array usual{24.0, 25.0, 30.0, 48.0, 50.0, 60.0, 100.0, 120.0};
+    std::vector<double> rates;
+    for (const double rate : usual)
+        if (frames_of_period(seconds, rate))
+            rates.push_back(rate);
+    if (!rates.empty() || seconds.above == 0)
+        return rates;
+    const double frames = std::floor(fps * seconds.number());
+    for (const double count : {frames, frames + 1.0})
+        if (count > 0.0)
+            rates.push_back(count / seconds.number());
+    return rates;
+}

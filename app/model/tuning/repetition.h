@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A fraction in lowest terms, `below` above 0.
+struct Fraction {
+    std::int64_t above = 0;
+    std::int64_t below = 1;
+
+    double number() const { return static_cast<double>(above) / static_cast<double>(below); }
+    bool is_whole() const { return below == 1; }
+    bool operator==(const Fraction&) const = default;
+};
+
+/// The fraction with the smallest denominator whose relative error is at most 1e-9, by continued
+/// fractions; a denominator is at most 1e6. For numbers of at least 0.
+Fraction fraction_of(double number);
+Fraction reciprocal(const Fraction& fraction);
+/// nullopt: too large to represent.
+std::optional<Fraction> product(const Fraction& a, const Fraction& b);
+
+/// How something repeats over time: the frequencies of its periodic parts.
+struct Repetition {
+    std::vector<Fraction> hertz = {};  // each above 0; none: it does not change
+    std::string obstacle = {};         // why it never repeats, as a sentence; "": it does
+    bool is_known = true;              // false: it may also change in other ways
+
+    /// Adds a part with a frequency in Hz; 0 adds nothing.
+    void add(double frequency);
+    void add(const Repetition& other);
+};
+
+/// The time after which all parts have completed whole periods, in seconds: the reciprocal of the
+/// greatest common divisor of the frequencies. 0: nothing changes. nullopt: longer than an hour.
+std::optional<Fraction> common_period(const Repetition& repetition);
+
+/// The whole number of frames that shows one period. A period that is shorter than a frame and
+/// divides it stands still: 1 frame. nullopt: no whole number of frames shows it.
+std::optional<std::int64_t> frames_of_period(const Fraction& seconds, double fps);
+
+/// Frame rates at which one period is a whole number of frames, ascending: usual ones, otherwise
+/// the nearest to `fps`.
+std::vector<double> fitting_rates(const Fraction& seconds, double fps);

@@ -1,0 +1,270 @@
+"""Codecs, sound, transparency and loops of videos, as other programs read them."""
+
+import array
+import json
+import math
+import os
+import shutil
+import struct
+import subprocess
+import time
+import unittest
+import wave
+
+from program import ProgramTest, main, read_png, run
+
+HAS_FFMPEG = shutil.which("ffmpeg") is not None and shutil.which("ffprobe") is not None
+RATE = 48000
+
+
+@unittest.skipUnless(HAS_FFMPEG, "there is no ffmpeg here")
+class FilmTest(ProgramTest):
+    def look(self, name, body, **more):
+        """A look with one pass and without a signal."""
+        self.write(f"{name}/look.json", json.dumps(
+            {"format": "afterglow-look", "version": 1, "name": name, "driven_by": "nothing", "settle_frames": 2,
+             "passes": [{"name": "show", "fragment": "show.frag", "format": "rgba32f", **more}]}))
+        self.write(f"{name}/show.frag", "#version 410 core\nuniform float u_time;\nuniform sampler2D former;\n"
+                   "in vec2 uv;\nout vec4 color;\nvoid main() { " + body + " }\n")
+        return self.folder / name
+
+    def film(self, name, *arguments):
+        done = run("render", *arguments, "-o", self.folder / name)
+        self.assert_done(done)
+        return self.folder / name
+
+    def stream(self, film, kind="v"):
+        told = subprocess.run(["ffprobe", "-v", "error", "-select_streams", kind, "-count_frames", "-show_streams",
+                               "-of", "json", film], check=True, capture_output=True, text=True)
+        return json.loads(told.stdout)["streams"][0]
+
+    def decoded(self, film, pixels, *options):
+        return subprocess.run(["ffmpeg", "-v", "error", *options, "-i", film, "-vsync", "passthrough", "-f", "rawvideo",
+                               "-pix_fmt", pixels, "-sws_flags", "accurate_rnd+full_chroma_int", "-"],
+                              check=True, capture_output=True).stdout
+
+    def sound(self, film, kind="f32le"):
+        """Interleaved samples of both channels."""
+        raw = subprocess.run(["ffmpeg", "-v", "error", "-i", film, "-map", "0:a", "-f", kind, "-ac", "2", "-"],
+                             check=True, capture_output=True).stdout
+        samples = array.array("f" if kind == "f32le" else "i")
+        samples.frombytes(raw)
+        return samples
+
+    def wav(self, name, seconds, wave_at):
+        with wave.open(str(self.folder / name), "wb") as sound:
+            sound.setparams((2, 2, RATE, 0, "NONE", ""))
+            sound.writeframes(b"".join(struct.pack("<hh", round(32767 * wave_at(i)), round(32767 * wave_at(i + 29)))
+                                       for i in range(round(seconds * RATE))))
+        return self.folder / name
+
+
+class Codecs(FilmTest):
+    def test_each_codec_stores_what_its_name_says(self):
+        look = self.look("moving", "color = vec4(uv.x, uv.y, fract(u_time), 1.0);")
+        for name, options, codec, pixels in (
+                ("a.mp4", (), "h264", "yuv420p"), ("a.mov", (), "h264", "yuv420p"), ("a.mkv", (), "h264", "yuv420p"),
+                ("b.mp4", ("--codec", "h265"), "hevc", "yuv420p10le"),
+                ("c.mp4", ("--codec", "av1"), "av1", "yuv420p10le"),
+                ("d.mov", ("--codec", "prores"), "prores", "yuv444p12le"),  # the decoder's pixels
+                ("e.mkv", ("--codec", "ffv1"), "ffv1", "bgr0"), ("f.webm", (), "vp9", "yuv420p"),
+                ("g.webm", ("--codec", "av1", "--quality", "50"), "av1", "yuv420p10le"), ("h.gif", (), "gif", "bgra")):
+            film = self.film(name, look, "--size", "97x65", "--fps", "25", "--seconds", "0.2", *options)
+            picture = self.stream(film)
+            self.assertEqual((picture["codec_name"], picture["pix_fmt"], picture["nb_read_frames"]),
+                             (codec, pixels, "5"), name)
+            middle = self.decoded(film, "rgb24")
+            width, height = picture["width"], picture["height"]
+            at = 3 * (width * 32 + 48)
+            for is_, expected in zip(middle[at:at + 3], (128, 128, 10)):
+                self.assertAlmostEqual(is_, expected, delta=10, msg=name)
+            self.assertEqual(len(middle), 5 * 3 * width * height)
+
+    def test_ffv1_is_the_pictures_bit_for_bit(self):
+        look = self.look("noise", "color = vec4(fract(sin(dot(uv, vec2(12.9898, 78.233)) + u_time + vec3(0, 1, 2)) * 43758.5453), 1.0);")
+        size = ("--size", "61x37", "--frames", "4")
+        film = self.film("film.mkv", look, *size, "--codec", "ffv1")
+        self.film("f%d.png", look, *size)
+        pictures = b"".join(bytes(value for pixel in row for value in pixel)
+                            for i in range(4) for row in read_png(self.folder / f"f{i}.png")[2])
+        self.assertEqual(self.decoded(film, "rgb24"), pictures)
+
+    def test_ten_bits_have_more_levels_than_eight(self):
+        look = self.look("ramp", "color = vec4(vec3(0.25 + 0.25 * uv.x), 1.0);")
+        for codec, least, most in (("h264", 40, 70), ("h265", 160, 280)):
+            film = self.film("ramp.mp4", look, "--size", "1024x64", "--frames", "1", "--codec", codec, "--quality", "4")
+            luma = self.decoded(film, "gray16le")
+            levels = len({luma[2 * i:2 * i + 2] for i in range(1024)})
+            self.assertTrue(least < levels < most, (codec, levels))
+
+    def test_quality_changes_the_size(self):
+        look = self.look("noise", "color = vec4(fract(sin(dot(uv, vec2(12.9898, 78.233)) + u_time) * 43758.5453));")
+        sizes = [self.film(f"q{quality}.mp4", look, "--size", "128x96", "--frames", "6", "--quality", quality)
+                 .stat().st_size for quality in (10, 45)]
+        self.assertGreater(sizes[0], 3 * sizes[1])
+
+    def test_what_does_not_fit_is_wrong_usage_and_names_what_does(self):
+        look = self.look("plain", "color = vec4(0.5);")
+        for options, words in (
+                (("-o", "a.mp4", "--codec", "ffv1"), "'.mp4' can't hold FFV1 (lossless). Use .mkv."),
+                (("-o", "a.mp4", "--audio-codec", "flac"), "'.mp4' can't hold FLAC (lossless). Use .mkv."),
+                (("-o", "a.webm", "--codec", "h264"), "'.webm' can't hold H.264. Use .mp4, .mov or .mkv."),
+                (("-o", "a.mp4", "--alpha"), "has no transparency. Use .mov (ProRes 4444)"),
+                (("-o", "a.mp4", "--codec", "h246"), "did you mean 'h264'"),
+                (("-o", "a.mp4", "--quality", "99"), "the quality of H.264 is 1 to 51"),
+                (("-o", "a.png", "--codec", "h264"), "need a video file"),
+                (("-o", "a.png", "--alpha"), "--alpha needs a video file or numbered PNG files"),
+                (("-o", "a.png", "--loop"), "--loop needs a video file"),
+                (("-o", "a.mp4", "--loop", "--start", "1"), "leave out --start"),
+                (("-o", "a.mp4", "--size", "8000p"), "Named sizes: 720p")):
+            self.assert_refused(run("render", look, *options, cwd=self.folder), words, code=2)
+        self.assert_refused(run("render", look, "--size", "32x32", "--codec", "av1", "-o", self.folder / "a.mp4"),
+                            "AV1 (10 bit) needs at least 64 x 64 px")
+        self.assertEqual([file.name for file in self.folder.iterdir() if file.is_file()], [])
+
+    def test_a_size_has_a_name(self):
+        film = self.film("tall.mp4", self.look("plain", "color = vec4(0.5);"), "--size", "portrait", "--frames", "1")
+        picture = self.stream(film)
+        self.assertEqual((picture["width"], picture["height"]), (1080, 1920))
+
+
+class Alpha(FilmTest):
+    def test_a_look_without_alpha_is_transparent_where_it_is_black(self):
+        # Left: black. Right: half red over nothing, so full red with half alpha.
+        look = self.look("half", "color = vec4(uv.x < 0.5 ? 0.0 : 0.5, 0.0, 0.0, 1.0);")
+        for name, options in (("a.mov", ()), ("b.mkv", ()), ("c.webm", ("-c:v", "libvpx-vp9"))):
+            film = self.film(name, look, "--size", "64x64", "--frames", "2", "--alpha")
+            pixels = self.decoded(film, "rgba", *options)[:64 * 64 * 4]
+            left, right = 4 * (64 * 32 + 10), 4 * (64 * 32 + 50)
+            self.assertAlmostEqual(pixels[left + 3], 0, delta=2, msg=name)
+            for is_, expected in zip(pixels[right:right + 4], (255, 0, 0, 128)):
+                self.assertAlmostEqual(is_, expected, delta=6, msg=name)
+        self.film("f%d.png", look, "--size", "4x1", "--frames", "2", "--alpha")
+        self.assertEqual(list(read_png(self.folder / "f1.png")[2][0]), [(0, 0, 0, 0)] * 2 + [(255, 0, 0, 128)] * 2)
+
+    def test_the_alpha_of_a_shader_is_kept(self):
+        self.write("clear.fs", """/*{ "ISFVSN": "2" }*/
+            void main() { gl_FragColor = vec4(0.2, 0.6, 1.0, isf_FragNormCoord.x < 0.5 ? 0.25 : 1.0); }""")
+        film = self.film("a.mkv", self.folder / "clear.fs", "--size", "64x64", "--frames", "2", "--alpha")
+        pixels = self.decoded(film, "rgba")
+        self.assertEqual(tuple(pixels[4 * 10:4 * 11]), (51, 153, 255, 64))
+        self.assertEqual(tuple(pixels[4 * 50:4 * 51]), (51, 153, 255, 255))
+
+
+class Sound(FilmTest):
+    def test_lossless_sound_is_the_file_bit_for_bit(self):
+        tone = self.wav("tone.wav", 0.5, lambda i: 0.7 * math.sin(i * 0.05) + 0.2 * math.sin(i * 1.7))
+        with wave.open(str(tone)) as sound:
+            source = array.array("h")
+            source.frombytes(sound.readframes(RATE))
+        scope = ("vector-beam", "--size", "64x64", "--signal", f"audio:{tone},mode=xy")
+        for name, options, codec in (("a.mov", (), "pcm_f32le"), ("a.mkv", (), "flac"),
+                                     ("b.mkv", ("--audio-codec", "pcm"), "pcm_f32le")):
+            film = self.film(name, *scope, *options)
+            self.assertEqual(self.stream(film, "a")["codec_name"], codec)
+            self.assertEqual(list(self.sound(film, "s32le")), [sample * 65536 for sample in source], name)
+        film = self.film("part.mkv", *scope, "--start", "0.25")
+        self.assertEqual(list(self.sound(film, "s32le")), [sample * 65536 for sample in source[RATE // 2:]])
+
+    def test_aac_does_not_click_when_a_sound_starts_at_once(self):
+        for name, tone in (("low", lambda i: 0.73 * math.cos(i * 2 * math.pi * 110 / RATE)),
+                           ("high", lambda i: 0.73 * math.cos(i * 2 * math.pi * 1000 / RATE)),
+                           ("chord", lambda i: sum(0.18 * math.cos(i * 2 * math.pi * f / RATE) for f in (220, 277.2, 330, 440)))):
+            sound = self.wav(f"{name}.wav", 1.0, tone)
+            for ending in ("mp4", "mov"):
+                film = self.film(f"{name}.{ending}", "vector-beam", "--size", "64x64", "--signal", f"audio:{sound},mode=xy",
+                                 "--audio-codec", "aac")
+                samples = self.sound(film)
+                start = 2 * RATE // 20
+                first = max(map(abs, samples[:start]))
+                later = max(map(abs, samples[start:2 * RATE]))
+                self.assertLess(20 * math.log10(first / later), 0.1, film.name)
+                self.assertAlmostEqual(float(self.stream(film)["start_time"]), 0.0, delta=0.001)
+                self.assertAlmostEqual(samples[0], tone(0), delta=0.08)
+
+    def test_aac_warns_that_it_bends_an_xy_figure(self):
+        sound = self.wav("tone.wav", 0.2, lambda i: 0.5 * math.sin(i * 0.1))
+        scope = ("render", "vector-beam", "--size", "64x64", "--signal")
+        done = run(*scope, f"audio:{sound},mode=xy", "-o", self.folder / "a.mp4")
+        self.assert_done(done)
+        self.assertIn("warning: AAC changes the sound, so the XY figure that it draws bends. Use .mov or .mkv", done.stderr)
+        for signal, name, more in ((f"audio:{sound},mode=waveform", "b.mp4", ()), (f"audio:{sound},mode=xy", "c.mkv", ()),
+                                   (f"audio:{sound},mode=xy", "d.mp4", ("--audio-codec", "none"))):
+            self.assertNotIn("bends", run(*scope, signal, *more, "-o", self.folder / name).stderr)
+
+
+class Loops(FilmTest):
+    def frames(self, look, *arguments):
+        done = run("render", look, *arguments, "--codec", "ffv1", "--loop", "-o", self.folder / "loop.mkv")
+        self.assert_done(done)
+        return int(self.stream(self.folder / "loop.mkv")["nb_read_frames"])
+
+    def test_a_scope_loops_after_the_period_of_its_signal(self):
+        for signal, fps, frames in (("lissajous:x=3,y=2,speed=0.5", "25", 50), ("lissajous:x=3,y=2", "60", 1),
+                                    ("text:HI,size=0.2,spin=180", "20", 40)):
+            self.assertEqual(self.frames("phosphor", "--size", "96x64", "--signal", signal, "--fps", fps), frames)
+        # The first frame follows the last one: twice the period has the same pictures twice.
+        self.film("twice_%03d.png", "phosphor", "--size", "96x64", "--signal", "text:HI,size=0.2,spin=180", "--fps", "20",
+                  "--start", "60", "--seconds", "4")
+        first = [read_png(self.folder / f"twice_{1200 + i:03d}.png")[2] for i in range(80)]
+        for i in range(40):
+            for row, later in zip(first[i], first[i + 40]):
+                for pixel, other in zip(row, later):
+                    self.assertLessEqual(max(abs(a - b) for a, b in zip(pixel, other)), 1)
+
+    def test_a_shader_loops_after_the_period_of_its_time(self):
+        look = self.look("turning", "color = vec4(0.5 + 0.5 * sin(6.283185307 * (u_time / 0.8 + uv.x)), uv.y, 0.3, 1.0);")
+        self.assertEqual(self.frames(look, "--size", "64x48", "--fps", "25"), 20)
+        self.assertEqual(self.frames(look, "--size", "64x48", "--fps", "25", "--seconds", "1.6"), 40)
+
+    def test_the_frame_after_the_last_is_the_first(self):
+        # Light that needs 600 frames to come within 1/255 of its end.
+        slow = self.look("slow", "vec3 light = vec3(uv.x < 0.5 + 0.4 * sin(6.283185307 * u_time) ? 0.01 : 0.0);"
+                         " color = vec4(texture(former, uv).rgb * 0.99 + light, 1.0);",
+                         inputs={"former": "show@1"})
+        self.assertEqual(self.frames(slow, "--size", "96x64", "--fps", "30"), 30)
+        loop = self.decoded(self.folder / "loop.mkv", "rgb24")
+        size = 3 * 96 * 64
+        first, second, last = loop[:size], loop[size:2 * size], loop[-size:]
+        def step(a, b):
+            return max(abs(x - y) for x, y in zip(a, b))
+        self.assertLessEqual(step(last, first), step(first, second) + 1)
+
+    def test_a_rate_that_does_not_fit_is_refused_with_those_that_do(self):
+        refused = run("render", "phosphor", "--size", "64x48", "--signal", "lissajous:x=3,y=2,speed=0.3", "--fps", "25",
+                      "--loop", "-o", self.folder / "a.gif")
+        self.assert_refused(refused, "repeats after 3.33333 s, which is not a whole number of frames at 25 fps",
+                            "Frame rates that fit: 24, 30, 48, 60, 120")
+
+    def test_what_never_repeats_is_refused(self):
+        noise = self.look("noise", "color = vec4(fract(sin(dot(uv, vec2(12.9898, 78.233)) + u_time * u_time) * 43758.5453));")
+        for look, signal, words in (("phosphor", "waveform:ch1=noise", "can't loop: noise never repeats"),
+                                    (noise, None, "does not repeat within 120 s")):
+            more = ("--signal", signal) if signal else ()
+            self.assert_refused(run("render", look, *more, "--size", "16x16", "--fps", "10", "--loop",
+                                    "-o", self.folder / "a.gif"), words)
+        self.assertFalse((self.folder / "a.gif").exists())
+
+
+class Encoders(FilmTest):
+    """What ffmpeg may do wrong, by a program of that name."""
+
+    def fake(self, text):
+        folder = self.folder / "bin"
+        folder.mkdir(exist_ok=True)
+        self.write("bin/ffmpeg", "#!/bin/sh\n" + text)
+        (folder / "ffmpeg").chmod(0o755)
+        return f"{folder}:{os.environ['PATH']}"
+
+    def test_an_encoder_that_dies_is_reported_with_its_reason(self):
+        look = self.look("plain", "color = vec4(0.5);")
+        for text, words in (("kill -9 $$", "ffmpeg: it was stopped by signal 9 (Killed), perhaps because memory is full"),
+                            ("echo 'Unknown encoder' >&2; exit 1", "ffmpeg: Unknown encoder"),
+                            ("exit 4", "ffmpeg: it ended with exit status 4")):
+            done = run("render", look, "--size", "64x64", "--frames", "100", "-o", self.folder / "a.mp4", PATH=self.fake(text))
+            self.assert_refused(done, "a.mp4: error: can't write the video: " + words)
+            self.assertEqual([file.name for file in self.folder.iterdir() if file.is_file()], [])
+
+
+if __name__ == "__main__":
+    main()
