@@ -89,6 +89,10 @@ bool Window::is_close_requested() const {
     return glfwWindowShouldClose(handle()) == GLFW_TRUE;
 }
 
+void Window::refuse_close() {
+    glfwSetWindowShouldClose(handle(), GLFW_FALSE);
+}
+
 Extent Window::framebuffer_size() const {
     Extent extent;
     glfwGetFramebufferSize(handle(), &extent.width, &extent.height);

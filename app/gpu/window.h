@@ -25,6 +25,8 @@ public:
     WindowEvents& events() { return m_events; }
     const WindowEvents& events() const { return m_events; }
     bool is_close_requested() const;
+    /// Forgets the request to close.
+    void refuse_close();
 
     const Displays& displays() const { return m_displays; }
     /// The index of the display that contains the window's centre.

@@ -86,7 +86,7 @@ private:
     AudioControl m_audio{m_work.player, m_work.library.roots(), m_work.messages};
     RemoteControl m_remote;
     DrawingTool m_drawing{m_work.document, m_work.size, m_work.messages, m_work.opened_files};
-    BackgroundJobs m_jobs{m_work.document, m_work.size, m_work.messages};
+    BackgroundJobs m_jobs{m_work.document, m_work.size, m_work.library.roots(), m_work.messages};
     LookLoader m_loader;  // destroyed before the renderer in m_work
     FrameLoop m_frames{m_work, m_loader, m_drawing.board()};
     ContentCommands m_content{m_work, m_drawing, m_frames.comparison()};

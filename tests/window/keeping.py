@@ -1,6 +1,4 @@
-"""Saving and sharing presets, export and sessions."""
-
-import struct
+"""Saving and sharing presets, and sessions."""
 
 from person import PICTURE, Person, write_tones
 
@@ -116,42 +114,6 @@ class Keeping(Person):
                      lambda s: not s["bypass"] and not s["is_modified"] and s["values"] == values)
         program.key("ctrl+z")
         program.wait("the previous look is open again", lambda s: s["look"] == "phosphor" and not s["preset"])
-
-    def ask_for_export(self, name, seconds):
-        program = self.program
-        program.choose("File", "Export video or image sequence…")
-        program.click("export_seconds")
-        program.key("ctrl+a")
-        program.type(seconds)
-        program.click("dialog_file")
-        program.key("ctrl+a")
-        program.type(str(program.folder / name))
-
-    def test_frames_are_exported_beside_what_is_shown(self):
-        program = self.program
-        self.ask_for_export("frame_%02d.png", "0.1")
-        self.snapshot("export")
-        program.key("Return")
-        program.place("export_done")
-        self.snapshot("exported")
-        files = sorted(program.folder.glob("frame_*.png"))
-        self.assertEqual([file.name for file in files], ["frame_%02d.png" % number for number in range(6)])
-        for file in files:
-            self.assertEqual(list(struct.unpack(">II", file.read_bytes()[16:24])), PICTURE)
-        program.key("Escape")
-        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
-
-        self.ask_for_export("long_%06d.png", "3600")
-        program.key("Return")
-        program.place("dialog_progress")
-        program.wait_for("some pictures are exported", lambda: len(list(program.folder.glob("long_*.png"))) > 2)
-        self.snapshot("exporting")
-        program.key("Escape")
-        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
-        frame = program.state()["frame"]
-        program.wait("the picture continues", lambda s: s["frame"] > frame + 2)
-        count = len(list(program.folder.glob("long_*.png")))
-        self.assertLess(count, 1000)
 
     def test_everything_comes_back_after_a_quit_and_after_a_crash(self):
         program = self.program

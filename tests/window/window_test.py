@@ -12,6 +12,7 @@ from comparing import Comparing
 from drawing import Drawing
 from driving import Driving
 from editing import Editing
+from exporting import Exporting
 from filing import Filing
 from foreign import Foreign
 from keeping import Keeping
@@ -36,9 +37,9 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Remoting, Comparing,
     """The second group."""
 
 
-class Owner(Owning, Foreign, Collecting, Filing, Keyboard):
+class Owner(Owning, Foreign, Collecting, Filing, Exporting, Keyboard):
     """The third group: content and looks of the user, looks of other programs, dialogs for files,
-    and the keyboard."""
+    exports, and the keyboard."""
 
 
 class WindowTest(Tuner, Looker, Owner):

@@ -38,11 +38,13 @@ Arguments picture_arguments(const FilmEncoding& encoding, Extent extent) {
     if (codec.is_lossless)  // RGB, so nothing is converted
         return {"-vf", "format=" + pixels};
     const std::string sides = codec.needs_even_sides ? evened(extent) : std::string();
+    // Some encoders read the colours of the frames, others those of the stream.
     return {"-vf",
             sides +
                 "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
                 "full_chroma_int+full_chroma_inp,format=" +
-                pixels,
+                pixels +
+                ",setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709",
             "-colorspace",
             "bt709",
             "-color_primaries",

@@ -1,5 +1,12 @@
 #include "lab/offline/background_jobs.h"
 
+#include "base/text.h"
+#include "lab/storage/editor.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
 void BackgroundJobs::compare_rates() {
     m_rate_pictures.clear();
     if (m_document)
@@ -21,12 +28,59 @@ void BackgroundJobs::fire_impulse(const Pin& pin) {
             });
 }
 
-void BackgroundJobs::export_frames(const ExportSettings& wishes) {
+void BackgroundJobs::export_frames(const ExportSettings& settings) {
     if (m_document)
-        m_export.start(
-            [document = *m_document, picture = m_size.extent(), wishes](JobProgress& work) {
-                return export_document(document, picture, wishes, work);
-            });
+        m_exports.add(settings.file, [document = *m_document, picture = m_size.extent(),
+                                      settings](JobProgress& work) {
+            return export_document(document, picture, settings, work);
+        });
+}
+
+void BackgroundJobs::export_still(const StillSettings& settings) {
+    if (m_document)
+        m_exports.add(settings.file,
+                      [document = *m_document, settings, roots = m_roots](JobProgress& work) {
+                          return ::export_still(document, settings, roots, work);
+                      });
+}
+
+void BackgroundJobs::save_still(RawPicture picture, const StillSettings& settings) {
+    if (m_document)
+        m_exports.add(settings.file,
+                      [document = *m_document, picture = std::move(picture), settings,
+                       roots = m_roots](JobProgress&) -> Result<ExportResult> {
+                          const auto saved =
+                              ::save_still(picture, document, settings, RecentMedia(roots));
+                          if (!saved)
+                              return fail(saved.error());
+                          return ExportResult{settings.file, 0, picture.extent, {}};
+                      });
+}
+
+namespace {
+// A picture has no number of frames.
+std::string ended_text(const ExportResult& result) {
+    const std::string file = result.file.filename().string();
+    const std::string size = fmt::format("{} × {}", result.size.width, result.size.height);
+    std::string text =
+        result.frames == 0 ? fmt::format("Saved \"{}\" ({})", file, size)
+        : result.frames == 1
+            ? fmt::format("Exported 1 frame ({}) to \"{}\"", size, file)
+            : fmt::format("Exported {} frames ({}) to \"{}\"", result.frames, size, file);
+    for (const Diagnostic& warning : result.warnings)
+        text = with_sentence(text, warning.message);
+    return text;
+}
+}  // namespace
+
+void BackgroundJobs::report(const QueuedExport& ended) {
+    if (ended.state == QueuedExport::State::failed)
+        return m_messages.say(ended.reasons.front());
+    m_messages.offer(ended_text(ended.result),
+                     {.name = "Open folder",
+                      .commands = {[folder = ended.file.parent_path()](Messages& messages) {
+                          messages.succeeded(open_folder(folder));
+                      }}});
 }
 
 void BackgroundJobs::update() {
@@ -35,5 +89,6 @@ void BackgroundJobs::update() {
     if (const auto& compared = m_rates.outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_index());
     m_impulse.update();
-    m_export.update();
+    for (const QueuedExport& ended : m_exports.update())
+        report(ended);
 }

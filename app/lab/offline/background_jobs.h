@@ -2,18 +2,20 @@
 
 #include "lab/media/render_size.h"
 #include "lab/messages/messages.h"
-#include "lab/offline/frame_export.h"
+#include "lab/offline/export_queue.h"
 #include "lab/offline/impulse.h"
 #include "lab/offline/rate_comparison.h"
 #include "lab/offline/rate_pictures.h"
+#include "lab/offline/still_export.h"
 #include "lab/storage/background_work.h"
 
 /// Jobs that draw a copy of the document in the background: comparison of frame rates, impulse
-/// response, export of frames.
+/// response, export of frames and pictures.
 class BackgroundJobs {
 public:
-    BackgroundJobs(const OpenDocument& document, const RenderSize& size, Messages& messages)
-        : m_document(document), m_size(size), m_messages(messages) {}
+    BackgroundJobs(const OpenDocument& document, const RenderSize& size, const Roots& roots,
+                   Messages& messages)
+        : m_document(document), m_size(size), m_roots(roots), m_messages(messages) {}
 
     /// Draws the document at several frame rates.
     void compare_rates();
@@ -26,22 +28,29 @@ public:
     void fire_impulse(const Pin& pin);
     void cancel_impulse() { m_impulse.cancel(); }
     const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
-    /// Writes a film or an image sequence.
-    void export_frames(const ExportSettings& wishes);
-    void cancel_export() { m_export.cancel(); }
-    const BackgroundWork<ExportResult>& frame_export() const { return m_export; }
+    /// Adds a film or an image sequence to the queue.
+    void export_frames(const ExportSettings& settings);
+    /// Adds a picture in another size or at another time to the queue.
+    void export_still(const StillSettings& settings);
+    /// Adds the encoding of a picture that was read.
+    void save_still(RawPicture picture, const StillSettings& settings);
+    ExportQueue& exports() { return m_exports; }
+    const ExportQueue& exports() const { return m_exports; }
 
     void update();
     bool is_running() const {
-        return m_rates.is_running() || m_impulse.is_running() || m_export.is_running();
+        return m_rates.is_running() || m_impulse.is_running() || m_exports.is_pending();
     }
 
 private:
+    void report(const QueuedExport& ended);
+
     const OpenDocument& m_document;
     const RenderSize& m_size;
+    const Roots& m_roots;
     Messages& m_messages;
     BackgroundWork<RateComparison> m_rates;
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
-    BackgroundWork<ExportResult> m_export;
+    ExportQueue m_exports;
 };

@@ -3,27 +3,22 @@
 #include "base/text.h"
 #include "gpu/objects/readback.h"
 #include "io/pictures/picture_file.h"
-#include "lab/document/sharing.h"
 #include "lab/messages/messages.h"
 #include "lab/rendering/renderer.h"
-#include "lab/storage/display_name.h"
 #include "lab/views/inspector_view.h"
 
 #include <fmt/format.h>
 
-void save_snapshot(const SnapshotSource& source, std::filesystem::path file, Messages& messages) {
-    if (!source.renderer.has_whole_picture())
-        return messages.say("The picture is still rendering. Try again when it is done.", true);
-    if (file.extension().empty())
-        file += ".png";
-    const Executor& executor = source.renderer.executor();
-    Picture picture = gpu::read_picture(executor.target(source.pass));
-    picture.encoding = encoding_of(executor.look(), source.pass);
-    const auto saved = save_picture_with_preset(picture, source.document, file, source.media);
-    if (saved)
-        messages.say(saved_text(file.filename().string()));
-    else
-        messages.say(saved.error().front());
+std::optional<RawPicture> snapshot(const Renderer& renderer, int pass, Messages& messages) {
+    if (!renderer.has_whole_picture()) {
+        messages.say("The picture is still rendering. Try again when it is done.", true);
+        return std::nullopt;
+    }
+    const Executor& executor = renderer.executor();
+    RawPicture picture;
+    gpu::read_raw(executor.target(pass), picture);
+    picture.encoding = encoding_of(executor.look(), pass);
+    return picture;
 }
 
 namespace {

@@ -5,8 +5,7 @@
 
 bool DesktopFileDialog::can_ask(const WindowState& window) const {
     const FileDialogKind* kind = file_dialog_kind(window.dialog.kind);
-    return kind && !kind->has_settings && window.file_dialogs.uses_desktop &&
-           window.file_dialogs.has_desktop;
+    return kind && window.file_dialogs.uses_desktop && window.file_dialogs.has_desktop;
 }
 
 void DesktopFileDialog::update(WindowState& window, const Document* document, Messages& messages,

@@ -34,9 +34,9 @@ struct Dialog {
         rates,    // comparison of frame rates
         keys,
         about,
-        asked,          // a number or text for the choice with the id in `subject`
-        export_frames,  // destination and duration
-        exporting,
+        asked,  // a number or text for the choice with the id in `subject`
+        export_frames,
+        quit_exporting,  // asks whether to quit while exports run
     };
     enum class Host { undecided, own, desktop };
 

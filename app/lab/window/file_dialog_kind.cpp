@@ -56,16 +56,6 @@ const std::array file_dialogs{
                        [] {
                            return Extensions{".svg", ".svgz"};
                        }},
-    FileDialogKind{.kind = DialogKind::save_picture,
-                   .title = "Save picture",
-                   .folder_key = "picture",
-                   .first_folder = UserFolder::pictures,
-                   .is_saving = true,
-                   .content = "Pictures",
-                   .extensions =
-                       [] {
-                           return Extensions{".png", ".exr"};
-                       }},
     FileDialogKind{.kind = DialogKind::save_pass,
                    .title = "Save pass (EXR: exact values, PNG: as shown)",
                    .folder_key = "picture",
@@ -76,18 +66,6 @@ const std::array file_dialogs{
                        [] {
                            return Extensions{".exr", ".png"};
                        }},
-    FileDialogKind{
-        .kind = DialogKind::export_frames,
-        .title = "Export video (.mp4, .webm, .gif) or image sequence (frame_%04d.png, .exr)",
-        .folder_key = "video",
-        .first_folder = UserFolder::videos,
-        .is_saving = true,
-        .has_settings = true,
-        .content = "Videos and image sequences",
-        .extensions =
-            [] {
-                return Extensions{".mp4", ".webm", ".gif", ".png", ".exr"};
-            }},
     FileDialogKind{.kind = DialogKind::save_drawing,
                    .title = "Save drawing",
                    .folder_key = "drawing",
@@ -127,6 +105,17 @@ fs::path folder_of_document(DialogKind kind, const Document& document) {
     return {};
 }
 
+}  // namespace
+
+fs::path last_folder(const FileDialogChoices& choices, const std::string& key,
+                     UserFolder otherwise) {
+    const auto last = choices.folders.find(key);
+    return last != choices.folders.end() && is_folder(last->second)
+               ? last->second
+               : user_folder(otherwise, home_folder());
+}
+
+namespace {
 fs::path first_folder(const FileDialogKind& kind, const FileDialogChoices& choices,
                       const Document* document) {
     if (const fs::path own = document ? folder_of_document(kind.kind, *document) : fs::path();
@@ -150,12 +139,8 @@ std::string file_stem(std::string name) {
 
 std::string proposed_stem(const Dialog& dialog, const Document* document) {
     switch (dialog.kind) {
-        case DialogKind::save_picture:
-            return "picture";
         case DialogKind::save_pass:
             return file_stem(dialog.subject);
-        case DialogKind::export_frames:
-            return "video";
         case DialogKind::save_drawing:
             return "drawing";
         case DialogKind::save_automation:

@@ -19,7 +19,6 @@ struct FileDialogKind {
     const char* folder_key;  // dialogs with the same key share their last folder
     UserFolder first_folder;
     bool is_saving = false;
-    bool has_settings = false;  // it has fields that the desktop's dialog lacks
     const char* content = "Files";
     std::vector<std::string> (*extensions)() = nullptr;  // null: all files
 };
@@ -37,6 +36,10 @@ struct FileDialogChoices {
     bool uses_desktop = true;  // the desktop's dialog, if it has one
     bool has_desktop = false;  // it has one; not stored
 };
+
+/// The last folder of the dialogs with this folder_key; otherwise that of the user.
+std::filesystem::path last_folder(const FileDialogChoices& choices, const std::string& key,
+                                  UserFolder otherwise);
 
 /// The folder that the open dialog lists; nullopt: none.
 std::optional<FolderRequest> folder_request(const Dialog& dialog, const FileDialogChoices& choices);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/window/dialog.h"
+#include "lab/window/export_form.h"
 #include "lab/window/file_dialog_kind.h"
 #include "lab/window/first_steps.h"
 #include "lab/window/frame_rate.h"
@@ -40,12 +41,6 @@ struct RecentChoices {
     std::vector<std::string> commands;  // ids of palette entries
     std::vector<std::string> files;     // opened files
     std::vector<std::string> looks;     // arguments that open them
-};
-
-/// The frames of an export.
-struct ExportRange {
-    double fps = 60.0;
-    double seconds = 0.0;  // 0: default
 };
 
 /// The history state to which the history panel was last scrolled.
@@ -88,7 +83,8 @@ struct WindowState {
     PresetBrowsing presets;
     RecentChoices recent;
     ScrolledTo scrolled;
-    ExportRange exporting;
+    ExportForm exporting;
+    StillForm saving;
     FileDialogChoices file_dialogs;
     FirstSteps first_steps;
     Dialog dialog;

@@ -76,6 +76,10 @@ void copy_line(const Scene& scene, Edits& edits) {
     edits.change([](Messages& messages) { messages.say("Copied the preset as one line of text"); });
 }
 
+void copy_picture(const Scene&, Edits& edits) {
+    edits.copy_picture();
+}
+
 void paste_line(const Scene&, Edits& edits) {
     const char* text = ImGui::GetClipboardText();
     edits.change([line = std::string(text ? text : "")](PresetCommands& presets) {
@@ -225,6 +229,47 @@ std::vector<Action> preset_ring_actions() {
          has_document},
     };
 }
+
+std::vector<Action> sharing_actions() {
+    using Kind = Dialog::Kind;
+    using file_actions::has_document;
+    return {
+        {ActionId::copy_line,
+         Menu::file,
+         "Copy preset as text",
+         {'C', true},
+         true,
+         copy_line,
+         has_document},
+        {ActionId::paste_line,
+         Menu::file,
+         "Paste preset from text",
+         {'V', true},
+         false,
+         paste_line},
+        {ActionId::save_picture,
+         Menu::file,
+         "Save picture…",
+         {'E', true},
+         true,
+         show<Kind::save_picture>,
+         has_document},
+        {ActionId::copy_picture,
+         Menu::file,
+         "Copy picture",
+         {'C', true, true},
+         false,
+         copy_picture,
+         has_document},
+        {ActionId::export_frames,
+         Menu::file,
+         "Export video or image sequence…",
+         {'M', true, true},
+         false,
+         show<Kind::export_frames>,
+         has_document},
+    };
+}
 }  // namespace
 
 std::vector<Action> file_actions::list() {
@@ -251,35 +296,7 @@ std::vector<Action> file_actions::list() {
     actions.insert(actions.end(), presets.begin(), presets.end());
     const std::vector<Action> ring = preset_ring_actions();
     actions.insert(actions.end(), ring.begin(), ring.end());
-    const std::vector<Action> others{
-        {ActionId::copy_line,
-         Menu::file,
-         "Copy preset as text",
-         {'C', true},
-         true,
-         copy_line,
-         has_document},
-        {ActionId::paste_line,
-         Menu::file,
-         "Paste preset from text",
-         {'V', true},
-         false,
-         paste_line},
-        {ActionId::save_picture,
-         Menu::file,
-         "Save picture…",
-         {'E', true},
-         true,
-         show<Kind::save_picture>,
-         has_document},
-        {ActionId::export_frames,
-         Menu::file,
-         "Export video or image sequence…",
-         {'M', true, true},
-         false,
-         show<Kind::export_frames>,
-         has_document},
-    };
+    const std::vector<Action> others = sharing_actions();
     actions.insert(actions.end(), others.begin(), others.end());
     actions.push_back({ActionId::use_desktop_dialog,
                        Menu::file,

@@ -21,7 +21,7 @@ void draw_desktop_dialog(const Scene& scene, Edits& edits) {
 }
 
 void draw_desktop_switch(const Scene& scene, const FileDialogKind& kind, Edits& edits) {
-    if (!scene.window.file_dialogs.has_desktop || kind.has_settings)
+    if (!scene.window.file_dialogs.has_desktop)
         return;
     const ImVec2 at = ImGui::GetCursorPos();
     ImGui::SetCursorPosY(at.y + ImGui::GetStyle().ItemSpacing.y);  // in line with the buttons

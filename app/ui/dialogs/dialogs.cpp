@@ -16,6 +16,7 @@
 #include "ui/dialogs/prompt_dialog.h"
 #include "ui/dialogs/rates_dialog.h"
 #include "ui/dialogs/remote_dialog.h"
+#include "ui/dialogs/still_dialog.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -156,13 +157,11 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::open_file:
         case Kind::choose_file:
         case Kind::choose_reference:
-        case Kind::save_picture:
         case Kind::save_pass:
         case Kind::load_drawing:
         case Kind::save_drawing:
         case Kind::save_automation:
         case Kind::save_slangp:
-        case Kind::export_frames:
             draw_file_dialog(scene, edits);
             return;
         case Kind::save_preset_as:
@@ -197,8 +196,14 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
         case Kind::about:
             draw_about_dialog(scene, edits);
             return;
-        case Kind::exporting:
+        case Kind::save_picture:
+            draw_still_dialog(scene, edits);
+            return;
+        case Kind::export_frames:
             draw_export_dialog(scene, edits);
+            return;
+        case Kind::quit_exporting:
+            draw_quit_exporting_dialog(scene, edits);
             return;
         case Kind::asked:
             draw_asked_dialog(scene, edits);

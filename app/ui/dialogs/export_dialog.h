@@ -3,12 +3,8 @@
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
-#include <filesystem>
-
-/// Starts the export of the document to a film or an image sequence and shows its progress.
-void export_frames(const std::filesystem::path& file, const Scene& scene, Edits& edits);
-
-/// The duration and frame rate fields of the file dialog for an export.
-void draw_export_numbers(const Scene& scene, Edits& edits);
-
+/// The dialog that adds a video or an image sequence to the queue of exports.
 void draw_export_dialog(const Scene& scene, Edits& edits);
+
+/// Asks whether to quit although exports run.
+void draw_quit_exporting_dialog(const Scene& scene, Edits& edits);

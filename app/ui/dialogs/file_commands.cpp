@@ -7,19 +7,10 @@
 #include "lab/drawing/drawing_tool.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
-#include "ui/dialogs/export_dialog.h"
 
 namespace fs = std::filesystem;
 
 namespace {
-void save_picture(const fs::path& file, Edits& edits) {
-    finish_dialog(edits, [file](const Document& document, const Renderer& renderer,
-                                const PassControl& passes, const MediaInput& media,
-                                Messages& messages) {
-        save_snapshot({renderer, passes.picture_pass(), document, media.recent()}, file, messages);
-    });
-}
-
 void save_pass(const fs::path& file, const Scene& scene, Edits& edits) {
     finish_dialog(edits, [view = scene.window.views.inspected, file](const Renderer& renderer,
                                                                      Messages& messages) {
@@ -50,13 +41,8 @@ void finish_file_dialog(const fs::path& file, const Scene& scene, Edits& edits) 
         case Kind::save_slangp:
             return finish_dialog(
                 edits, [file](PresetCommands& presets) { presets.sharing().save_slang(file); });
-        case Kind::save_picture:
-            return save_picture(file, edits);
         case Kind::save_pass:
             return save_pass(file, scene, edits);
-        case Kind::export_frames:
-            close_dialog(edits);
-            return export_frames(file, scene, edits);
         case Kind::choose_file:
             return finish_dialog(edits, [name = dialog.subject, file](ContentCommands& content) {
                 content.choose_picture(name, file);

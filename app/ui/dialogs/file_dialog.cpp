@@ -3,7 +3,6 @@
 #include "gpu/input_event.h"
 #include "ui/dialogs/desktop_dialog.h"
 #include "ui/dialogs/dialog_frame.h"
-#include "ui/dialogs/export_dialog.h"
 #include "ui/dialogs/file_commands.h"
 #include "ui/dialogs/file_list.h"
 #include "ui/dialogs/file_places.h"
@@ -235,11 +234,9 @@ void accept(FileDialogFrame& frame) {
 }
 
 float height_around_lists(const FileDialogFrame& frame) {
-    const float settings = frame.kind.has_settings ? 1.0f : 0.0f;
     const ImGuiStyle& style = ImGui::GetStyle();
-    return (4.0f + settings) * ImGui::GetFrameHeightWithSpacing() +
-           ImGui::GetTextLineHeightWithSpacing() + 4.0f * style.ItemSpacing.y +
-           2.0f * style.WindowPadding.y + 28.0f * frame.scene.scale;
+    return 4.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetTextLineHeightWithSpacing() +
+           4.0f * style.ItemSpacing.y + 2.0f * style.WindowPadding.y + 28.0f * frame.scene.scale;
 }
 
 const char* verb_of(FileDialogFrame& frame) {
@@ -257,8 +254,6 @@ void draw_content(FileDialogFrame& frame, Edits& edits) {
     follow_arrows(frame);
     draw_name(frame, edits);
     draw_advice(frame, edits);
-    if (frame.kind.has_settings)
-        draw_export_numbers(frame.scene, edits);
     draw_desktop_switch(frame.scene, frame.kind, edits);
     if (draw_dialog_buttons(verb_of(frame), can_accept(frame), edits) || frame.browser.is_accepting)
         accept(frame);

@@ -35,6 +35,7 @@ enum class ActionId {
     copy_line,
     paste_line,
     save_picture,
+    copy_picture,
     export_frames,
     use_desktop_dialog,
     quit,

@@ -41,6 +41,8 @@ public:
     void open_unsaved(const std::filesystem::path& stored);
     /// Copies the text to the clipboard.
     void copy(std::string text) { m_copied = std::move(text); }
+    /// Copies the displayed picture to the clipboard.
+    void copy_picture() { m_copies_picture = true; }
     void quit() { m_is_quitting = true; }
 
     /// Records the position of the last widget under this name, for scripts that drive the window.
@@ -49,6 +51,7 @@ public:
 
     void apply(Lab& lab, WindowState& window) const;
     const std::optional<std::string>& copied() const { return m_copied; }
+    bool copies_picture() const { return m_copies_picture; }
     bool is_quitting() const { return m_is_quitting; }
     /// Whether any edit changes more than the window.
     bool change_lab() const {
@@ -59,6 +62,7 @@ public:
 private:
     std::vector<Edit> m_edits;
     std::optional<std::string> m_copied;
+    bool m_copies_picture = false;
     bool m_is_quitting = false;
     std::map<std::string, WidgetRect> m_widget_rects;
 };

@@ -2,6 +2,7 @@
 
 #include "lab/frame/heavy_pass.h"
 #include "ui/frame/action.h"
+#include "ui/status/export_chip.h"
 #include "ui/status/timings_panel.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -149,6 +150,7 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     draw_cost(scene, edits);
     draw_lag(scene, edits);
     draw_half_size_offer(scene, edits);
+    draw_export_chip(scene, edits);
     const std::string pointer = pointer_text(scene);
     if (pointer.empty())
         return;

@@ -12,6 +12,7 @@
 #include "lab/storage/injected_fault.h"
 #include "lab/storage/instance_lock.h"
 #include "lab/views/displayed_passes.h"
+#include "lab/views/picture_clipboard.h"
 #include "lab/window/desktop_file_dialog.h"
 #include "lab/window/key_store.h"
 #include "lab/window/window_session.h"
@@ -82,7 +83,7 @@ public:
 
     /// False if the driver has lost the window's context.
     bool run() {
-        while (!m_is_quitting && !m_window.is_close_requested()) {
+        while (!is_ending()) {
             if (has_lost_context()) {
                 if (const OpenRequest* opened = m_lab.loader().opened())
                     m_lab.loader().mark().leave(*opened);
@@ -100,6 +101,7 @@ public:
     }
 
 private:
+    bool is_ending();
     bool wait();  // whether an update is due
     bool has_lost_context() const;
     void update();
@@ -119,8 +121,22 @@ private:
     DesktopFileDialog m_files{gpu::WindowEvents::wake};
     SessionAutosave m_keeper;
     KeyStore m_keys;
+    PictureClipboard m_clipboard;
     bool m_is_quitting = false;
 };
+
+// While exports run, the user is asked before they are cancelled.
+bool Application::is_ending() {
+    if (!m_is_quitting && !m_window.is_close_requested())
+        return false;
+    if (!m_lab.jobs().exports().is_pending())
+        return true;
+    m_is_quitting = false;
+    m_window.refuse_close();
+    m_state.dialog = {.kind = Dialog::Kind::quit_exporting};
+    m_schedule.stay_awake();
+    return false;
+}
 
 bool Application::wait() {
     return m_schedule.wait(m_state.frame_rate.frame_seconds(m_window.refresh_rate()),
@@ -196,6 +212,9 @@ void Application::apply(const Edits& edits) {
         m_window.set_clipboard(*edits.copied());
     if (!m_state.copied.empty())
         m_window.set_clipboard(std::exchange(m_state.copied, {}));
+    if (edits.copies_picture() && m_lab.document() && m_lab.renderer())
+        m_clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
+                         *m_lab.document(), m_lab.work().media.recent(), m_lab.messages());
     m_is_quitting = edits.is_quitting();
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "lab/offline/export_queue.h"
+#include "lab/offline/frame_export.h"
+#include "lab/offline/still_export.h"
+#include "lab/window/export_form.h"
+#include "model/devices/date.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+/// What a form is checked against.
+struct ExportFacts {
+    const Document& document;
+    const ExportQueue& queue;
+    Extent render_size;
+    Spec signal = {};                 // completed
+    double sound_seconds = 0.0;       // 0: no sound
+    double frame_milliseconds = 0.0;  // of the passes at the render size; 0: unknown
+};
+
+/// A field of the form, for its error.
+enum class ExportField { file, size, start, length, fps, quality, codec, sound, alpha };
+
+struct FieldProblem {
+    ExportField field;
+    std::string text;
+};
+
+/// What a form asks for.
+struct ExportPlan {
+    ExportSettings settings;
+    std::vector<FieldProblem> problems;  // none: it can start
+    std::string note;                    // what the user should know; "": nothing
+    bool replaces = false;               // the file exists
+    std::int64_t frames = 0;             // 0: unknown, or not valid
+    double work_seconds = 0.0;           // estimated; 0: unknown
+
+    bool is_good() const { return problems.empty(); }
+    /// "": the field is valid.
+    std::string problem_of(ExportField field) const;
+};
+ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts);
+
+/// A kind of file that the dialog offers.
+struct ExportKind {
+    std::string label;   // "MP4"
+    std::string ending;  // ".mp4", or "_%04d.png" for a sequence
+};
+const std::vector<ExportKind>& export_kinds();
+/// The kind of a name; nullopt: none.
+std::optional<std::size_t> export_kind_of(const std::string& name);
+/// The name with the ending of another kind.
+std::string with_export_kind(const std::string& name, const ExportKind& kind);
+
+/// An entry of a list in the dialog.
+struct ExportChoice {
+    std::string name;  // "": the default
+    std::string label;
+};
+/// The codecs that a file can hold, the default first; empty: there is nothing to choose.
+std::vector<ExportChoice> codec_choices(const std::filesystem::path& file, bool keeps_alpha);
+std::vector<ExportChoice> sound_choices(const std::filesystem::path& file);
+/// "18 (CRF: 1 best, 51 smallest)"; "": the codec has no quality setting.
+std::string quality_hint(const ExportSettings& settings);
+
+/// The form of a document that is exported for the first time: the name is its default name. A
+/// sound that is drawn as XY stays lossless, in .mov.
+ExportForm initial_export_form(ExportForm last, const ExportFacts& facts, const Date& date);
+
+/// The choices of the picture dialog: 1x, 2x, 4x, 1080p, 2160p.
+const std::vector<std::string>& still_sizes();
+Extent still_extent(const std::string& size, Extent render_size);
+
+/// The settings of the picture dialog, or the reason why its file can't be written.
+Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds);
+StillForm initial_still_form(StillForm last, const Document& document, const Date& date);

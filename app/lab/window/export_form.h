@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+/// The fields of the export dialog, as typed or chosen. "" is the default of a field.
+struct ExportForm {
+    std::string file;              // name or whole path
+    std::filesystem::path folder;  // of a name without a path
+    std::string size = "";         // "": the render size; a name such as "1080p", or "640x480"
+    bool has_own_size = false;     // the size is typed
+    std::string start = "0";       // s
+    std::string length = "";       // s
+    std::string fps = "60";
+    std::string quality = "";
+    std::string codec = "";
+    std::string sound = "";
+    bool keeps_alpha = false;
+    bool loops = false;
+
+    bool operator==(const ExportForm&) const = default;
+};
+
+/// The fields of the dialog that saves a picture.
+struct StillForm {
+    std::string file;
+    std::filesystem::path folder;
+    std::string size = "1x";  // one of still_sizes()
+    int format = 0;           // index in still_formats()
+
+    bool operator==(const StillForm&) const = default;
+};

@@ -1,0 +1,143 @@
+"""Exports in the background, saved pictures, and pictures on the clipboard."""
+
+import datetime
+import os
+import shutil
+import struct
+import subprocess
+import time
+import unittest
+
+from person import PICTURE, Person
+
+
+class Exporting(Person):
+    def fill(self, **fields):
+        for field, text in fields.items():
+            self.program.click(field)
+            self.program.key("ctrl+a")
+            self.program.type(text)
+
+    def ask_for_export(self, name, **fields):
+        self.program.choose("File", "Export video or image sequence…")
+        self.fill(dialog_file=str(self.program.folder / name), **fields)
+
+    def files(self, pattern):
+        return sorted(self.program.folder.glob(pattern))
+
+    def png_size(self, file):
+        return list(struct.unpack(">II", file.read_bytes()[16:24]))
+
+    def cancel_exports(self):
+        while "export_cancel" in self.program.state()["widgets"]:
+            self.program.click("export_cancel")
+            time.sleep(0.3)
+
+    def test_frames_are_exported_beside_what_is_shown(self):
+        program = self.program
+        self.ask_for_export("frame_%02d.png", export_seconds="0.1")
+        self.snapshot("export")
+        program.key("Return")
+        program.wait("the export is done", lambda s: s["dialog"] == 0 and "Exported 6 frames" in s["notice"])
+        self.snapshot("exported")
+        self.assertEqual([file.name for file in self.files("frame_*.png")],
+                         ["frame_%02d.png" % number for number in range(6)])
+        for file in self.files("frame_*.png"):
+            self.assertEqual(self.png_size(file), PICTURE)
+
+    def test_exports_wait_in_a_queue_while_the_picture_can_be_tuned(self):
+        program = self.program
+        self.ask_for_export("long_%06d.png", export_seconds="3600")
+        program.key("Return")
+        program.wait_for("some pictures are exported", lambda: len(self.files("long_*.png")) > 2)
+        self.ask_for_export("next_%02d.png", export_seconds="0.05")
+        program.key("Return")
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
+        program.set("decay", "0.61")
+        frame = program.state()["frame"]
+        program.wait("the picture continues", lambda s: s["frame"] > frame + 2)
+        self.assertEqual(self.files("next_*.png"), [])
+        program.click("export_chip")
+        program.place("export_row:next_%02d.png")
+        self.snapshot("exporting")
+        program.key("Escape")
+        program.click("export_cancel")
+        program.wait_for("the next export runs", lambda: len(self.files("next_*.png")) == 3)
+        self.assertLess(len(self.files("long_*.png")), 3600)
+
+    def test_a_field_that_is_not_valid_keeps_the_dialog(self):
+        program = self.program
+        self.ask_for_export("film.avi")
+        program.place("dialog_problem")
+        self.snapshot("export_problem")
+        program.key("Return")
+        self.fill(dialog_file=str(program.folder / "film_%02d.png"), export_seconds="0.03", export_fps="abc")
+        program.place("dialog_problem")
+        program.key("Return")
+        self.assertNotEqual(program.state()["dialog"], 0)
+        program.click("export_fps:50")
+        program.wait("no problem is left", lambda s: "dialog_problem" not in s["widgets"])
+        program.click("dialog_ok")
+        program.wait_for("the pictures are exported", lambda: len(self.files("film_*.png")) == 2)
+
+    def test_quitting_while_exporting_asks(self):
+        program = self.program
+        self.ask_for_export("quit_%06d.png", export_seconds="3600")
+        program.key("Return")
+        program.wait_for("some pictures are exported", lambda: self.files("quit_*.png"))
+        program.key("ctrl+q")
+        program.place("dialog_ok")
+        self.snapshot("quit_exporting")
+        program.click("dialog_cancel")
+        program.wait("the program goes on", lambda s: s["dialog"] == 0)
+        count = len(self.files("quit_*.png"))
+        program.wait_for("the export goes on", lambda: len(self.files("quit_*.png")) > count)
+        self.cancel_exports()
+
+    def test_pictures_are_saved_in_other_sizes_and_formats(self):
+        program = self.program
+        program.key("ctrl+e")
+        program.place("dialog_file")
+        self.snapshot("save_picture")
+        self.fill(dialog_folder=str(program.folder))
+        program.click("dialog_ok")
+        name = "phosphor-%s.png" % datetime.date.today().isoformat()
+        program.wait_for("the picture has its default name", lambda: (program.folder / name).exists())
+        self.assertEqual(self.png_size(program.folder / name), PICTURE)
+        program.key("ctrl+e")
+        self.fill(dialog_file=str(program.folder / "large.png"))
+        program.click("still_size")
+        program.click("still_size:2x (480 × 360)")
+        program.click("still_format")
+        program.click("still_format:PNG, 16 bit")
+        program.click("dialog_ok")
+        program.wait_for("the larger picture is drawn", lambda: (program.folder / "large.png").exists())
+        data = (program.folder / "large.png").read_bytes()
+        self.assertEqual(struct.unpack(">IIBB", data[16:26]), (480, 360, 16, 2))
+        program.key("ctrl+e")
+        self.fill(dialog_file=str(program.folder / "small.avif"))
+        program.click("still_size")
+        program.click("still_size:1x (240 × 180)")
+        program.click("dialog_ok")
+        program.wait_for("the AVIF is written", lambda: (program.folder / "small.avif").exists())
+        self.assertEqual((program.folder / "small.avif").read_bytes()[4:12], b"ftypavif")
+
+    @unittest.skipUnless(shutil.which("xclip"), "there is no xclip here")
+    def test_the_picture_is_on_the_clipboard(self):
+        program = self.program
+        self.hover("picture")
+        program.key("ctrl+shift+c")
+        program.wait("the picture is copied", lambda s: "Copied the picture (240 × 180)" in s["notice"])
+        screen = {**os.environ, "DISPLAY": self.screen.display}
+
+        def pasted(target):
+            return subprocess.run(["xclip", "-selection", "clipboard", "-t", target, "-o"], env=screen,
+                                  check=True, capture_output=True, timeout=20).stdout
+        self.assertIn(b"image/png", pasted("TARGETS").split())
+        file = program.folder / "pasted.png"
+        file.write_bytes(pasted("image/png"))
+        self.assertEqual(self.png_size(file), PICTURE)
+        self.assertGreater(len(file.read_bytes()), 1000)
+        subprocess.run(["xclip", "-selection", "clipboard", "-i"], env=screen, input=b"text", check=True, timeout=20,
+                       stdout=subprocess.DEVNULL)
+        self.assertEqual(pasted("UTF8_STRING"), b"text")
