@@ -28,7 +28,7 @@ MenuEntry sound_number(const char* name, const char* unit, double current, Limit
                                    }}};
 }
 
-void add_devices(const SoundInfo& info, std::string SoundSettings::*device, const char* text,
+void add_devices(const SoundControls& info, std::string SoundSettings::*device, const char* text,
                  std::vector<MenuEntry>& entries) {
     const bool is_out = device == &SoundSettings::output;
     const auto offer = [&](const std::string& name, const std::string& label) {
@@ -59,7 +59,7 @@ void add_sizes(const SoundSettings& settings, std::vector<MenuEntry>& entries) {
     }
 }
 
-void add_sound_numbers(const SoundInfo& info, std::vector<MenuEntry>& entries) {
+void add_sound_numbers(const SoundControls& info, std::vector<MenuEntry>& entries) {
     const SoundSettings& settings = info.settings;
     entries.push_back(sound_number("Picture delay…", "ms", settings.picture_delay_ms,
                                    {-200.0, 500.0}, [settings](double typed) {
@@ -109,7 +109,7 @@ MenuEntry port_entry(const char* name, int current, double lowest, int RemoteSet
 }
 }  // namespace
 
-MenuSection sound_section(const SoundInfo& info) {
+MenuSection sound_section(const SoundControls& info) {
     MenuSection section{"Sound"};
     SoundSettings beam = info.settings;
     beam.plays_beam = !beam.plays_beam;

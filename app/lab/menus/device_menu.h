@@ -6,14 +6,14 @@
 #include "model/devices/sound_settings.h"
 
 /// The state of audio. `sound_seconds`: duration of the playing file; 0: no file.
-struct SoundInfo {
+struct SoundControls {
     SoundSettings settings;
     std::vector<SoundDevice> devices;
     double level = 1.0;
     double position = 0.0;  // s
     double sound_seconds = 0.0;
 };
-MenuSection sound_section(const SoundInfo& info);
+MenuSection sound_section(const SoundControls& info);
 
 /// Settings of remote control: OSC and MIDI.
 MenuSection remote_section(const RemoteSettings& settings, bool hears_osc, bool hears_midi);

@@ -151,19 +151,9 @@ Question name_question(Dialog::Kind kind) {
 
 void draw_dialogs(const Scene& scene, Edits& edits) {
     using Kind = Dialog::Kind;
+    if (file_dialog_kind(scene.window.dialog.kind))
+        return draw_file_dialog(scene, edits);
     switch (scene.window.dialog.kind) {
-        case Kind::none:
-            return;
-        case Kind::open_file:
-        case Kind::choose_file:
-        case Kind::choose_reference:
-        case Kind::save_pass:
-        case Kind::load_drawing:
-        case Kind::save_drawing:
-        case Kind::save_automation:
-        case Kind::save_slangp:
-            draw_file_dialog(scene, edits);
-            return;
         case Kind::save_preset_as:
         case Kind::rename_preset:
         case Kind::duplicate_look:
@@ -207,6 +197,8 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::asked:
             draw_asked_dialog(scene, edits);
+            return;
+        default:
             return;
     }
 }
