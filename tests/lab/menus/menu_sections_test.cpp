@@ -299,7 +299,7 @@ TEST_CASE("two words find a menu entry, and actions rank first among equal match
 }
 
 TEST_CASE("sound and remote control settings can be chosen by name") {
-    SoundInfo info;
+    SoundControls info;
     info.devices = {{.name = "Scope"}};
     info.devices.front().has_output = true;
     const MenuSection sound = sound_section(info);
