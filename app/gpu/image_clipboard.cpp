@@ -24,17 +24,6 @@ struct Free {
 };
 template <class Reply>
 using Owned = std::unique_ptr<Reply, Free>;
-
-using Data = std::shared_ptr<const std::string>;  // shared by the offer and running transfers
-
-/// A picture that is sent in pieces (ICCCM, 2.7.2): each time the requestor deletes the property,
-/// the next piece is written. An empty one ends it.
-struct Transfer {
-    xcb_window_t requestor;
-    xcb_atom_t property;
-    Data data;
-    std::size_t sent = 0;
-};
 }  // namespace
 
 /// The connection and the thread that answers requests.
@@ -74,6 +63,21 @@ public:
 private:
     enum class State { none, asked, owned };
 
+    using Data = std::shared_ptr<const std::string>;  // shared by the offer and running transfers
+
+    /// A picture that is sent in pieces (ICCCM, 2.7.2): each time the requestor deletes the
+    /// property, the next piece is written. An empty one ends it.
+    struct Transfer {
+        xcb_window_t requestor;
+        xcb_atom_t property;
+        Data data;
+        std::size_t sent = 0;
+    };
+
+    struct Atoms {
+        xcb_atom_t clipboard, targets, timestamp, multiple, incr, png;
+    };
+
     void wake() const {
         const std::uint64_t one = 1;
         (void)!::write(m_wake, &one, sizeof one);
@@ -107,17 +111,17 @@ private:
         (void)!::read(m_wake, &count, sizeof count);
         const std::lock_guard lock(m_mutex);
         if (m_state == State::asked)
-            xcb_change_property(m_connection, XCB_PROP_MODE_APPEND, m_window, m_png, m_png, 8, 0,
-                                nullptr);
+            xcb_change_property(m_connection, XCB_PROP_MODE_APPEND, m_window, m_atoms.png,
+                                m_atoms.png, 8, 0, nullptr);
     }
 
     void take_selection(xcb_timestamp_t time) {
         const std::lock_guard lock(m_mutex);
         if (m_state != State::asked)
             return;
-        xcb_set_selection_owner(m_connection, m_window, m_clipboard, time);
+        xcb_set_selection_owner(m_connection, m_window, m_atoms.clipboard, time);
         const Owned<xcb_get_selection_owner_reply_t> owner(xcb_get_selection_owner_reply(
-            m_connection, xcb_get_selection_owner(m_connection, m_clipboard), nullptr));
+            m_connection, xcb_get_selection_owner(m_connection, m_atoms.clipboard), nullptr));
         const bool is_owned = owner && owner->owner == m_window;
         m_data = is_owned ? m_next : nullptr;
         m_time = time;
@@ -166,7 +170,7 @@ private:
     }
 
     void write(xcb_window_t window, xcb_atom_t property, std::string_view bytes) const {
-        xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, window, property, m_png, 8,
+        xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, window, property, m_atoms.png, 8,
                             static_cast<std::uint32_t>(bytes.size()), bytes.data());
     }
 
@@ -190,20 +194,21 @@ private:
 
     // Writes the clipboard in the form of a target; false: it has no such form.
     bool convert(xcb_window_t requestor, xcb_atom_t target, xcb_atom_t property) {
-        if (target == m_targets) {
-            const std::array<xcb_atom_t, 4> all{m_targets, m_timestamp, m_multiple, m_png};
+        if (target == m_atoms.targets) {
+            const std::array<xcb_atom_t, 4> all{m_atoms.targets, m_atoms.timestamp,
+                                                m_atoms.multiple, m_atoms.png};
             xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, requestor, property,
                                 XCB_ATOM_ATOM, 32, all.size(), all.data());
             return true;
         }
-        if (target == m_timestamp) {
+        if (target == m_atoms.timestamp) {
             xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, requestor, property,
                                 XCB_ATOM_INTEGER, 32, 1, &m_time);
             return true;
         }
-        if (target == m_multiple)
+        if (target == m_atoms.multiple)
             return convert_all(requestor, property);
-        if (target != m_png)
+        if (target != m_atoms.png)
             return false;
         if (m_data->size() <= m_piece)
             write(requestor, property, *m_data);
@@ -226,7 +231,7 @@ private:
             static_cast<const xcb_atom_t*>(xcb_get_property_value(list.get()));
         std::vector<xcb_atom_t> pairs(atoms, atoms + list->value_len);
         for (std::size_t i = 0; i + 1 < pairs.size(); i += 2)
-            if (pairs[i] == m_multiple || !convert(requestor, pairs[i], pairs[i + 1]))
+            if (pairs[i] == m_atoms.multiple || !convert(requestor, pairs[i], pairs[i + 1]))
                 pairs[i + 1] = XCB_ATOM_NONE;
         xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, requestor, property, list->type,
                             32, static_cast<std::uint32_t>(pairs.size()), pairs.data());
@@ -238,8 +243,8 @@ private:
             XCB_EVENT_MASK_PROPERTY_CHANGE | XCB_EVENT_MASK_STRUCTURE_NOTIFY;
         xcb_change_window_attributes(m_connection, requestor, XCB_CW_EVENT_MASK, &events);
         const auto size = static_cast<std::uint32_t>(m_data->size());
-        xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, requestor, property, m_incr, 32, 1,
-                            &size);
+        xcb_change_property(m_connection, XCB_PROP_MODE_REPLACE, requestor, property, m_atoms.incr,
+                            32, 1, &size);
         m_transfers.push_back({requestor, property, m_data});
     }
 
@@ -255,12 +260,8 @@ private:
     Data m_data;  // null: another program owns the clipboard
     xcb_timestamp_t m_time = 0;
     std::vector<Transfer> m_transfers;
-    const xcb_atom_t m_clipboard = atom("CLIPBOARD");
-    const xcb_atom_t m_targets = atom("TARGETS");
-    const xcb_atom_t m_timestamp = atom("TIMESTAMP");
-    const xcb_atom_t m_multiple = atom("MULTIPLE");
-    const xcb_atom_t m_incr = atom("INCR");
-    const xcb_atom_t m_png = atom("image/png");
+    const Atoms m_atoms{atom("CLIPBOARD"), atom("TARGETS"), atom("TIMESTAMP"),
+                        atom("MULTIPLE"),  atom("INCR"),    atom("image/png")};
     std::thread m_thread;
 };
 

@@ -85,12 +85,10 @@ void Window::set_vsync(bool is_on) {
     glfwSwapInterval(is_on ? 1 : 0);
 }
 
-bool Window::is_close_requested() const {
-    return glfwWindowShouldClose(handle()) == GLFW_TRUE;
-}
-
-void Window::refuse_close() {
+bool Window::take_close_request() {
+    const bool is_asked = glfwWindowShouldClose(handle()) == GLFW_TRUE;
     glfwSetWindowShouldClose(handle(), GLFW_FALSE);
+    return is_asked;
 }
 
 Extent Window::framebuffer_size() const {

@@ -24,9 +24,8 @@ public:
     Context& context() { return *m_context; }
     WindowEvents& events() { return m_events; }
     const WindowEvents& events() const { return m_events; }
-    bool is_close_requested() const;
-    /// Forgets the request to close.
-    void refuse_close();
+    /// Whether the user has asked to close it since the last call.
+    bool take_close_request();
 
     const Displays& displays() const { return m_displays; }
     /// The index of the display that contains the window's centre.

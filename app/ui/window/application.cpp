@@ -127,12 +127,11 @@ private:
 
 // While exports run, the user is asked before they are cancelled.
 bool Application::is_ending() {
-    if (!m_is_quitting && !m_window.is_close_requested())
+    if (!m_window.take_close_request() && !m_is_quitting)
         return false;
     if (!m_lab.jobs().exports().is_pending())
         return true;
     m_is_quitting = false;
-    m_window.refuse_close();
     m_state.dialog = {.kind = Dialog::Kind::quit_exporting};
     m_schedule.stay_awake();
     return false;

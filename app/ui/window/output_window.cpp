@@ -5,7 +5,7 @@
 #include <algorithm>
 
 std::string OutputWindow::follow(OutputState& state, gpu::Window& panels) {
-    if (m_window && (m_is_left || m_window->is_close_requested()))
+    if (m_window && (m_is_left || m_window->take_close_request()))
         state.is_open = false;
     m_is_left = false;
     const std::size_t own = panels.display();

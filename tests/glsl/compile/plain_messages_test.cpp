@@ -170,7 +170,7 @@ TEST_CASE("a shader for Vulkan gets the same suggestions") {
         {"FragColor = vec4(vTexCord, 0, 1);",
          "'vTexCord' is undeclared (did you mean 'vTexCoord'?)"},
     };
-    for (const auto& [statement, message] : wrong_statements) {
+    for (const auto& [statement, message] : rows) {
         CAPTURE(statement);
         const auto result = compiled(statement);
         REQUIRE_FALSE(result.has_value());
@@ -197,7 +197,7 @@ TEST_CASE("glslang's descriptions of types become GLSL's names") {
          "block"},
         {"", ""},
     };
-    for (const auto& [description, name] : wrong_statements) {
+    for (const auto& [description, name] : rows) {
         CAPTURE(description);
         CHECK(glsl_type_name(description) == name);
     }
