@@ -111,6 +111,9 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
             "--frames");
     if (arguments.loops && !arguments.automation.empty())
         throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
+    if (arguments.loops)
+        if (const auto fits = check_loop_rate(output, arguments.look.request().fps); !fits)
+            throw UsageError(fits.error().front().message);
     if (is_film && output != export_pipe)
         if (const auto encoding = film_encoding(output, arguments.film_choice()); !encoding)
             throw UsageError(encoding.error().front().message);

@@ -190,7 +190,7 @@ class Sequences(ExportTest):
     def test_what_makes_no_sense_is_wrong_usage(self):
         look = self.moving()
         for arguments, words in ((("-o", "f_%d.mp4"), "a video is one file"),
-                                 (("-o", "f.avi"), "must end in .png, .exr, .mp4, .webm or .gif, got 'f.avi'"),
+                                 (("-o", "f.avi"), "must end in .png, .exr, .mp4, .mov, .mkv, .webm or .gif, got 'f.avi'"),
                                  (("-o", "f.png", "--start", "1"), "--start needs a video or an image sequence"),
                                  (("-o", "f.mp4", "--seconds", "0"), "--seconds"),
                                  (("-o", "f.mp4", "--seconds", "1", "--frames", "2"), "--frames")):

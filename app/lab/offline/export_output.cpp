@@ -1,5 +1,6 @@
 #include "lab/offline/export_output.h"
 
+#include "base/text.h"
 #include "io/system/descriptor.h"
 #include "io/system/standard_streams.h"
 #include "lab/offline/offline.h"
@@ -12,6 +13,17 @@
 
 bool is_film_output(const std::string& output) {
     return output == export_pipe || is_film_name(output);
+}
+
+Result<void> check_loop_rate(const std::string& output, double fps) {
+    constexpr double max_gif_rate = 50.0;
+    if (fps <= max_gif_rate || !to_lower(output).ends_with(".gif"))
+        return {};
+    return fail({{},
+                 0,
+                 fmt::format("a GIF holds at most 50 frames per second, so a loop at {} fps would "
+                             "lose frames. Use 50 fps or less.",
+                             format_number(fps))});
 }
 
 bool is_drawn_as_xy(const Spec& signal) {

@@ -12,6 +12,9 @@ inline constexpr const char* export_pipe = "-";
 /// Whether the output is a single film.
 bool is_film_output(const std::string& output);
 
+/// Fails if a loop at this rate would lose frames: a GIF holds at most 50 per second.
+Result<void> check_loop_rate(const std::string& output, double fps);
+
 /// Whether the sound of a completed signal is drawn as XY, so that a lossy sound bends the figure.
 bool is_drawn_as_xy(const Spec& signal);
 

@@ -60,6 +60,9 @@ Result<void> check_export(const Document& document, const ExportSettings& settin
     const SignalKind* kind = find_kind(document.state().signal.kind);
     if (document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent))
         return fail({{}, 0, "live input can't be exported. Choose another signal."});
+    if (settings.loops)
+        if (auto fits = check_loop_rate(settings.file.string(), settings.fps); !fits)
+            return fits;
     return check_file(settings);
 }
 
