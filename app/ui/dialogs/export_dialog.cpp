@@ -272,12 +272,16 @@ void draw_quit_exporting_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame("Quit while exporting?", 30.0f, scene, edits);
     if (!frame.is_open())
         return;
-    ImGui::TextWrapped(
-        "%s",
-        pending == 1
-            ? "1 export is not finished. Quitting cancels it."
-            : fmt::format("{} exports are not finished. Quitting cancels them.", pending).c_str());
-    if (!draw_dialog_buttons("Quit", true, edits))
+    const std::string text =
+        pending == 1 ? std::string(
+                           "1 export is not finished. Afterglow quits when it is done. Quit now to "
+                           "cancel it.")
+                     : fmt::format(
+                           "{} exports are not finished. Afterglow quits when they are done. Quit "
+                           "now to cancel them.",
+                           pending);
+    ImGui::TextWrapped("%s", text.c_str());
+    if (!draw_dialog_buttons("Quit now", true, edits))
         return;
     close_dialog(edits);
     edits.change([](BackgroundJobs& jobs) { jobs.exports().cancel_all(); });
