@@ -56,6 +56,7 @@ class Program:
         return {**os.environ, "DISPLAY": self.screen.display, "HOME": str(self.folder),
                 "XDG_DATA_HOME": str(self.folder / "own"),
                 "XDG_STATE_HOME": str(self.folder / "state"),
+                "XDG_CONFIG_HOME": str(self.folder / "config"),
                 "AFTERGLOW_DATA": str(self.folder / "data"),
                 "AFTERGLOW_STATE_FILE": str(self.state_file),
                 "DBUS_SESSION_BUS_ADDRESS": self.bus, "VISUAL": str(self.folder / "editor"),

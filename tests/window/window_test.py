@@ -1,6 +1,6 @@
 """Drives the window with mouse and keyboard:
-window_test.py PROGRAM [Tuner|Looker|Owner|WindowTest.NAME...].
-Tuner, Looker and Owner have separate windows and can run in parallel."""
+window_test.py PROGRAM [Tuner|Looker|Owner|Filer|WindowTest.NAME...].
+The groups have separate windows and can run in parallel."""
 
 import sys
 import unittest
@@ -15,6 +15,7 @@ from editing import Editing
 from exporting import Exporting
 from filing import Filing
 from foreign import Foreign
+from helping import Helping
 from keeping import Keeping
 from keyboard import Keyboard
 from looking import Looking
@@ -37,14 +38,17 @@ class Looker(Driving, Drawing, Editing, Looking, Moving, Remoting, Comparing,
     """The second group."""
 
 
-class Owner(Owning, Foreign, Collecting, Filing, Exporting, Keyboard):
-    """The third group: content and looks of the user, looks of other programs, dialogs for files,
-    exports, and the keyboard."""
+class Owner(Owning, Foreign, Collecting):
+    """The third group: content and looks of the user, and looks of other programs."""
 
 
-class WindowTest(Tuner, Looker, Owner):
+class Filer(Filing, Exporting, Helping, Keyboard):
+    """The fourth group: dialogs for files, exports, help, and the keyboard."""
+
+
+class WindowTest(Tuner, Looker, Owner, Filer):
     """All groups, for running single tests."""
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["Tuner", "Looker", "Owner"])], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["Tuner", "Looker", "Owner", "Filer"])], verbosity=2)

@@ -127,7 +127,7 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
             is_enabled(action, scene))
             act_with_undo_notice(action, scene, edits);
     }
-    constexpr Chord other_redo{'Y', true};
+    static constexpr Chord other_redo{'Y', true};
     const bool is_taken = std::ranges::any_of(
         scene.actions.rows(), [](const Action& action) { return action.chord == other_redo; });
     if (is_pressed(other_redo) && !is_typing && !is_taken)
