@@ -55,6 +55,9 @@ std::optional<Span> find_part(std::string_view line, std::string_view part) {
 
 std::optional<Span> find_quoted(std::string_view line, std::string_view message) {
     constexpr std::size_t longest = 256;
+    constexpr std::string_view pass = "pass '";  // the message is about its code, not its name
+    if (message.starts_with(pass))
+        message.remove_prefix(std::min(message.find('\'', pass.size()) + 1, message.size()));
     std::size_t open = message.find('\'');
     while (open != std::string_view::npos) {
         const std::size_t close = message.find('\'', open + 1);

@@ -50,6 +50,8 @@ TEST_CASE("the mark is a whole name, or a sign that occurs once") {
     CHECK(marked("a = b; c = d;", "'=': cannot convert") == "");
     CHECK(marked("x = other;", "'absent' or 'other'") == "other");
     CHECK(marked("it's", "don't") == "");
+    CHECK(marked("a = b;", "pass 'a': 'b' is undeclared") == "b");
+    CHECK(marked("a = b;", "pass 'a") == "");
     CHECK(marked("\t\"a\" 1", "missing ':' (column 6)") == "1");
     CHECK(marked("short", "broken (column 60)") == "");
 }

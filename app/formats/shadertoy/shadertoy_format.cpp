@@ -5,6 +5,7 @@
 #include "formats/shadertoy/shadertoy_files.h"
 #include "formats/shadertoy/shadertoy_json.h"
 #include "formats/shadertoy/shadertoy_look.h"
+#include "formats/shadertoy/shadertoy_stage.h"
 #include "glsl/parameters/constant_parameters.h"
 #include "glsl/parameters/parameters.h"
 
@@ -43,8 +44,10 @@ Result<Look> read_shadertoy_look(const fs::path& file, const IncludeFolders& inc
     if (auto problems = write_constants(*look, help.values, help.cache); !problems.empty())
         return fail(std::move(problems));
     auto parameters = find_parameters(*look, help.cache, loaded.warnings);
-    if (!parameters)
+    if (!parameters) {
+        suggest_shadertoy_inputs(parameters.error());
         return fail(std::move(parameters.error()));
+    }
     look->parameters.insert(look->parameters.end(), parameters->begin(), parameters->end());
     return look;
 }

@@ -1,5 +1,6 @@
 #include "formats/shadertoy/shadertoy_stage.h"
 
+#include "base/text.h"
 #include "glsl/text/declarations.h"
 
 #include <fmt/format.h>
@@ -172,6 +173,24 @@ private:
 Stage shadertoy_fragment_stage(const ShadertoyPass& pass, const ShadertoyPass* common,
                                const ShadertoyChannels& channels) {
     return ShadertoyStage(pass, common).stage(common, channels);
+}
+
+void suggest_shadertoy_inputs(Diagnostics& problems) {
+    static const std::vector<std::string> inputs{
+        "iResolution",        "iTime",        "iTimeDelta", "iFrame",    "iFrameRate",
+        "iChannelResolution", "iChannelTime", "iMouse",     "iDate",     "iSampleRate",
+        "iChannel0",          "iChannel1",    "iChannel2",  "iChannel3",
+    };
+    constexpr std::string_view end = "' is undeclared";
+    for (Diagnostic& problem : problems) {
+        if (!problem.message.ends_with(end))
+            continue;
+        const std::string_view before =
+            std::string_view(problem.message).substr(0, problem.message.size() - end.size());
+        const std::string_view name = before.substr(before.rfind('\'') + 1);
+        if (name.size() > 3)
+            problem.message += did_you_mean(name, inputs);
+    }
 }
 
 std::vector<BuiltInUniform> shadertoy_built_ins(const std::vector<Input>& inputs,

@@ -18,6 +18,11 @@ using ShadertoyChannels = std::array<ShadertoyChannel, shadertoy_channels>;
 Stage shadertoy_fragment_stage(const ShadertoyPass& pass, const ShadertoyPass* common,
                                const ShadertoyChannels& channels);
 
+/// Adds "did you mean 'iTime'?" to errors about undeclared names that are similar to an input of
+/// the site. A stage declares only the inputs that it uses, so the compiler does not know the
+/// others.
+void suggest_shadertoy_inputs(Diagnostics& problems);
+
 /// The words in the code of a pass and in the common code.
 GlslWords shadertoy_words(const ShadertoyPass& pass, const ShadertoyPass* common);
 
