@@ -20,6 +20,10 @@ constexpr std::array columns{Column{"Name", FileOrder::Key::name, 0.0f, 0.0f},
                              Column{"Size", FileOrder::Key::size, 5.0f, 18.0f},
                              Column{"Modified", FileOrder::Key::modified, 9.5f, 28.0f}};
 
+bool is_right_aligned(const Column& column) {
+    return column.key == FileOrder::Key::size;
+}
+
 std::vector<Column> shown_columns(float width) {
     std::vector<Column> shown;
     for (const Column& column : columns)
@@ -28,27 +32,34 @@ std::vector<Column> shown_columns(float width) {
     return shown;
 }
 
+void draw_sort_mark(const Column& column, bool is_descending) {
+    const float size = ImGui::GetFontSize();
+    const float text = ImGui::CalcTextSize(column.label).x + size * 0.7f;
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 high = ImGui::GetItemRectMax();
+    const float x = is_right_aligned(column) ? high.x - text : low.x + text;
+    const float middle = (low.y + high.y) * 0.5f;
+    const float up = is_descending ? 1.0f : -1.0f;
+    ImGui::GetWindowDrawList()->AddTriangleFilled({x - size * 0.22f, middle - up * size * 0.12f},
+                                                  {x + size * 0.22f, middle - up * size * 0.12f},
+                                                  {x, middle + up * size * 0.16f},
+                                                  theme::packed(theme::dim));
+}
+
 void draw_headings(const std::vector<Column>& shown, const FileOrder& order, Edits& edits) {
     ImGui::TableNextRow();
     for (std::size_t i = 0; i < shown.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
         const bool is_sorted = order.key == shown[i].key;
         const ScopedColor color(ImGuiCol_Text, is_sorted ? theme::text : theme::dim);
+        const ScopedStyle<ImVec2> align(ImGuiStyleVar_SelectableTextAlign,
+                                        ImVec2(is_right_aligned(shown[i]) ? 1.0f : 0.0f, 0.0f));
         if (ImGui::Selectable(shown[i].label, false, ImGuiSelectableFlags_DontClosePopups))
             edits.arrange([next = FileOrder{shown[i].key, is_sorted && !order.is_descending}](
                               WindowState& window) { window.file_dialogs.order = next; });
         edits.mark(std::string("sort:") + shown[i].label);
-        if (is_sorted) {
-            const float size = ImGui::GetFontSize();
-            const ImVec2 start = ImGui::GetItemRectMin();
-            const float middle = (start.y + ImGui::GetItemRectMax().y) * 0.5f;
-            const float x = start.x + ImGui::CalcTextSize(shown[i].label).x + size * 0.7f;
-            const float up = order.is_descending ? 1.0f : -1.0f;
-            ImGui::GetWindowDrawList()->AddTriangleFilled(
-                {x - size * 0.22f, middle - up * size * 0.12f},
-                {x + size * 0.22f, middle - up * size * 0.12f}, {x, middle + up * size * 0.16f},
-                theme::packed(theme::dim));
-        }
+        if (is_sorted)
+            draw_sort_mark(shown[i], order.is_descending);
     }
 }
 
@@ -77,7 +88,7 @@ void draw_cells(const FolderEntry& row, const std::vector<Column>& shown) {
     for (std::size_t i = 1; i < shown.size(); ++i) {
         ImGui::TableSetColumnIndex(static_cast<int>(i));
         const std::string text = cell_text(row, shown[i].key);
-        if (shown[i].key == FileOrder::Key::size)
+        if (is_right_aligned(shown[i]))
             ImGui::SetCursorPosX(ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x -
                                  ImGui::CalcTextSize(text.c_str()).x);
         dim_text(text);
