@@ -7,27 +7,28 @@
 #include "ui/passes/pass_edit_items.h"
 
 namespace {
-std::string chosen_pass(const Scene& scene) {
+std::string inspected_name(const Scene& scene) {
     const Look& look = scene.lab.document->look();
     return look.passes[static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected))]
         .name;
 }
 
-void add(const Scene& scene, Edits& edits) {
-    ask_for_pass(chosen_pass(scene), scene, edits);
+void add_pass(const Scene& scene, Edits& edits) {
+    ask_for_pass(inspected_name(scene), scene, edits);
 }
 
-void remove(const Scene& scene, Edits& edits) {
-    edits.change([pass = chosen_pass(scene)](LookCommands& looks) { looks.passes().remove(pass); });
+void remove_pass(const Scene& scene, Edits& edits) {
+    edits.change(
+        [pass = inspected_name(scene)](LookCommands& looks) { looks.passes().remove(pass); });
 }
 
 template <PassMove where>
-void move(const Scene& scene, Edits& edits) {
+void move_pass(const Scene& scene, Edits& edits) {
     edits.change(
-        [pass = chosen_pass(scene)](LookCommands& looks) { looks.passes().move(pass, where); });
+        [pass = inspected_name(scene)](LookCommands& looks) { looks.passes().move(pass, where); });
 }
 
-void show_in_folder(const Scene&, Edits& edits) {
+void show_look_in_folder(const Scene&, Edits& edits) {
     edits.change([](LookCommands& looks) { looks.show_in_folder(); });
 }
 }  // namespace
@@ -38,9 +39,10 @@ std::vector<Action> pass_edit_actions::list() {
         return Action{id, Menu::pass, label, {}, is_first, act, file_actions::has_document};
     };
     return {
-        action(ActionId::add_pass, "Add pass after this one…", true, add),
-        action(ActionId::remove_pass, "Remove pass", false, remove),
-        action(ActionId::move_pass_earlier, "Move pass earlier", false, move<PassMove::earlier>),
-        action(ActionId::move_pass_later, "Move pass later", false, move<PassMove::later>),
-        action(ActionId::show_look_in_folder, "Show look in folder", true, show_in_folder)};
+        action(ActionId::add_pass, "Add pass after this one…", true, add_pass),
+        action(ActionId::remove_pass, "Remove pass", false, remove_pass),
+        action(ActionId::move_pass_earlier, "Move pass earlier", false,
+               move_pass<PassMove::earlier>),
+        action(ActionId::move_pass_later, "Move pass later", false, move_pass<PassMove::later>),
+        action(ActionId::show_look_in_folder, "Show look in folder", true, show_look_in_folder)};
 }

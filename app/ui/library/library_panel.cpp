@@ -65,7 +65,7 @@ void draw_recent(const Scene& scene, Edits& edits) {
     ImGui::EndPopup();
 }
 
-void draw_head(const Scene& scene, Edits& edits) {
+void draw_look_head(const Scene& scene, Edits& edits) {
     ImGui::AlignTextToFramePadding();
     dim_text("Looks");
     ImGui::SameLine();
@@ -80,7 +80,7 @@ void draw_head(const Scene& scene, Edits& edits) {
 }  // namespace
 
 void draw_library_panel(const Scene& scene, Edits& edits) {
-    draw_head(scene, edits);
+    draw_look_head(scene, edits);
     const std::vector<const ListedLook*> looks =
         matching_looks(scene.library_view.looks(), scene.window.looks.search);
     ImGui::BeginChild("##looks");
@@ -88,14 +88,17 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
     std::vector<std::string> ids;
     for (const ListedLook* look : looks)
         ids.push_back(look->argument());
-    hold_rows(ids, scene.lab.document ? argument_of(scene.lab.document->look()) : std::string(),
-              &ScrolledTo::looks, scene, edits);
+    const float below =
+        hold_rows(ids, scene.lab.document ? argument_of(scene.lab.document->look()) : std::string(),
+                  &ScrolledTo::looks, scene, edits);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(looks.size()), thumbnail_row_height());
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
             draw_look(*looks[static_cast<std::size_t>(i)], scene, edits);
     clipper.End();
+    if (below > 0.0f)
+        ImGui::Dummy({0.0f, below});
     if (looks.empty())
         wrapped_dim_text(scene.library_view.looks().empty() ? "No looks found." : "No matches.");
     ImGui::EndChild();

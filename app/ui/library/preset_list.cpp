@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 namespace {
-void draw_head(const Scene& scene, Edits& edits) {
+void draw_preset_head(const Scene& scene, Edits& edits) {
     ImGui::AlignTextToFramePadding();
     dim_text("Presets");
     ImGui::SameLine();
@@ -82,7 +82,7 @@ void draw_rows(const std::vector<ListedLookPreset>& presets, const Scene& scene,
 void draw_preset_list(const Scene& scene, Edits& edits) {
     if (!scene.lab.document)
         return dim_text("Presets");
-    draw_head(scene, edits);
+    draw_preset_head(scene, edits);
     const Document& document = *scene.lab.document;
     const std::vector<ListedLookPreset> presets =
         matching_presets(document.look(), scene.library_view.looks(),
@@ -94,8 +94,11 @@ void draw_preset_list(const Scene& scene, Edits& edits) {
     std::vector<std::string> ids;
     for (const ListedLookPreset& preset : presets)
         ids.push_back(preset.entry.file.string());
-    hold_rows(ids, preset_file(document).string(), &ScrolledTo::presets, scene, edits);
+    const float below =
+        hold_rows(ids, preset_file(document).string(), &ScrolledTo::presets, scene, edits);
     draw_rows(presets, scene, edits);
+    if (below > 0.0f)
+        ImGui::Dummy({0.0f, below});
     ImGui::EndChild();
     edits.mark("preset_rows");
 }

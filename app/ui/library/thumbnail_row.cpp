@@ -88,24 +88,27 @@ void show_row(float top) {
 }
 }  // namespace
 
-void hold_rows(const std::vector<std::string>& ids, const std::string& open,
-               ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits) {
+float hold_rows(const std::vector<std::string>& ids, const std::string& open,
+                ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits) {
     const ListAnchor& before = scene.window.scrolled.*anchor;
     const bool is_hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
                                                    ImGuiHoveredFlags_AllowWhenBlockedByPopup);
-    const float held = is_hovered ? top_of(ids, before.hovered) : -1.0f;
-    if (held >= 0.0f && held != before.top)
-        ImGui::SetScrollY(ImGui::GetScrollY() + held - before.top);
+    const float top = is_hovered ? top_of(ids, before.hovered) : -1.0f;
+    const float moved = top >= 0.0f ? top - before.top : 0.0f;
+    if (moved != 0.0f)
+        ImGui::SetScrollY(ImGui::GetScrollY() + moved);
     else if (before.open != open && !is_hovered && top_of(ids, open) >= 0.0f)
         show_row(top_of(ids, open));
     ListAnchor now{open, {}, 0.0f};
-    const float from_top = ImGui::GetMousePos().y - ImGui::GetCursorScreenPos().y +
-                           (held >= 0.0f ? held - before.top : 0.0f);
-    const float row = std::floor(from_top / thumbnail_row_height());
+    const float pointed = ImGui::GetMousePos().y - ImGui::GetCursorScreenPos().y + moved;
+    const float row = std::floor(pointed / thumbnail_row_height());
     if (is_hovered && row >= 0.0f && row < static_cast<float>(ids.size())) {
         now.hovered = ids[static_cast<std::size_t>(row)];
         now.top = row * thumbnail_row_height();
     }
     if (now != before)
         edits.arrange([now, anchor](WindowState& window) { window.scrolled.*anchor = now; });
+    const float rows = static_cast<float>(ids.size()) * thumbnail_row_height();
+    const float shown = ImGui::GetScrollY() + moved + ImGui::GetWindowHeight();
+    return is_hovered ? std::max(shown - std::max(rows, ImGui::GetWindowHeight()), 0.0f) : 0.0f;
 }

@@ -31,6 +31,7 @@ RowClick draw_thumbnail_row(const ThumbnailRow& row, const Scene& scene, Edits& 
 
 /// Keeps the row under the pointer in place while rows above it are added or removed, and scrolls
 /// to the open row when another one was opened. Call it in the child window of the list, before its
-/// rows. `ids` are those of all rows.
-void hold_rows(const std::vector<std::string>& ids, const std::string& open,
-               ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits);
+/// rows. `ids` are those of all rows. Returns the height to add below the last row, so that the
+/// list can scroll far enough.
+float hold_rows(const std::vector<std::string>& ids, const std::string& open,
+                ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits);
