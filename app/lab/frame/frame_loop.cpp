@@ -2,6 +2,7 @@
 
 #include "base/elapsed.h"
 #include "lab/document/users_content.h"
+#include "lab/frame/content_problems.h"
 #include "lab/rendering/frame_limit.h"
 #include "lab/storage/local_date.h"
 #include "model/look/value_changes.h"
@@ -35,7 +36,8 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
     if (!applied)
         applied = state;
     // Names every member, so that a new one cannot be omitted.
-    const auto& [values, signal, source, overrides, origin, stack, modulations, locks] = state;
+    const auto& [values, signal, source, overrides, origin, stack, modulations, locks, files] =
+        state;
     follow_values(applied->values, values);
     applied->signal = signal;
     applied->source = source;
@@ -44,6 +46,7 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
     applied->stack = stack;
     applied->modulations = modulations;
     applied->locks = locks;
+    applied->files = files;
     assert(*applied == state);
 }
 }  // namespace

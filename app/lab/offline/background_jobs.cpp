@@ -1,7 +1,7 @@
 #include "lab/offline/background_jobs.h"
 
 #include "base/text.h"
-#include "lab/storage/editor.h"
+#include "lab/editor/external_programs.h"
 
 #include <fmt/format.h>
 
@@ -78,8 +78,8 @@ void BackgroundJobs::report(const QueuedExport& ended) {
         return m_messages.say(ended.reasons.front());
     m_messages.offer(ended_text(ended.result),
                      {.name = "Open folder",
-                      .commands = {[folder = ended.file.parent_path()](Messages& messages) {
-                          messages.succeeded(open_folder(folder));
+                      .commands = {[folder = ended.file.parent_path()](ExternalPrograms& programs) {
+                          programs.open_folder(folder);
                       }}});
 }
 

@@ -30,7 +30,7 @@ void draw_desktop_dialog(const Scene& scene, Edits& edits) {
     draw_close_button("Cancel", edits, false);
 }
 
-void draw_desktop_switch(const Scene& scene, const FileDialogKind& kind, Edits& edits) {
+void draw_desktop_switch(const Scene& scene, Edits& edits) {
     if (!scene.window.file_dialogs.has_desktop)
         return;
     const ImVec2 at = start_of_buttons();

@@ -10,4 +10,4 @@ void draw_desktop_dialog(const Scene& scene, Edits& edits);
 
 /// A button of the program's own file dialog that changes to the desktop's, if it has one. The next
 /// item continues its line.
-void draw_desktop_switch(const Scene& scene, const FileDialogKind& kind, Edits& edits);
+void draw_desktop_switch(const Scene& scene, Edits& edits);

@@ -254,7 +254,7 @@ void draw_content(FileDialogFrame& frame, Edits& edits) {
     follow_arrows(frame);
     draw_name(frame, edits);
     draw_advice(frame, edits);
-    draw_desktop_switch(frame.scene, frame.kind, edits);
+    draw_desktop_switch(frame.scene, edits);
     if (draw_dialog_buttons(verb_of(frame), can_accept(frame), edits) || frame.browser.is_accepting)
         accept(frame);
 }

@@ -1,7 +1,7 @@
 #include "ui/status/export_chip.h"
 
+#include "lab/editor/external_programs.h"
 #include "lab/offline/background_jobs.h"
-#include "lab/storage/editor.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -74,8 +74,8 @@ void draw_entry(const QueuedExport& entry, Edits& edits) {
     tooltip(entry.file.string());
     ImGui::SameLine(start + width - buttons);
     if (quiet_button("Open folder"))
-        edits.change([folder = entry.file.parent_path()](Messages& messages) {
-            messages.succeeded(open_folder(folder));
+        edits.change([folder = entry.file.parent_path()](ExternalPrograms& programs) {
+            programs.open_folder(folder);
         });
     ImGui::SameLine();
     const bool is_pending =

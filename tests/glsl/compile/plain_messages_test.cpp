@@ -27,69 +27,6 @@ constexpr const char* declarations =
     "float glow(vec2 p, float r) { return r; }\n";
 
 // Wrong statements and their messages.
-constexpr std::pair<const char*, const char*> wrong_statements[] = {
-    // Variables, uniforms, macros, built-in variables, types and keywords.
-    {"float e = exposur;", "'exposur' is undeclared (did you mean 'exposure'?)"},
-    {"float bright = 1.0; color.r = brigth;", "'brigth' is undeclared (did you mean 'bright'?)"},
-    {"color = gl_FragCoor;", "'gl_FragCoor' is undeclared (did you mean 'gl_FragCoord'?)"},
-    {"flaot x = 1.0;", "'flaot' is undeclared (did you mean 'float'?)"},
-    {"discrad;", "'discrad' is undeclared (did you mean 'discard'?)"},
-    {"color.r = UV.x;", "'UV' is undeclared (did you mean 'uv'?)"},
-    {"color.r = b;", "'b' is undeclared"},
-    // Functions of the file and of GLSL.
-    {"float g = glwo(uv, 1.0);", "'glwo' is not a function (did you mean 'glow'?)"},
-    {"color = texure(tex, uv);", "'texure' is not a function (did you mean 'texture'?)"},
-    {"float s = smothstep(0.0, 1.0, 0.5);",
-     "'smothstep' is not a function (did you mean 'smoothstep'?)"},
-    {"float s = TWIC(1.0);", "'TWIC' is not a function (did you mean 'TWICE'?)"},
-    {"vec3 v = vce3(1.0);", "'vce3' is not a function (did you mean 'vec3'?)"},
-    {"float g = glow(uv);", "'glow' does not accept these arguments: it takes (vec2, float)"},
-    {"vec3 m = mix(vec3(1), uv, 0.5);", "'mix' does not accept these arguments"},
-    {"float t = tex(uv);", "'tex' is a variable, not a function"},
-    // Fields and components.
-    {"float a = params.gian;", "'gian' is not a field of 'params' (did you mean 'gain'?)"},
-    {"float a = blk.decai;", "'decai' is not a field of 'blk' (did you mean 'decay'?)"},
-    {"float a = params.zoom;", "'zoom' is not a field of 'params' (it has gain, tint, bloom)"},
-    {"float k = make().dri.x;", "'dri' is not a field of Ray (did you mean 'dir'?)"},
-    {"Ray rays[2]; float f = rays[1].orign.x;",
-     "'orign' is not a field of 'rays' (did you mean 'origin'?)"},
-    {"vec2 q = uv.xyz;", "'xyz' has a component that vec2 does not have"},
-    {"float q = params.tint.w;", "'w' has a component that vec3 does not have"},
-    {"float n = third.y;", "'y' has a component that float does not have"},
-    {"float s = uv.foo;", "'foo' is not a component of vec2; components are xyzw, rgba or stpq"},
-    {"vec2 s = uv.rx;", "'rx' mixes names of components; use either xyzw, rgba or stpq"},
-    {"int n = params.bloom.lenght();",
-     "'lenght' cannot be read from an array (did you mean 'length'?)"},
-    // Types.
-    {"vec3 v = third;", "'=': cannot convert float to vec3"},
-    {"color = vec3(1.0);", "'=': cannot convert vec3 to vec4"},
-    {"mat3 m = mat2(1.0);", "'=': cannot convert mat2 to mat3"},
-    {"mat3x2 m = mat2x3(1.0);", "'=': cannot convert mat2x3 to mat3x2"},
-    {"float a[3] = float[2](1.0, 2.0);", "'=': cannot convert float[2] to float[3]"},
-    {"vec3 v[2]; vec2 w[2]; v = w;", "'=': cannot convert vec2[2] to vec3[2]"},
-    {"vec3 v = tex;", "'=': cannot convert sampler2D to vec3"},
-    {"uint u = -1.5;", "'=': cannot convert float to uint"},
-    {"Ray r = params;", "'=': cannot convert Params to Ray"},
-    {"float f = blk;", "'=': cannot convert Blk to float"},
-    {"bool b = vec3(1) == uv;", "'==' cannot combine vec3 and vec2"},
-    {"vec4 v = mat4(1) * vec3(1);", "'*' cannot combine mat4 and vec3"},
-    {"int i = 3 % 2.0;", "'%' cannot combine int and float"},
-    {"bool z = !exposure;", "'!' cannot be applied to float"},
-    {"vec2 v = -make();", "'-' cannot be applied to Ray"},
-    {"if (uv) color = vec4(1);", "the condition must be a bool"},
-    // Constructors and assignments.
-    {"vec3 v = vec3(1.0, 2.0);", "the constructor needs more values"},
-    {"vec2 v = vec2(1.0, 2.0, 3.0);", "the constructor has too many values"},
-    {"Ray r = Ray(vec3(1));", "the constructor needs one value for each field of the struct"},
-    {"vec4 v = vec4(make());", "'vec4' cannot be constructed from these values"},
-    {"exposure = 1.0;", "'exposure' is a uniform, which cannot be changed"},
-    {"uv = vec2(1.0);", "'uv' is a shader input, which cannot be changed"},
-    {"third = 2.0;", "'=': the left side is a constant, which cannot be changed"},
-    {"float half;", "'half' is a reserved word; choose another name"},
-    {"float a; float a;", "'a' is declared twice"},
-    {"cosnt float k = 1.0;", "'cosnt' is undeclared (did you mean 'const'?)"},
-};
-
 /// The errors of a statement in main().
 Diagnostics errors_of(const std::string& statement) {
     const auto checked =

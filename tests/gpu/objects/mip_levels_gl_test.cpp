@@ -12,7 +12,7 @@ Picture uneven(Extent extent) {
     return picture;
 }
 
-gpu::Texture texture_of(const Picture& picture, Format format) {
+gpu::Texture mip_texture_of(const Picture& picture, Format format) {
     auto texture = gpu::Texture::make(picture.extent, format, true);
     REQUIRE(texture.has_value());
     std::vector<float> texels;
@@ -61,7 +61,7 @@ constexpr float one_code = 1.01f / 255;
 
 TEST_CASE_FIXTURE(Headless, "a mipmap texel is the mean of four texels of the previous level") {
     const Picture picture = uneven({8, 4});
-    gpu::Texture texture = texture_of(picture, Format::rgba32f);
+    gpu::Texture texture = mip_texture_of(picture, Format::rgba32f);
     const std::vector<float> whole = level_of(texture, GL_TEXTURE_2D, 0);
     texture.generate_mipmaps();
     const std::vector<float> half = level_of(texture, GL_TEXTURE_2D, 1);
@@ -80,7 +80,7 @@ TEST_CASE_FIXTURE(Headless, "a mipmap texel is the mean of four texels of the pr
 
 TEST_CASE_FIXTURE(Headless, "sRGB mipmaps average light, not codes") {
     const Picture black_and_white{{2, 1}, 4, Encoding::linear, {0, 0, 0, 1, 1, 1, 1, 1}};
-    gpu::Texture texture = texture_of(black_and_white, Format::srgb8_alpha8);
+    gpu::Texture texture = mip_texture_of(black_and_white, Format::srgb8_alpha8);
     texture.generate_mipmaps();
     // IEC 61966-2-1: half the light is code 188 of 255.
     CHECK(level_of(texture, GL_TEXTURE_2D, 1)[0] == doctest::Approx(188.0 / 255).epsilon(0.004));
@@ -93,8 +93,8 @@ TEST_CASE_FIXTURE(Headless, "mipmaps match the driver's own at any size") {
                 continue;
             CAPTURE(info.name);
             CAPTURE(extent.width);
-            gpu::Texture ours = texture_of(uneven(extent), info.format);
-            const gpu::Texture theirs = texture_of(uneven(extent), info.format);
+            gpu::Texture ours = mip_texture_of(uneven(extent), info.format);
+            const gpu::Texture theirs = mip_texture_of(uneven(extent), info.format);
             ours.generate_mipmaps();
             let_the_driver_make_levels(theirs);
             CHECK(difference(ours, theirs, GL_TEXTURE_2D) <= one_code);
@@ -113,8 +113,8 @@ TEST_CASE_FIXTURE(Headless, "each face of a cube has its own mipmaps") {
 }
 
 TEST_CASE_FIXTURE(Headless, "a scissor rectangle does not affect mipmaps") {
-    gpu::Texture texture = texture_of(uneven({8, 8}), Format::rgba32f);
-    gpu::Texture limited = texture_of(uneven({8, 8}), Format::rgba32f);
+    gpu::Texture texture = mip_texture_of(uneven({8, 8}), Format::rgba32f);
+    gpu::Texture limited = mip_texture_of(uneven({8, 8}), Format::rgba32f);
     texture.generate_mipmaps();
     glEnable(GL_SCISSOR_TEST);
     glScissor(0, 0, 1, 1);

@@ -71,7 +71,7 @@ TEST_CASE("another look resets the pass switches, and another preset keeps them"
     small.lab().looks().open("small");
     REQUIRE(small.update_until([&] { return !small.lab().loader().is_loading(); }));
     CHECK(small.lab().frames().passes().switches().solo == "sum");
-    small.lab().looks().create("other");
+    small.lab().looks().duplicate("other");
     REQUIRE(small.update_until([&] { return small.document().look().id == "other"; }));
     CHECK(small.lab().frames().passes().switches().is_empty());
 }

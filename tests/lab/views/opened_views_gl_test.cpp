@@ -22,7 +22,7 @@ bool is_open(SmallLab& small, const std::string& look) {
 
 TEST_CASE("the viewers of an opening look are warmed up while the previous look is displayed") {
     SmallLab small;
-    small.lab().looks().create("other");
+    small.lab().looks().duplicate("other");
     REQUIRE(is_open(small, "other"));
     bool has_met = false;  // a look that opens before the reader was idle is not warmed up
     for (int rests = 0; !has_met && rests < 10; ++rests) {

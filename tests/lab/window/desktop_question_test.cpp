@@ -16,12 +16,13 @@ TEST_CASE("the desktop is asked with the folder, the name and the files of the d
     const TemporaryFolder folder;
     FileDialogChoices choices;
     choices.folders["picture"] = folder.path();
-    const FileQuestion save = desktop_question({.kind = Kind::save_picture}, choices, nullptr);
+    const FileQuestion save =
+        desktop_question({.kind = Kind::save_pass, .subject = "mask"}, choices, nullptr);
     CHECK(save.kind == FileQuestion::Kind::save);
-    CHECK(save.title == "Save picture");
+    CHECK(save.title == "Save pass (EXR: exact values, PNG: as shown)");
     CHECK(save.folder == folder.path());
-    CHECK(save.name == "picture.png");
-    CHECK(save.groups == std::vector<FileGroup>{{"Pictures", {".png", ".exr"}}});
+    CHECK(save.name == "mask.exr");
+    CHECK(save.groups == std::vector<FileGroup>{{"Passes", {".exr", ".png"}}});
     const FileQuestion open = desktop_question({.kind = Kind::load_drawing}, choices, nullptr);
     CHECK(open.kind == FileQuestion::Kind::open);
     CHECK(open.name.empty());
@@ -49,18 +50,18 @@ TEST_CASE("the program's own dialog takes over when the desktop's fails") {
 
 TEST_CASE("a name that the desktop accepted is still checked") {
     const TemporaryFolder folder;
-    folder.write("taken.png", "");
-    folder.write("asked.png", "");
+    folder.write("taken.svg", "");
+    folder.write("asked.svg", "");
     struct Case {
         std::string name;
         std::string answer;  // "": the own dialog opens
         std::string replaced;
     };
     for (const auto& [name, answer, replaced] :
-         {Case{"new", "new.png", ""}, Case{"asked.png", "asked.png", ""},  // the desktop has asked
-          Case{"taken", "", "taken.png"}, Case{"new.jpg", "", ""}}) {
+         {Case{"new", "new.svg", ""}, Case{"asked.svg", "asked.svg", ""},  // the desktop has asked
+          Case{"taken", "", "taken.svg"}, Case{"new.jpg", "", ""}}) {
         CAPTURE(name);
-        Dialog dialog{.kind = Kind::save_picture, .host = Dialog::Host::desktop};
+        Dialog dialog{.kind = Kind::save_drawing, .host = Dialog::Host::desktop};
         CHECK(take_reply(dialog, chosen(folder / name)).empty());
         CHECK(dialog.answer.has_value() == !answer.empty());
         if (dialog.answer)
