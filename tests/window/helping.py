@@ -74,9 +74,9 @@ class Helping(Person):
         program = self.program
         second = copy.copy(program)
         second.state_file = program.folder / "second.json"
-        state = second.start()
         try:
-            self.assertIn("Another Afterglow window is open", str(state["notice"]))
+            second.start()
+            second.wait("it says so", lambda s: "Another Afterglow window is open" in str(s["notice"]))
             self.snapshot("second")
         finally:
             second.stop()

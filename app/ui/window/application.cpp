@@ -25,6 +25,8 @@
 #include "ui/window/panel_display.h"
 #include "ui/window/update_schedule.h"
 
+#include <fmt/format.h>
+
 #include <chrono>
 #include <cstdlib>
 #include <utility>
@@ -57,13 +59,6 @@ void open_first(const ApplicationOptions& options, const Session& session, Lab& 
         restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
 
-void report_other_window(Messages& messages) {
-    messages.ask(
-        "Another Afterglow window is open. This one has its own session and does not "
-        "listen for OSC.",
-        {{.name = "OK"}}, {}, false);
-}
-
 /// The window and its main loop.
 class Application {
 public:
@@ -79,7 +74,8 @@ public:
           m_wakers(lab),
           m_desktop(window),
           m_keeper(options.roots),
-          m_keys(std::move(start.keys)) {}
+          m_keys(std::move(start.keys)),
+          m_instance(options.roots.instance) {}
 
     /// False if the driver has lost the window's context.
     bool run() {
@@ -109,6 +105,7 @@ private:
     void update_lab(double wall_seconds);
     void apply(const Edits& edits);
     void offer_move();
+    void report_other_window();
 
     gpu::Window& m_window;
     Lab& m_lab;
@@ -122,6 +119,8 @@ private:
     SessionAutosave m_keeper;
     KeyStore m_keys;
     PictureClipboard m_clipboard;
+    int m_instance;
+    bool m_has_reported_other = false;
     bool m_is_quitting = false;
 };
 
@@ -217,9 +216,11 @@ void Application::apply(const Edits& edits) {
     m_is_quitting = edits.is_quitting();
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());
+    report_other_window();
     offer_move();
     m_desktop.note_geometry(m_state.geometry);
-    m_desktop.set_title(title_of(m_lab.document()));
+    const std::string number = m_instance > 1 ? fmt::format(" (window {})", m_instance) : "";
+    m_desktop.set_title(title_of(m_lab.document()) + number);
 }
 
 void Application::offer_move() {
@@ -228,6 +229,18 @@ void Application::offer_move() {
         return;
     m_state.presets.has_offered_move = true;
     m_lab.presets().offer_move();
+}
+
+// After the first picture, because missing devices are reported before.
+void Application::report_other_window() {
+    if (m_instance <= 1 || m_has_reported_other || !m_lab.renderer() ||
+        !m_lab.renderer()->has_drawn())
+        return;
+    m_has_reported_other = true;
+    m_lab.messages().ask(
+        "Another Afterglow window is open. This one has its own session and does not listen for "
+        "OSC.",
+        {{.name = "OK"}}, {}, false);
 }
 
 // Runs a window until it is closed. False: the driver has lost its context.
@@ -250,8 +263,6 @@ Result<bool> run_once(const ApplicationOptions& options) {
         lab.messages().say(warnings.front());
     lab.frames().set_displayed(displayed_passes(lab, start.state));
     open_first(options, session, lab, start);
-    if (options.roots.instance > 1)
-        report_other_window(lab.messages());
     auto views = Views::make();
     if (!views)
         return fail(views.error());
