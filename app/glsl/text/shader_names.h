@@ -36,8 +36,8 @@ struct ShaderNames {
 };
 
 /// The names declared up to the end of a line (from 1) and visible in a part of that line, found by
-/// scanning tokens. Works for shaders with errors. Macros are not expanded, and every branch of an #if counts. A
-/// loop's variable stays visible until the enclosing block ends.
+/// scanning tokens. Works for shaders with errors. Macros are not expanded, and every branch of an
+/// #if counts. A loop's variable stays visible until the enclosing block ends.
 ShaderNames names_at(std::string_view text, int line);
 
 /// Whether a word is a type of GLSL itself, such as "vec3" or "sampler2D".

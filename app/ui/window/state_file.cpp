@@ -66,10 +66,10 @@ std::string marked_text(const ParameterSettings& settings, bool ParameterSetting
 std::string problems_json(const Messages& messages) {
     std::vector<std::string> problems;
     for (const Problem& problem : messages.problems())
-        problems.push_back(
-            fmt::format(R"({{"file":{},"line":{},"message":{},"source":{}}})",
-                        json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
-                        json_string(problem.diagnostic.message), json_string(problem.excerpt.line())));
+        problems.push_back(fmt::format(
+            R"({{"file":{},"line":{},"message":{},"source":{}}})",
+            json_string(problem.diagnostic.file.string()), problem.diagnostic.line,
+            json_string(problem.diagnostic.message), json_string(problem.excerpt.line())));
     return fmt::format("[{}]", fmt::join(problems, ","));
 }
 
