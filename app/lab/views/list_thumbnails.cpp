@@ -28,6 +28,7 @@ void ListThumbnails::update(const Lab& lab, Views& views, const WindowState& win
                                                                                      : Use::hidden;
     presets.update(lab, use, wall_seconds,
                    are_own ? std::optional(content_of(*lab.document())) : std::nullopt);
+    looks.read();
     if (is_listed)
-        looks.update(lab.work().library, library.looks(), has_time, wall_seconds);
+        looks.draw(lab.work().library, library.looks(), has_time, wall_seconds);
 }

@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <mutex>
+#include <optional>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -17,14 +20,6 @@ namespace {
 std::optional<gpu::Texture> texture_of(const Picture& picture) {
     auto made = gpu::texture_of(picture, Format::rgba8, Encoding::display);
     return made ? std::optional(std::move(*made)) : std::nullopt;
-}
-
-std::optional<gpu::Texture> texture_in(const fs::path& file) {
-    std::error_code error;
-    if (!fs::exists(file, error))
-        return std::nullopt;
-    const auto picture = load_picture(file);
-    return picture ? texture_of(*picture) : std::nullopt;
 }
 
 // The stamps of the files in a look's folder; of many files, the first.
@@ -44,46 +39,69 @@ fs::path cached_file(const Roots& roots, const fs::path& folder, const std::stri
     return roots.state / "look-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
-// A look that draws slowly or never converges ends like a preset's picture, after 120 frames.
-Result<Picture> draw(const fs::path& folder, const Library& library, const fs::path& file,
-                     const JobProgress& work) {
+// A look that never converges ends like a preset's picture, after 120 frames.
+Result<Picture> drawn(const fs::path& folder, const Library& library, const JobProgress& work) {
     RenderRequest request;
     request.look = folder.string();
     auto prepared = prepare(request, library);
     if (!prepared)
         return fail(prepared.error());
-    PresetThumbnailRenderer renderer(prepared->document.look(), library);
-    auto picture = renderer.paint({}, work);
-    if (picture)
-        (void)save_picture(*picture, file);  // without the cache, it is drawn again
-    return picture;
+    return PresetThumbnailRenderer(prepared->document.look(), library).paint({}, work);
 }
 }  // namespace
 
-ViewImage LookThumbnails::of(const fs::path& folder) const {
-    const auto known = m_files.find(folder);
-    if (known == m_files.end()) {
-        m_files[folder] = texture_in(folder / picture_name);
-        return of(folder);
+/// The pictures that have not been displayed yet.
+struct LookThumbnails::Finished {
+    void add(const fs::path& folder, Picture picture) {
+        const std::lock_guard lock(mutex);
+        pictures.emplace_back(folder, std::move(picture));
     }
-    if (known->second)
-        return image_of(&*known->second);
-    const auto entry = m_entries.find(folder);
-    return image_of(entry != m_entries.end() && entry->second.picture ? &*entry->second.picture
-                                                                      : nullptr);
+    std::vector<std::pair<fs::path, Picture>> take() {
+        const std::lock_guard lock(mutex);
+        return std::exchange(pictures, {});
+    }
+
+    std::mutex mutex;
+    std::vector<std::pair<fs::path, Picture>> pictures;
+};
+
+LookThumbnails::LookThumbnails(std::function<void()> wake)
+    : m_wake(std::move(wake)), m_finished(std::make_shared<Finished>()) {}
+
+LookThumbnails::~LookThumbnails() = default;
+
+ViewImage LookThumbnails::of(const fs::path& folder) const {
+    const auto picture = m_pictures.find(folder);
+    if (picture != m_pictures.end())
+        return image_of(&picture->second);
+    if (!m_known.contains(folder))
+        m_asked.insert(folder);
+    return {};
 }
 
-void LookThumbnails::update(const Library& library, const std::vector<ListedLook>& looks,
-                            bool can_draw, double wall_seconds) {
-    m_work.update();
-    take_drawn();
-    m_seconds_left -= wall_seconds;
-    if (m_seconds_left <= 0.0) {
-        constexpr double pause_seconds = 3.0;
-        m_seconds_left = pause_seconds;
-        list(looks);
-    }
-    show_next(library, can_draw);
+void LookThumbnails::read() {
+    m_reading.update();
+    for (const auto& [folder, picture] : m_finished->take())
+        if (auto texture = texture_of(picture)) {
+            m_pictures.erase(folder);
+            m_pictures.emplace(folder, std::move(*texture));
+        }
+    if (m_asked.empty() || !m_reading.is_free())
+        return;
+    m_known.insert(m_asked.begin(), m_asked.end());
+    m_reading.start([folders = std::exchange(m_asked, {}), finished = m_finished,
+                     wake = m_wake](JobProgress&) -> Result<bool> {
+        for (const fs::path& folder : folders) {
+            std::error_code error;
+            if (!fs::exists(folder / picture_name, error))
+                continue;
+            if (auto picture = load_picture(folder / picture_name))
+                finished->add(folder, std::move(*picture));
+        }
+        if (wake)
+            wake();
+        return true;
+    });
 }
 
 void LookThumbnails::list(const std::vector<ListedLook>& looks) {
@@ -104,33 +122,43 @@ void LookThumbnails::list(const std::vector<ListedLook>& looks) {
     m_entries = std::move(listed);
 }
 
-// A look that cannot be drawn keeps its previous picture until its files change.
-void LookThumbnails::take_drawn() {
-    if (!m_work.outcome() || m_drawn.empty())
-        return;
-    const auto entry = m_entries.find(std::exchange(m_drawn, {}));
-    if (entry != m_entries.end() && *m_work.outcome())
-        if (auto texture = texture_of(**m_work.outcome()))
-            entry->second.picture = std::move(texture);
-}
-
-void LookThumbnails::show_next(const Library& library, bool can_draw) {
+// A look that cannot be drawn keeps its previous picture, and is tried again when its files change.
+void LookThumbnails::draw(const Library& library, const std::vector<ListedLook>& looks,
+                          bool can_draw, double wall_seconds) {
+    m_drawing.update();
+    m_seconds_left -= wall_seconds;
+    if (m_seconds_left <= 0.0) {
+        constexpr double pause_seconds = 3.0;
+        m_seconds_left = pause_seconds;
+        list(looks);
+    }
     const auto due = std::ranges::find_if(m_entries, [](const auto& e) { return e.second.is_due; });
     if (due == m_entries.end())
         return;
     auto& [folder, entry] = *due;
     const fs::path file = cached_file(library.roots(), folder, entry.stamp);
-    if (auto texture = texture_in(file)) {
-        entry.picture = std::move(texture);
-        entry.is_due = false;
-    } else if (can_draw && m_work.is_free()) {
-        entry.is_due = false;
-        m_drawn = folder;
-        m_work.start([folder = folder, library, file, wake = m_wake](JobProgress& work) {
-            auto picture = draw(folder, library, file, work);
-            if (wake)
-                wake();
-            return picture;
-        });
-    }
+    std::error_code error;
+    const bool is_cached = fs::exists(file, error);
+    if (!is_cached && (!can_draw || !m_drawing.is_free()))
+        return;
+    entry.is_due = false;
+    if (!is_cached)
+        return start_drawing(library, folder, file);
+    if (auto picture = load_picture(file))
+        m_finished->add(folder, std::move(*picture));
+}
+
+void LookThumbnails::start_drawing(const Library& library, const fs::path& folder,
+                                   const fs::path& file) {
+    m_drawing.start([folder, library, file, finished = m_finished,
+                     wake = m_wake](JobProgress& work) -> Result<bool> {
+        auto picture = drawn(folder, library, work);
+        if (!picture)
+            return fail(picture.error());
+        (void)save_picture(*picture, file);  // without the cache, it is drawn again
+        finished->add(folder, std::move(*picture));
+        if (wake)
+            wake();
+        return true;
+    });
 }

@@ -3,12 +3,12 @@
 #include "lab/library/library_view.h"
 #include "lab/storage/background_work.h"
 #include "lab/views/view_image.h"
-#include "model/look/picture.h"
 
 #include <filesystem>
 #include <functional>
 #include <map>
-#include <optional>
+#include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,31 +18,39 @@
 class LookThumbnails {
 public:
     /// `wake` is called on the background thread when a picture is finished.
-    explicit LookThumbnails(std::function<void()> wake = {}) : m_wake(std::move(wake)) {}
+    explicit LookThumbnails(std::function<void()> wake = {});
+    ~LookThumbnails();
+    LookThumbnails(const LookThumbnails&) = delete;
+    LookThumbnails& operator=(const LookThumbnails&) = delete;
 
-    /// Call it in every update while the list of looks is visible. Takes or starts at most one
-    /// picture. `can_draw`: the machine has time to draw; otherwise only cached ones are shown.
-    void update(const Library& library, const std::vector<ListedLook>& looks, bool can_draw,
-                double wall_seconds);
-    /// Row 0 at the bottom; a handle of 0: no picture. Reads look.png when it is first displayed.
+    /// Takes finished pictures, and reads those that of() asked for. Call it in every update.
+    void read();
+    /// Draws looks without a picture, one at a time. Call it in every update while the list of
+    /// looks is visible. `can_draw`: the machine has time to draw; otherwise only cached ones are
+    /// shown.
+    void draw(const Library& library, const std::vector<ListedLook>& looks, bool can_draw,
+              double wall_seconds);
+    /// Row 0 at the bottom; a handle of 0: no picture, or not read yet.
     ViewImage of(const std::filesystem::path& folder) const;
-    bool is_drawing() const { return m_work.is_running(); }
 
 private:
+    struct Finished;
     struct Entry {
-        std::string stamp;  // of the files that it was drawn from
+        std::string stamp;  // of the look's files
         bool is_due = true;
-        std::optional<gpu::Texture> picture;
     };
 
     void list(const std::vector<ListedLook>& looks);
-    void take_drawn();
-    void show_next(const Library& library, bool can_draw);
+    void start_drawing(const Library& library, const std::filesystem::path& folder,
+                       const std::filesystem::path& file);
 
     std::function<void()> m_wake;
-    mutable std::map<std::filesystem::path, std::optional<gpu::Texture>> m_files;  // look.png
-    std::map<std::filesystem::path, Entry> m_entries;  // looks without such a file, by folder
-    double m_seconds_left = 0.0;                       // until the folders are read again
-    std::filesystem::path m_drawn;                     // the folder that the work draws
-    BackgroundWork<Picture> m_work;
+    std::map<std::filesystem::path, gpu::Texture> m_pictures;  // by folder
+    mutable std::set<std::filesystem::path> m_asked;           // folders to look into for look.png
+    std::set<std::filesystem::path> m_known;                   // folders that were looked into
+    std::map<std::filesystem::path, Entry> m_entries;          // looks without look.png, by folder
+    double m_seconds_left = 0.0;                               // until the folders are listed again
+    std::shared_ptr<Finished> m_finished;                      // shared with the background threads
+    BackgroundWork<bool> m_reading;
+    BackgroundWork<bool> m_drawing;
 };

@@ -6,13 +6,6 @@
 #include <string_view>
 #include <vector>
 
-/// The filter of the list of looks.
-struct LookBrowsing {
-    std::string search;
-
-    bool operator==(const LookBrowsing&) const = default;
-};
-
 /// The looks whose name, id or description has all search words, in the order of the library.
 std::vector<const ListedLook*> matching_looks(const std::vector<ListedLook>& looks,
                                               std::string_view search);

@@ -6,7 +6,7 @@
 #include "lab/window/first_steps.h"
 #include "lab/window/frame_rate.h"
 #include "lab/window/key_bindings.h"
-#include "lab/window/look_list.h"
+#include "lab/window/look_browsing.h"
 #include "lab/window/output_state.h"
 #include "lab/window/parameter_listing.h"
 #include "lab/window/preset_browsing.h"

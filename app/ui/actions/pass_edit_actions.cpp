@@ -39,7 +39,7 @@ std::vector<Action> pass_edit_actions::list() {
         return Action{id, Menu::pass, label, {}, is_first, act, file_actions::has_document};
     };
     return {
-        action(ActionId::add_pass, "Add pass after this one…", true, add_pass),
+        action(ActionId::add_pass, "Add pass after…", true, add_pass),
         action(ActionId::remove_pass, "Remove pass", false, remove_pass),
         action(ActionId::move_pass_earlier, "Move pass earlier", false,
                move_pass<PassMove::earlier>),

@@ -1,5 +1,6 @@
 #include "ui/library/library_panel.h"
 
+#include "lab/window/look_list.h"
 #include "ui/library/stack_panel.h"
 #include "ui/library/thumbnail_row.h"
 #include "ui/widgets/scoped.h"
@@ -18,7 +19,8 @@ void draw_look_menu(const ListedLook& look, const Scene& scene, Edits& edits) {
     ImGui::EndPopup();
 }
 
-void draw_look(const ListedLook& look, const Scene& scene, Edits& edits) {
+// `spacing`: of the menu's items.
+void draw_look(const ListedLook& look, const ImVec2& spacing, const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document;
     const ScopedId id(look.argument());
     const bool is_open = document && is_listed_as(document->look(), look);
@@ -29,7 +31,10 @@ void draw_look(const ListedLook& look, const Scene& scene, Edits& edits) {
                             .is_open = is_open},
                            scene, edits);
     edits.mark("look:" + look.entry.id);
-    draw_look_menu(look, scene, edits);
+    {
+        const ScopedStyle<ImVec2> gap(ImGuiStyleVar_ItemSpacing, spacing);
+        draw_look_menu(look, scene, edits);
+    }
     if (click.is_row && !is_open)
         edits.open(look.argument());
 }
@@ -84,6 +89,7 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
     const std::vector<const ListedLook*> looks =
         matching_looks(scene.library_view.looks(), scene.window.looks.search);
     ImGui::BeginChild("##looks");
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
     std::vector<std::string> ids;
     for (const ListedLook* look : looks)
@@ -95,7 +101,7 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
     clipper.Begin(static_cast<int>(looks.size()), thumbnail_row_height());
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
-            draw_look(*looks[static_cast<std::size_t>(i)], scene, edits);
+            draw_look(*looks[static_cast<std::size_t>(i)], spacing, scene, edits);
     clipper.End();
     if (below > 0.0f)
         ImGui::Dummy({0.0f, below});

@@ -23,7 +23,9 @@ void draw_preset_head(const Scene& scene, Edits& edits) {
 }
 
 // Without the pictures of presets that were never drawn, a row shows an empty frame.
-void draw_preset(const ListedLookPreset& preset, const Scene& scene, Edits& edits) {
+// `spacing`: of the menu's items.
+void draw_preset(const ListedLookPreset& preset, const ImVec2& spacing, const Scene& scene,
+                 Edits& edits) {
     const ListedPreset listed =
         as_listed(preset, *scene.lab.document, scene.lab.presets.navigation().stars());
     const ScopedId id(preset.entry.file.string());
@@ -41,7 +43,10 @@ void draw_preset(const ListedLookPreset& preset, const Scene& scene, Edits& edit
         scene, edits);
     ImGui::EndGroup();
     edits.mark("preset:" + preset.entry.id);
-    draw_preset_menu(listed, scene, edits);
+    {
+        const ScopedStyle<ImVec2> gap(ImGuiStyleVar_ItemSpacing, spacing);
+        draw_preset_menu(listed, scene, edits);
+    }
     if (click.is_star)
         star_listed(listed, edits);
     else if (click.is_row && ImGui::GetIO().KeyShift)
@@ -66,6 +71,8 @@ void draw_group_line() {
 }
 
 void draw_rows(const std::vector<ListedLookPreset>& presets, const Scene& scene, Edits& edits) {
+    const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+    const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(presets.size()), thumbnail_row_height());
     while (clipper.Step())
@@ -73,7 +80,7 @@ void draw_rows(const std::vector<ListedLookPreset>& presets, const Scene& scene,
             const auto index = static_cast<std::size_t>(i);
             if (begins_group(presets, index))
                 draw_group_line();
-            draw_preset(presets[index], scene, edits);
+            draw_preset(presets[index], spacing, scene, edits);
         }
     clipper.End();
 }
@@ -90,7 +97,6 @@ void draw_preset_list(const Scene& scene, Edits& edits) {
     if (presets.empty())
         return wrapped_dim_text(why_no_preset(scene.window.presets));
     ImGui::BeginChild(("##presets " + document.look().id).c_str());
-    const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
     std::vector<std::string> ids;
     for (const ListedLookPreset& preset : presets)
         ids.push_back(preset.entry.file.string());

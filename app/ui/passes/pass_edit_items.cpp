@@ -12,7 +12,7 @@ void ask_for_pass(const std::string& after, const Scene& scene, Edits& edits) {
 }
 
 void draw_pass_edits(const std::string& pass, const Scene& scene, Edits& edits) {
-    if (ImGui::MenuItem("Add pass after this one…"))
+    if (ImGui::MenuItem("Add pass after…"))
         ask_for_pass(pass, scene, edits);
     edits.mark("pass_edit:add");
     for (const auto& [label, mark, where] :

@@ -153,6 +153,6 @@ TEST_CASE("a broken look.json and a bad name are reported, and nothing is writte
     small.write("look.json", "{");
     small.passes().move("show", PassMove::earlier);
     CHECK(small.text("look.json") == "{");
-    CHECK(small.notice().starts_with("look.json:1: "));
+    CHECK(small.notice().find("look.json:1: ") != std::string::npos);
     CHECK_FALSE(small.document().history().can_undo());
 }
