@@ -192,8 +192,8 @@ TEST_CASE("every built-in preset fits its look and is written as it is read") {
         const LoadedLook loaded = load_stack(stack, source_tree / "shaders/include");
         REQUIRE(loaded.look.has_value());
         for (const auto& entry : fs::directory_iterator(folder)) {
-            if (entry.is_directory())
-                continue;  // content that the presets use
+            if (entry.is_directory() || entry.path().filename() == "look.png")
+                continue;  // content that the presets use, and the picture of the look
             const auto preset = load_preset(entry.path());
             REQUIRE_MESSAGE(preset.has_value(), problems_of(preset));
             const auto values = fitted_values(*loaded.look, *preset, entry.path());

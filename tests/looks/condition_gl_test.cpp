@@ -97,6 +97,12 @@ void check_conditions_of(const std::string& id) {
                 MESSAGE(name << " has an effect");
         }
     }
+    for (std::uint64_t seed = 0; seed < 500; ++seed) {  // rare values, without drawing
+        const Values values = values_for(look, seed);
+        for (const Parameter& parameter : look.parameters)
+            (is_condition_true(parameter, look.parameters, values) ? with_effect : without_effect)
+                .insert(parameter.name);
+    }
     for (const Parameter& parameter : look.parameters) {
         CAPTURE(parameter.name);
         CHECK((parameter.when.empty() || with_effect.contains(parameter.name)));

@@ -80,35 +80,39 @@ class Filing(Person):
         self.double_click("file:osci.wav")
         program.wait("a double click opens a file", lambda s: not s["dialog"] and "osci.wav" in s["signal"])
 
-    def test_a_saved_picture_is_checked_and_replaced_only_when_asked(self):
+    def open_save_dialog(self):
+        self.program.click("save_pass")
+        self.program.place("dialog_file")
+
+    def test_a_saved_pass_is_checked_and_replaced_only_when_asked(self):
         program = self.program
         films = program.folder / "films"
         films.mkdir(exist_ok=True)
-        self.open_dialog("ctrl+e")
-        self.assertEqual(program.state()["typed"], "picture.png")
+        self.open_save_dialog()
+        self.assertEqual(program.state()["typed"], "composite.exr")
         self.retype_name("%s/glow.jpg" % films)
         program.place("dialog_suggestion")
         self.snapshot("file_suggestion")
         program.key("Return")
         program.click("dialog_suggestion")
-        program.wait("the suggestion is taken", lambda s: s["typed"] == "%s/glow.png" % films)
+        program.wait("the suggestion is taken", lambda s: s["typed"] == "%s/glow.exr" % films)
         program.key("Return")
-        program.wait("the picture is saved", lambda s: not s["dialog"])
-        size = (films / "glow.png").stat().st_size
+        program.wait("the pass is saved", lambda s: not s["dialog"])
+        size = (films / "glow.exr").stat().st_size
         self.assertGreater(size, 0)
-        (films / "glow.png").write_bytes(b"mine")
-        self.open_dialog("ctrl+e")
-        program.place("file:glow.png")  # the same folder again
+        (films / "glow.exr").write_bytes(b"mine")
+        self.open_save_dialog()
+        program.place("file:glow.exr")  # the same folder again
         self.retype_name("glow")
         program.key("Return")
         program.place("dialog_taken")
         self.snapshot("file_replace")
-        self.assertEqual((films / "glow.png").read_bytes(), b"mine")
+        self.assertEqual((films / "glow.exr").read_bytes(), b"mine")
         program.key("Return")
         program.wait("the second Enter replaces the file", lambda s: not s["dialog"])
-        self.assertEqual((films / "glow.png").read_bytes()[:4], b"\x89PNG")
+        self.assertEqual((films / "glow.exr").read_bytes()[:4], b"\x76\x2f\x31\x01")
         self.open_dialog()
-        self.assertNotIn("file:glow.png", program.state()["widgets"])  # opening has its own folder
+        self.assertNotIn("file:glow.exr", program.state()["widgets"])  # opening has its own folder
         program.key("Escape")
 
     def test_an_invalid_name_or_a_failed_save_never_closes_a_dialog(self):

@@ -16,6 +16,7 @@ class Helping(Person):
         program.key("F1")
         program.place("keys_search")
         program.type("play or")
+        program.wait("the list is filtered", lambda s: "key:undo" not in s["widgets"])
         program.click("key:play_pause")
         program.place("keys_prompt")
         program.key("F9")

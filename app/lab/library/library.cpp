@@ -278,7 +278,9 @@ Result<fs::path> Library::new_look(const std::string& id, std::string_view templ
     auto folder = new_look_folder(id);
     if (!folder)
         return folder;
-    if (auto copied = copy_template(*chosen, *folder, label_from_name(id)); !copied)
+    std::string words = id;
+    std::ranges::replace(words, '-', '_');
+    if (auto copied = copy_template(*chosen, *folder, label_from_name(words)); !copied)
         return fail(copied.error());
     return folder;
 }

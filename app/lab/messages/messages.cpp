@@ -46,7 +46,8 @@ void Messages::ask(std::string text, std::vector<MenuEntry> buttons, std::string
 }
 
 void Messages::append(std::string text, MenuEntry button) {
-    const bool can_append = m_notice && !m_notice->is_problem && m_notice->buttons.empty();
+    const bool can_append =
+        m_notice && !m_notice->is_problem && !m_notice->is_warning && m_notice->buttons.empty();
     say(can_append ? fmt::format("{} · {}", m_notice->text, text) : std::move(text));
     m_notice->buttons.push_back(std::move(button));
 }

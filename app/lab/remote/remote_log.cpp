@@ -31,7 +31,7 @@ std::string arguments_text(const OscMessage& message) {
     return fmt::format("{}", fmt::join(texts, " "));
 }
 
-std::string clock_text(double seconds) {
+std::string time_of_day_text(double seconds) {
     const int whole = static_cast<int>(std::clamp(seconds, 0.0, 86399.0));
     return fmt::format("{:02}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
@@ -57,8 +57,8 @@ void RemoteLog::reject(RejectedMessage message) {
 std::string RemoteLog::text() const {
     std::string text = "Time\tAddress\tValue\tSender\tReason\tCount\n";
     for (auto message = m_messages.rbegin(); message != m_messages.rend(); ++message)
-        text +=
-            fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", clock_text(message->seconds), message->address,
-                        message->value, message->sender, message->reason, message->count);
+        text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\n", time_of_day_text(message->seconds),
+                            message->address, message->value, message->sender, message->reason,
+                            message->count);
     return text;
 }

@@ -23,7 +23,7 @@ struct RejectedMessage {
 std::string arguments_text(const OscMessage& message);
 
 /// "14:05:09".
-std::string clock_text(double seconds);
+std::string time_of_day_text(double seconds);
 
 /// Counts remote messages, and keeps the last rejected ones.
 class RemoteLog {

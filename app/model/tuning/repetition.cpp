@@ -5,7 +5,28 @@
 #include <cmath>
 #include <numeric>
 
+namespace {
+Fraction reduced(std::int64_t above, std::int64_t below) {
+    const std::int64_t common = std::gcd(above, below);
+    return common > 1 ? Fraction{above / common, below / common} : Fraction{above, below};
+}
+
+// nullopt: the number has more than six decimal places.
+std::optional<Fraction> decimal_fraction(double number) {
+    constexpr double rounding = 1e-13;  // relative, of a typed number
+    constexpr std::int64_t largest_below = 1000000;
+    for (std::int64_t below = 1; below <= largest_below; below *= 10) {
+        const double above = number * static_cast<double>(below);
+        if (std::abs(above - std::round(above)) <= rounding * above)
+            return reduced(static_cast<std::int64_t>(std::round(above)), below);
+    }
+    return std::nullopt;
+}
+}  // namespace
+
 Fraction fraction_of(double number) {
+    if (const auto decimal = decimal_fraction(number))
+        return *decimal;
     constexpr double as_good = 1e-9;
     constexpr std::int64_t largest_below = 1000000;
     Fraction before{1, 0};
@@ -35,11 +56,6 @@ namespace {
 std::optional<std::int64_t> times(std::int64_t a, std::int64_t b) {
     std::int64_t result = 0;
     return __builtin_mul_overflow(a, b, &result) ? std::nullopt : std::optional(result);
-}
-
-Fraction reduced(std::int64_t above, std::int64_t below) {
-    const std::int64_t common = std::gcd(above, below);
-    return common > 1 ? Fraction{above / common, below / common} : Fraction{above, below};
 }
 
 // gcd(a / b, c / d) = gcd(a d, c b) / (b d).

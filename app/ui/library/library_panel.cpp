@@ -82,13 +82,7 @@ void draw_look_head(const Scene& scene, Edits& edits) {
     ImGui::SameLine(0.0f, 0.0f);
     draw_recent(scene, edits);
 }
-}  // namespace
-
-void draw_library_panel(const Scene& scene, Edits& edits) {
-    draw_look_head(scene, edits);
-    const std::vector<const ListedLook*> looks =
-        matching_looks(scene.library_view.looks(), scene.window.looks.search);
-    ImGui::BeginChild("##looks");
+void draw_rows(const std::vector<const ListedLook*>& looks, const Scene& scene, Edits& edits) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
     std::vector<std::string> ids;
@@ -107,6 +101,15 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
         ImGui::Dummy({0.0f, below});
     if (looks.empty())
         wrapped_dim_text(scene.library_view.looks().empty() ? "No looks found." : "No matches.");
+}
+}  // namespace
+
+void draw_library_panel(const Scene& scene, Edits& edits) {
+    draw_look_head(scene, edits);
+    const std::vector<const ListedLook*> looks =
+        matching_looks(scene.library_view.looks(), scene.window.looks.search);
+    ImGui::BeginChild("##looks", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
+    draw_rows(looks, scene, edits);
     ImGui::EndChild();
     edits.mark("look_rows");
 }

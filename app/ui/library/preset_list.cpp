@@ -96,7 +96,8 @@ void draw_preset_list(const Scene& scene, Edits& edits) {
                          scene.lab.presets.navigation().stars(), scene.window.presets);
     if (presets.empty())
         return wrapped_dim_text(why_no_preset(scene.window.presets));
-    ImGui::BeginChild(("##presets " + document.look().id).c_str());
+    ImGui::BeginChild(("##presets " + document.look().id).c_str(), {0.0f, 0.0f}, false,
+                      ImGuiWindowFlags_NavFlattened);
     std::vector<std::string> ids;
     for (const ListedLookPreset& preset : presets)
         ids.push_back(preset.entry.file.string());

@@ -5,6 +5,8 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <imgui/imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -91,8 +93,12 @@ void show_row(float top) {
 float hold_rows(const std::vector<std::string>& ids, const std::string& open,
                 ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits) {
     const ListAnchor& before = scene.window.scrolled.*anchor;
-    const bool is_hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
-                                                   ImGuiHoveredFlags_AllowWhenBlockedByPopup);
+    // A dialog over the list, such as the one that saves a preset, leaves the pointer where it is.
+    const ImGuiWindow& list = *ImGui::GetCurrentWindow();
+    const bool is_hovered =
+        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
+                               ImGuiHoveredFlags_AllowWhenBlockedByPopup) ||
+        (ImGui::GetTopMostPopupModal() && list.OuterRectClipped.Contains(ImGui::GetMousePos()));
     const float top = is_hovered ? top_of(ids, before.hovered) : -1.0f;
     const float moved = top >= 0.0f ? top - before.top : 0.0f;
     if (moved != 0.0f)

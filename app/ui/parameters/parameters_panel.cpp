@@ -135,7 +135,7 @@ void draw_group_buttons(const ParameterGroup& group, bool has_changes, const Sce
     const float top = ImGui::GetItemRectMin().y;
     const float left = ImGui::GetWindowPos().x;
     const bool is_pointed =
-        ImGui::IsWindowHovered() &&
+        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&
         ImGui::IsMouseHoveringRect({left, top}, {left + ImGui::GetWindowWidth(), top + size});
     same_line_right(2.0f * size);
     if (is_pointed && can_be_randomised(scene.lab.document->look(), group)) {
@@ -196,7 +196,7 @@ PeriodInfo period_info(const Parameter& parameter, const Scene& scene) {
 
 // Of the labels before a slider, whatever the list is filtered to.
 float longest_label(const Look& look) {
-    float longest = 1.0f;
+    float longest = 8.5f * ImGui::GetFontSize();  // a short name, and its star and padlock
     for (const Parameter& parameter : look.parameters)
         if (!parameter.is_hidden && !has_parts(parameter) &&
             parameter.type.scalar != Scalar::boolean)

@@ -213,9 +213,13 @@ void draw_pass_text(const Scene& scene, Edits& edits) {
         shown.first_match = std::exchange(count, count + shown.matches.size());
     }
     draw_tools(stages, count, search, edits);
-    const ScopedFont font(scene.fonts.numbers);
-    for (const ShownStage& shown : stages)
-        draw_stage(shown, search, edits);
+    ImGui::BeginChild("##source", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
+    {
+        const ScopedFont font(scene.fonts.numbers);
+        for (const ShownStage& shown : stages)
+            draw_stage(shown, search, edits);
+    }
+    ImGui::EndChild();
     if (search.scrolls)
         edits.arrange([](WindowState& window) { window.views.source.scrolls = false; });
 }

@@ -36,8 +36,9 @@ void draw_rejected(const RejectedMessage& message, const Fonts& fonts) {
         fitted_text(text, ImGui::GetContentRegionAvail().x, color);
     };
     const ScopedFont font(fonts.numbers);
-    draw_cell(message.count > 1 ? fmt::format("{} ×{}", clock_text(message.seconds), message.count)
-                                : clock_text(message.seconds),
+    draw_cell(message.count > 1
+                  ? fmt::format("{} ×{}", time_of_day_text(message.seconds), message.count)
+                  : time_of_day_text(message.seconds),
               theme::dim);
     draw_cell(message.address, theme::text);
     draw_cell(message.value, theme::text);

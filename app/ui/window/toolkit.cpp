@@ -4,7 +4,7 @@
 
 #include <imgui/backends/imgui_impl_glfw.h>
 #include <imgui/backends/imgui_impl_opengl3.h>
-#include <imgui/imgui.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 #include <array>
@@ -154,6 +154,12 @@ void Toolkit::draw_first() {
     data.DisplaySize = {static_cast<float>(pixels.width), static_cast<float>(pixels.height)};
     data.FramebufferScale = {1.0f, 1.0f};
     ImGui_ImplOpenGL3_RenderDrawData(&data);
+}
+
+bool Toolkit::awaits_tooltip() const {
+    constexpr float due_seconds = 0.4f;  // a little later than is_hover_delayed()
+    const ImGuiContext* context = ImGui::GetCurrentContext();
+    return context && context->HoveredId != 0 && context->HoveredIdTimer < due_seconds;
 }
 
 void Toolkit::begin(float scale) {

@@ -18,6 +18,8 @@ public:
     Toolkit(const Toolkit&) = delete;
     Toolkit& operator=(const Toolkit&) = delete;
 
+    /// Whether the pointer rests on a control whose tooltip is due soon.
+    bool awaits_tooltip() const;
     /// Whether input events wait for the next frame.
     bool is_behind() const { return !m_input.is_empty(); }
     /// Whether this frame contains input events.

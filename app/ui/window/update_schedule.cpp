@@ -27,7 +27,8 @@ bool UpdateSchedule::wait(double frame_seconds, bool is_pending) {
     if (m_lab.is_moving())
         m_awake_until = start + awake;  // measurements of the last frame follow later
     const auto longer = std::chrono::seconds(is_pending ? 10 : 0);
-    if (!m_lab.is_moving() && !m_toolkit.is_behind() && start > m_awake_until + longer) {
+    if (!m_lab.is_moving() && !m_toolkit.is_behind() && !m_toolkit.awaits_tooltip() &&
+        start > m_awake_until + longer) {
         gpu::WindowEvents::wait(rest_seconds);
         if (seconds_between(start, Clock::now()) >= rest_seconds)
             return false;

@@ -89,8 +89,7 @@ TEST_CASE("annotations select the control") {
 
 TEST_CASE("an expression continues up to the next annotation outside quotes") {
     const Parameter list = parameter_of(
-        "uniform int a = 1;  // @when a==\"Two @ words\"\n"
-        "  //   || a  > 2\n"
+        "uniform int a = 1;  // @when a==\"Two @ words\" || a  > 2\n"
         "  // @items \"One\" \"Two @ words\" \"Three\" @random no");
     CHECK(list.when == "a==\"Two @ words\" || a > 2");
     CHECK(list.items.size() == 3);
@@ -200,7 +199,7 @@ TEST_CASE("every error in a range, a condition or a text is reported on its own 
     check_error("float a; // @when", "@when takes an expression, such as @when mode == 1");
     check_error("float a; // @when a == \"x",
                 "the expression that starts here has no closing '\"'");
-    check_error("float a; // @when b > 0", "@when of 'a': no parameter 'b'");
+    check_error("float a; // @when gain > 0", "@when of 'a': no parameter 'gain'");
     check_error("float a; // @random yes", "@random must be 'no'");
     check_error("float a; // @label", "@label takes one text in quotes: @label \"...\"");
     check_error("float a; // @label Beam strength",

@@ -152,6 +152,7 @@ TEST_CASE("a look keeps its listed name while its look.json is broken") {
         R"({"format": "afterglow-look", "version": 1, "name": "Heat wave", "driven_by": "nothing",
             "passes": [{"name": "picture", "fragment": "picture.frag"}]})";
     const fs::path manifest = folder.write_program("shaders/heatwave/look.json", good);
+    folder.write_program("shaders/heatwave/picture.frag", "void main() {}\n");
     LibraryView library_view;
     const auto listed_name = [&] {
         library_view.update(library, nullptr, 2.0);

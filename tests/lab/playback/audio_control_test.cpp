@@ -2,6 +2,7 @@
 
 #include "io/temporary_folder.h"
 #include "lab/no_sound_devices.h"
+#include "signals/signal_table.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +12,7 @@ SignalFile short_sound() {
 }
 
 Spec spec_of(const char* text) {
-    return parse_spec(text).value();
+    return completed(parse_signal(text).value()).value();
 }
 }  // namespace
 

@@ -99,7 +99,7 @@ TEST_CASE("the text of a condition has labels instead of names") {
 
 TEST_CASE("an invalid condition gives a specific error") {
     CHECK(condition_problem("tub == 1") == "no parameter 'tub' (did you mean 'tube'?)");
-    CHECK(condition_problem("tube == \"P8\"") == "'tube' has no item \"P8\" (did you mean \"P7\"?)");
+    CHECK(condition_problem("tube == \"P8\"") == "'tube' has no item \"P8\" (did you mean 'P7'?)");
     CHECK(condition_problem("\"P7\"") == "\"P7\" is not compared with a parameter");
     CHECK(condition_problem("tube == \"P7") == "a label has no closing '\"'");
     CHECK(condition_problem("color == 1") == "'color' is not a single number");
