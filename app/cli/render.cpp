@@ -21,7 +21,6 @@ constexpr std::array render_examples{
     "afterglow render crt --source screenshot.png --set exposure=1.5 -o crt.png",
     "afterglow render phosphor --signal audio:song.flac,mode=xy -o song.mp4",
     "afterglow render vector-beam --size 640x360 --seconds 1 -o frame_%04d.png",
-    "afterglow render phosphor --signal lissajous:speed=0.5 --loop -o loop.mp4",
 };
 
 struct RenderArguments {
