@@ -29,7 +29,9 @@ TEST_CASE("a missing output device is reported once, as a warning, however often
     CHECK(messages.notice()->is_warning);
     CHECK_FALSE(messages.notice()->is_problem);
     for (const char* next : {"lissajous", "audio:b.wav", "lissajous", "audio:c.wav"}) {
-        REQUIRE(player.set_signal(spec_of(next), short_sound()).has_value());
+        const Spec spec = spec_of(next);
+        const SignalFile file = spec.kind == "audio" ? short_sound() : SignalFile{};
+        REQUIRE(player.set_signal(spec, file).has_value());
         audio.update();
         CHECK_FALSE(messages.notice());  // the first one is withdrawn, and no other follows
     }
