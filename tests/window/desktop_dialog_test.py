@@ -70,13 +70,13 @@ class DesktopDialogTest(Person):
         self.assertIn('"*.wav"', call)
 
         self.react("choose file://%s/seen" % program.folder)
-        program.key("ctrl+e")
-        program.wait_for("the picture is saved", (program.folder / "seen.png").exists)
+        program.click("save_pass")
+        program.wait_for("the pass is saved", (program.folder / "seen.exr").exists)
         call, = self.calls()
-        self.assertIn('"current_name"="picture.png"', call)
+        self.assertIn('"current_name"="composite.exr"', call)
 
         program.wait("the dialog is closed", lambda s: not s["dialog"])
-        program.key("ctrl+e")  # the extension leads to a file that the desktop did not ask about
+        program.click("save_pass")  # the extension leads to a file that the desktop did not ask about
         program.place("dialog_taken")
         program.key("Escape")
         self.react("cancel")
