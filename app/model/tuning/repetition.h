@@ -15,8 +15,9 @@ struct Fraction {
     bool operator==(const Fraction&) const = default;
 };
 
-/// The fraction with the smallest denominator whose relative error is at most 1e-9, by continued
-/// fractions; a denominator is at most 1e6. For numbers of at least 0.
+/// The fraction of a number with up to six decimal places. Of other numbers, the fraction with the
+/// smallest denominator whose relative error is at most 1e-9, by continued fractions; a denominator
+/// is at most 1e6. For numbers of at least 0.
 Fraction fraction_of(double number);
 Fraction reciprocal(const Fraction& fraction);
 /// nullopt: too large to represent.
