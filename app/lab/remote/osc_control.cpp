@@ -1,11 +1,13 @@
 #include "lab/remote/osc_control.h"
 
+#include <utility>
+
 Result<void> OscControl::listen(int port, NetworkReach reach) {
+    m_watch(-1);
     m_port.reset();
     m_messages.clear();
     m_next = 0;
     m_networks.clear();
-    ++m_opening;
     if (port == 0)
         return {};
     auto opened = UdpPort::open(port, reach);
@@ -15,7 +17,14 @@ Result<void> OscControl::listen(int port, NetworkReach reach) {
     m_reach = reach;
     if (reach == NetworkReach::local_network)
         m_networks = local_networks();
+    m_watch(m_port->descriptor());
     return {};
+}
+
+void OscControl::set_watch(std::function<void(int)> watch) {
+    m_watch = std::move(watch);
+    if (m_port)
+        m_watch(m_port->descriptor());
 }
 
 void OscControl::begin_update(double now_seconds) {

@@ -3,6 +3,7 @@
 #include "io/control/osc_packet.h"
 #include "io/control/udp_port.h"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,12 +26,11 @@ public:
     /// Opens the port; 0 closes it. If it fails, no port is open.
     Result<void> listen(int port, NetworkReach reach = NetworkReach::this_machine);
     bool is_listening() const { return m_port.has_value(); }
-    /// -1: not open.
-    int descriptor() const { return m_port ? m_port->descriptor() : -1; }
+    /// `watch` gets the descriptor of the open port, now and after each listen(), and -1 before a
+    /// port closes: a thread that still waited for messages would keep the port in use.
+    void set_watch(std::function<void(int descriptor)> watch);
     int port() const { return m_port ? m_port->number() : 0; }
     NetworkReach reach() const { return m_reach; }
-    /// Changes with each listen(), because another port can have the same descriptor.
-    std::size_t opening() const { return m_opening; }
     /// The networks that senders can be in; empty if only this machine is accepted.
     const std::vector<LocalNetwork>& networks() const { return m_networks; }
 
@@ -51,7 +51,7 @@ private:
 
     std::optional<UdpPort> m_port;
     NetworkReach m_reach = NetworkReach::this_machine;
-    std::size_t m_opening = 0;
+    std::function<void(int)> m_watch = [](int) {};
     std::vector<LocalNetwork> m_networks;
     double m_networks_seconds = 0.0;     // time of their last update
     std::vector<OscMessage> m_messages;  // of the latest packet

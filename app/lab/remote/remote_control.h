@@ -29,6 +29,8 @@ public:
                   std::unique_ptr<MidiInputs> midi, std::span<const RemoteCommand> commands);
 
     const OscControl& osc() const { return m_osc; }
+    /// See OscControl::set_watch().
+    void watch_osc(std::function<void(int descriptor)> watch) { m_osc.set_watch(std::move(watch)); }
     const MidiControl& midi() const { return m_midi; }
     const RemoteLog& log() const { return m_log; }
     void clear_log() { m_log.clear(); }

@@ -191,7 +191,6 @@ void Application::update_lab(double wall_seconds) {
     if (m_state.output.is_black != was_black || m_lab.remote().requested_action())
         m_schedule.stay_awake();  // the panels show it now, also while a look draws slowly
     m_first_file.update(m_lab);
-    m_wakers.update(m_lab.remote().osc());
 }
 
 void Application::apply(const Edits& edits) {

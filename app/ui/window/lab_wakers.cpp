@@ -4,12 +4,16 @@
 #include "lab/lab.h"
 
 LabWakers::LabWakers(Lab& lab)
-    : m_files(lab.loader().files().descriptor(), gpu::WindowEvents::wake),
-      m_midi(lab.remote().midi().descriptor(), gpu::WindowEvents::wake) {}
+    : m_lab(lab),
+      m_files(lab.loader().files().descriptor(), gpu::WindowEvents::wake),
+      m_midi(lab.remote().midi().descriptor(), gpu::WindowEvents::wake) {
+    lab.remote().watch_osc([this](int descriptor) {
+        m_osc.reset();
+        if (descriptor >= 0)
+            m_osc.emplace(descriptor, gpu::WindowEvents::wake);
+    });
+}
 
-void LabWakers::update(const OscControl& osc) {
-    if (osc.opening() == m_osc_opening)
-        return;
-    m_osc_opening = osc.opening();
-    m_osc.emplace(osc.descriptor(), gpu::WindowEvents::wake);
+LabWakers::~LabWakers() {
+    m_lab.remote().watch_osc([](int) {});
 }

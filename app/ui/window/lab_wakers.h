@@ -5,19 +5,19 @@
 #include <optional>
 
 class Lab;
-class OscControl;
 
 /// Wakes the window when a watched file changes, or a MIDI or OSC message arrives.
 class LabWakers {
 public:
+    /// Follows the OSC port of the lab, which must outlive it.
     explicit LabWakers(Lab& lab);
-
-    /// Follows a change of the OSC port. Call it in every update.
-    void update(const OscControl& osc);
+    ~LabWakers();
+    LabWakers(const LabWakers&) = delete;
+    LabWakers& operator=(const LabWakers&) = delete;
 
 private:
+    Lab& m_lab;
     EventWaker m_files;
     EventWaker m_midi;
     std::optional<EventWaker> m_osc;  // while other programs can set parameters
-    std::size_t m_osc_opening = 0;
 };

@@ -8,8 +8,12 @@
 #include "lab/remote/osc_parameters.h"
 #include "lab/remote/remote_control.h"
 #include "lab/remote/remote_peer.h"
+#include "lab/storage/event_waker.h"
 
 #include <doctest/doctest.h>
+
+#include <chrono>
+#include <thread>
 
 namespace {
 OscMessage message(const std::string& name, std::vector<OscMessage::Argument> arguments) {
@@ -448,4 +452,22 @@ TEST_CASE("settings of older versions stay on this machine") {
     REQUIRE(settings.has_value());
     CHECK(settings->osc_reach == NetworkReach::this_machine);
     CHECK(settings->osc_reply_port == 0);
+}
+
+TEST_CASE("a port opens again with another reach while a thread waits for its messages") {
+    OscControl control;
+    std::optional<EventWaker> waker;
+    control.set_watch([&](int descriptor) {
+        waker.reset();
+        if (descriptor >= 0)
+            waker.emplace(descriptor, [] {});
+    });
+    const int port = UdpPort::open(0).value().number();  // free again
+    for (int i = 0; i < 10; ++i) {
+        const auto reach = i % 2 == 0 ? NetworkReach::this_machine : NetworkReach::local_network;
+        const auto opened = control.listen(port, reach);
+        REQUIRE_MESSAGE(opened.has_value(), to_string(opened.error()));
+        CHECK(control.reach() == reach);
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));  // the thread waits now
+    }
 }
