@@ -142,7 +142,8 @@ int draw_rows(const std::vector<PaletteEntry>& entries, const std::vector<Palett
                 clicked = i;
             edits.mark("palette:" + entry.label);
             const RemoteItem item = remote_item(entry, scene);
-            if (!item.command.empty() && draw_remote_menu(item, scene, edits))
+            if (!item.command.empty() &&
+                draw_remote_menu(item, scene, edits) == RemoteChoice::learn)
                 close_dialog(edits);
         }
     return clicked;

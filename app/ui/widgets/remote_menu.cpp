@@ -16,26 +16,32 @@ void unmap(const std::string& command, Edits& edits) {
     });
 }
 
-bool draw_items(const RemoteItem& item, const Scene& scene, Edits& edits) {
-    const bool is_learning = ImGui::MenuItem("MIDI learn");
-    edits.mark("command_midi_learn");
-    if (is_learning)
+RemoteChoice draw_items(const RemoteItem& item, const Scene& scene, Edits& edits) {
+    RemoteChoice choice = RemoteChoice::none;
+    if (ImGui::MenuItem("MIDI learn")) {
         edits.change(
             [item](RemoteControl& remote) { remote.learn_midi_command(item.command, item.name); });
+        choice = RemoteChoice::learn;
+    }
+    edits.mark("command_midi_learn");
     for (const MidiCommand& bound : scene.lab.remote.settings().midi_commands)
         if (bound.command == item.command) {
-            if (ImGui::MenuItem(fmt::format("Unmap {}", to_string(bound.trigger)).c_str()))
+            if (ImGui::MenuItem(fmt::format("Unmap {}", to_string(bound.trigger)).c_str())) {
                 unmap(item.command, edits);
+                choice = RemoteChoice::other;
+            }
             edits.mark("command_midi_unmap");
         }
-    if (ImGui::MenuItem("Copy OSC address"))
+    if (ImGui::MenuItem("Copy OSC address")) {
         edits.copy(fmt::format("{}command/{}", osc_prefix, item.command));
+        choice = RemoteChoice::other;
+    }
     edits.mark("command_copy_address");
-    return is_learning;
+    return choice;
 }
 }  // namespace
 
-bool draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits) {
+RemoteChoice draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits) {
     const ScopedId id(item.command);
     constexpr const char* popup = "##remote_menu";
     // Also for a disabled item: it can be mapped before it is available.
@@ -44,8 +50,8 @@ bool draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits) 
     if (is_asked)
         ImGui::OpenPopup(popup);
     if (!ImGui::BeginPopup(popup))
-        return false;
-    const bool is_learning = draw_items(item, scene, edits);
+        return RemoteChoice::none;
+    const RemoteChoice choice = draw_items(item, scene, edits);
     ImGui::EndPopup();
-    return is_learning;
+    return choice;
 }

@@ -11,6 +11,9 @@ struct RemoteItem {
     std::string name;     // "Wipe"
 };
 
+/// What was chosen in a remote menu.
+enum class RemoteChoice { none, learn, other };
+
 /// The right-button menu of the last item: learns or removes the MIDI mapping of a command, and
-/// copies its OSC address. Returns whether learning was chosen.
-bool draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits);
+/// copies its OSC address.
+RemoteChoice draw_remote_menu(const RemoteItem& item, const Scene& scene, Edits& edits);
