@@ -29,12 +29,16 @@ class Collecting(Person):
         program.wait("the next favourite opens", lambda s: s["preset"] == "Neon rain")
         program.key("shift+Prior")
         program.wait("the previous one opens again", lambda s: s["preset"] == "Arcade cabinet")
+        self.hover("preset:night-shift")
+        top = program.place("preset:night-shift")[1]
         program.key("ctrl+shift+s")
         program.place("dialog_name")
         program.key("ctrl+a")
         program.type("Mine")
         program.key("Return")
-        program.wait("the preset is saved", lambda s: s["preset"] == "Mine")
+        program.wait("the preset is saved and listed", lambda s: s["preset"] == "Mine" and
+                     "Mine" in s["presets"]["listed"] and s["dialog"] == 0)
+        self.assertEqual(program.place("preset:night-shift")[1], top)
         program.key("shift+Delete")
         program.wait("the preset is deleted", lambda s: s["preset"] == "")
         program.click("look_search")

@@ -113,7 +113,7 @@ class Program:
         """Scrolls a list by the wheel until a row is within its pane."""
         def is_visible(state):
             row, pane = state["widgets"].get(widget), state["widgets"].get(rows)
-            return row and pane and pane[1] <= (row[1] + row[3]) / 2 <= pane[3]
+            return row and pane and pane[1] + 2 < (row[1] + row[3]) / 2 < pane[3] - 2
 
         self.wait("the list '%s'" % rows, lambda s: rows in s["widgets"])
         for button in (4, 5):  # up to the first row, then down

@@ -55,7 +55,8 @@ struct HistoryScroll {
 struct ListAnchor {
     std::string open;     // id of the open row that was last scrolled to
     std::string hovered;  // id of the row under the pointer; "": none
-    float top = 0.0f;     // of that row within the list
+    float top = 0.0f;     // of that row within the list, in window pixels
+    float scroll = 0.0f;  // of the list, while the pointer is over a row
 
     bool operator==(const ListAnchor&) const = default;
 };

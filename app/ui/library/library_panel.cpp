@@ -85,20 +85,12 @@ void draw_look_head(const Scene& scene, Edits& edits) {
 void draw_rows(const std::vector<const ListedLook*>& looks, const Scene& scene, Edits& edits) {
     const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
     const ScopedStyle<ImVec2> no_gap(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 0.0f));
-    std::vector<std::string> ids;
-    for (const ListedLook* look : looks)
-        ids.push_back(look->argument());
-    const float below =
-        hold_rows(ids, scene.lab.document ? argument_of(scene.lab.document->look()) : std::string(),
-                  &ScrolledTo::looks, scene, edits);
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(looks.size()), thumbnail_row_height());
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i)
             draw_look(*looks[static_cast<std::size_t>(i)], spacing, scene, edits);
     clipper.End();
-    if (below > 0.0f)
-        ImGui::Dummy({0.0f, below});
     if (looks.empty())
         wrapped_dim_text(scene.library_view.looks().empty() ? "No looks found." : "No matches.");
 }
@@ -108,7 +100,12 @@ void draw_library_panel(const Scene& scene, Edits& edits) {
     draw_look_head(scene, edits);
     const std::vector<const ListedLook*> looks =
         matching_looks(scene.library_view.looks(), scene.window.looks.search);
-    ImGui::BeginChild("##looks", {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
+    ThumbnailList list{"##looks", {}, {}};
+    for (const ListedLook* look : looks)
+        list.ids.push_back(look->argument());
+    if (scene.lab.document)
+        list.open = argument_of(scene.lab.document->look());
+    begin_thumbnail_list(list, &ScrolledTo::looks, scene, edits);
     draw_rows(looks, scene, edits);
     ImGui::EndChild();
     edits.mark("look_rows");

@@ -96,16 +96,11 @@ void draw_preset_list(const Scene& scene, Edits& edits) {
                          scene.lab.presets.navigation().stars(), scene.window.presets);
     if (presets.empty())
         return wrapped_dim_text(why_no_preset(scene.window.presets));
-    ImGui::BeginChild(("##presets " + document.look().id).c_str(), {0.0f, 0.0f}, false,
-                      ImGuiWindowFlags_NavFlattened);
-    std::vector<std::string> ids;
+    ThumbnailList list{"##presets " + document.look().id, {}, preset_file(document).string()};
     for (const ListedLookPreset& preset : presets)
-        ids.push_back(preset.entry.file.string());
-    const float below =
-        hold_rows(ids, preset_file(document).string(), &ScrolledTo::presets, scene, edits);
+        list.ids.push_back(preset.entry.file.string());
+    begin_thumbnail_list(list, &ScrolledTo::presets, scene, edits);
     draw_rows(presets, scene, edits);
-    if (below > 0.0f)
-        ImGui::Dummy({0.0f, below});
     ImGui::EndChild();
     edits.mark("preset_rows");
 }

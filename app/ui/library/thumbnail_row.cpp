@@ -82,39 +82,53 @@ float top_of(const std::vector<std::string>& ids, const std::string& id) {
                               : static_cast<float>(found - ids.begin()) * thumbnail_row_height();
 }
 
+// Explicit, so that the list can scroll in the frame that adds rows, and further than its last row.
+void set_content_height(float rows, float scroll) {
+    const float shown = scroll > 0.0f ? scroll + ImGui::GetContentRegionAvail().y : 0.0f;
+    ImGui::SetNextWindowContentSize({0.0f, std::max(rows, shown)});
+}
+
 void show_row(float top) {
     const float room = ImGui::GetWindowHeight();
     const float scroll = ImGui::GetScrollY();
     if (top < scroll || top + thumbnail_row_height() > scroll + room)
         ImGui::SetScrollY(top - 0.5f * (room - thumbnail_row_height()));
 }
+
+// A dialog elsewhere, such as the one that saves a preset, leaves no window under the pointer.
+bool is_pointed() {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return (!g.HoveredWindow || g.HoveredWindow == g.CurrentWindow) &&
+           g.CurrentWindow->OuterRectClipped.Contains(g.IO.MousePos);
+}
+
+ListAnchor anchor_at_pointer(const ThumbnailList& list) {
+    ListAnchor now;
+    now.open = list.open;
+    const float pointed = ImGui::GetMousePos().y - ImGui::GetCursorScreenPos().y;
+    const float row = std::floor(pointed / thumbnail_row_height());
+    if (!is_pointed() || row < 0.0f || row >= static_cast<float>(list.ids.size()))
+        return now;
+    now.hovered = list.ids[static_cast<std::size_t>(row)];
+    now.top = row * thumbnail_row_height();
+    now.scroll = ImGui::GetScrollY();
+    return now;
+}
 }  // namespace
 
-float hold_rows(const std::vector<std::string>& ids, const std::string& open,
-                ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits) {
+void begin_thumbnail_list(const ThumbnailList& list, ListAnchor ScrolledTo::*anchor,
+                          const Scene& scene, Edits& edits) {
     const ListAnchor& before = scene.window.scrolled.*anchor;
-    // A dialog over the list, such as the one that saves a preset, leaves the pointer where it is.
-    const ImGuiWindow& list = *ImGui::GetCurrentWindow();
-    const bool is_hovered =
-        ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem |
-                               ImGuiHoveredFlags_AllowWhenBlockedByPopup) ||
-        (ImGui::GetTopMostPopupModal() && list.OuterRectClipped.Contains(ImGui::GetMousePos()));
-    const float top = is_hovered ? top_of(ids, before.hovered) : -1.0f;
-    const float moved = top >= 0.0f ? top - before.top : 0.0f;
-    if (moved != 0.0f)
-        ImGui::SetScrollY(ImGui::GetScrollY() + moved);
-    else if (before.open != open && !is_hovered && top_of(ids, open) >= 0.0f)
-        show_row(top_of(ids, open));
-    ListAnchor now{open, {}, 0.0f};
-    const float pointed = ImGui::GetMousePos().y - ImGui::GetCursorScreenPos().y + moved;
-    const float row = std::floor(pointed / thumbnail_row_height());
-    if (is_hovered && row >= 0.0f && row < static_cast<float>(ids.size())) {
-        now.hovered = ids[static_cast<std::size_t>(row)];
-        now.top = row * thumbnail_row_height();
-    }
+    const float rows = static_cast<float>(list.ids.size()) * thumbnail_row_height();
+    const float top = before.hovered.empty() ? -1.0f : top_of(list.ids, before.hovered);
+    const float scroll = top < 0.0f ? 0.0f : before.scroll + top - before.top;
+    set_content_height(rows, scroll);
+    if (top >= 0.0f && top != before.top)
+        ImGui::SetNextWindowScroll({-1.0f, std::max(scroll, 0.0f)});
+    ImGui::BeginChild(list.name.c_str(), {0.0f, 0.0f}, false, ImGuiWindowFlags_NavFlattened);
+    const ListAnchor now = anchor_at_pointer(list);
+    if (before.open != list.open && now.hovered.empty() && top_of(list.ids, list.open) >= 0.0f)
+        show_row(top_of(list.ids, list.open));
     if (now != before)
         edits.arrange([now, anchor](WindowState& window) { window.scrolled.*anchor = now; });
-    const float rows = static_cast<float>(ids.size()) * thumbnail_row_height();
-    const float shown = ImGui::GetScrollY() + moved + ImGui::GetWindowHeight();
-    return is_hovered ? std::max(shown - std::max(rows, ImGui::GetWindowHeight()), 0.0f) : 0.0f;
 }

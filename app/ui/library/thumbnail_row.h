@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 /// A row of a list: a small picture and a name.
 struct ThumbnailRow {
@@ -29,9 +30,15 @@ struct RowClick {
 float thumbnail_row_height();
 RowClick draw_thumbnail_row(const ThumbnailRow& row, const Scene& scene, Edits& edits);
 
-/// Keeps the row under the pointer in place while rows above it are added or removed, and scrolls
-/// to the open row when another one was opened. Call it in the child window of the list, before its
-/// rows. `ids` are those of all rows. Returns the height to add below the last row, so that the
-/// list can scroll far enough.
-float hold_rows(const std::vector<std::string>& ids, const std::string& open,
-                ListAnchor ScrolledTo::*anchor, const Scene& scene, Edits& edits);
+/// A list of thumbnail rows that fills the rest of its pane.
+struct ThumbnailList {
+    std::string name;              // of the child window
+    std::vector<std::string> ids;  // of all rows
+    std::string open;              // the id of the open row; may be none of them
+};
+
+/// Begins the child window of a list; end it with ImGui::EndChild(). While rows are added or
+/// removed, the row under the pointer keeps its place. The list scrolls to the open row when
+/// another one was opened and the pointer is elsewhere.
+void begin_thumbnail_list(const ThumbnailList& list, ListAnchor ScrolledTo::*anchor,
+                          const Scene& scene, Edits& edits);
