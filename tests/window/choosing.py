@@ -42,16 +42,21 @@ class Choosing(Person):
         program = self.program
         program.key("F10")
         program.place("menu:Open…")
-        program.key("Right")
+        program.key(*["Up"] * 8, "Right")  # over Quit and seven more items
         program.place("menu:Morph: To Amber P3")
         program.key("Down", "Return")
         program.wait("the morph reaches the preset", lambda s: s["preset"] == "Amber P3")
         program.key("F10")
         program.place("menu:Open…")
-        program.key("Down", "Right", "Right", "Down")
+        program.key("Down", "Right")
         program.place("menu:Undo")
-        program.key("Escape", "Escape", "Right")
-        program.wait("the menus are closed", lambda s: "menu:Undo" not in s["widgets"])
+        program.key("Right")
+        program.place("menu:Full screen")
+        program.key("Left", "Left")
+        program.place("menu:Open…")
+        program.key("Escape", "Right")
+        program.wait("the menus are closed", lambda s: not any(
+            "menu:" + item in s["widgets"] for item in ("Open…", "Undo", "Full screen")))
 
     def test_a_look_behind_its_source_and_the_inspector_are_chosen_by_keys(self):
         program = self.program

@@ -12,6 +12,7 @@
 #include "ui/window/menu_keys.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 
 #include <array>
 
@@ -25,7 +26,9 @@ void draw_item(const Action& action, const Scene& scene, Edits& edits) {
                         is_enabled(action, scene)))
         action.act(scene, edits);
     edits.mark(std::string("menu:") + action.label);
-    draw_remote_menu({action_command(action), action.label}, scene, edits);
+    if (draw_remote_menu({action_command(action), action.label}, scene, edits) !=
+        RemoteChoice::none)
+        ImGui::ClosePopupToLevel(0, true);  // the whole menu
 }
 
 void draw_picture_submenus(const Scene& scene, Edits& edits) {
@@ -49,11 +52,9 @@ void draw_sections(Menu menu, const Scene& scene, Edits& edits) {
             draw_menu_sections(section_menu, scene, edits);
 }
 
-void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
-    const bool is_open = ImGui::BeginMenu(label);
-    edits.mark(std::string("menu:") + label);
-    if (!is_open)
-        return;
+void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits);
+
+void draw_submenus(Menu menu, const Scene& scene, Edits& edits) {
     if (menu == Menu::view) {
         draw_picture_submenus(scene, edits);
         draw_menu(Menu::output, "Output", scene, edits);
@@ -62,8 +63,23 @@ void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
     if (menu == Menu::edit)
         draw_menu(Menu::parameter, "Parameter", scene, edits);
     draw_sections(menu, scene, edits);
+}
+
+void draw_menu(Menu menu, const char* label, const Scene& scene, Edits& edits) {
+    const bool is_open = ImGui::BeginMenu(label);
+    edits.mark(std::string("menu:") + label);
+    if (!is_open)
+        return;
+    bool has_submenus = menu != Menu::edit;  // there, Undo and Redo come first
+    if (has_submenus)
+        draw_submenus(menu, scene, edits);
     for (const Action& action : scene.actions.rows())
         if (action.menu == menu && !action.is_hidden) {
+            if (action.is_first && !has_submenus) {
+                ImGui::Separator();
+                draw_submenus(menu, scene, edits);
+                has_submenus = true;
+            }
             draw_item(action, scene, edits);
             if (menu == Menu::file)
                 draw_file_submenus(action, scene, edits);

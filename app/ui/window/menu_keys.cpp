@@ -13,6 +13,29 @@ bool is_in_menus() {
     return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) ||
            ImGui::GetCurrentContext()->NavLayer == ImGuiNavLayer_Menu;
 }
+
+// Whether Left or Right has moved from an open menu to another one, which is still closed.
+bool is_at_closed_menu() {
+    const ImGuiContext& g = *ImGui::GetCurrentContext();
+    return g.NavWindow == g.CurrentWindow && g.NavLayer == ImGuiNavLayer_Menu && g.NavId != 0 &&
+           !g.NavDisableHighlight && !g.NavMoveSubmitted && !g.NavMoveForwardToNextFrame &&
+           !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+void open_menu(ImGuiID id) {
+    ImGui::OpenPopup(id);
+    // The stationary pointer must not select an item of the new menu.
+    ImGui::GetCurrentContext()->NavDisableMouseHover = true;
+    ImGui::GetCurrentContext()->NavDisableHighlight = false;
+}
+
+// The first menu becomes the one from which Left and Right move.
+void select_menu(ImGuiID id) {
+    ImGuiWindow& bar = *ImGui::GetCurrentWindow();
+    const ImVec2 at = ImGui::GetCursorScreenPos() - bar.Pos;
+    bar.NavLastIds[ImGuiNavLayer_Menu] = id;
+    bar.NavRectRel[ImGuiNavLayer_Menu] = {at, at + ImVec2(1.0f, ImGui::GetFontSize())};
+}
 }  // namespace
 
 void let_keys_navigate(bool are_let) {
@@ -28,15 +51,15 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
     const bool is_asked =
         ImGui::IsKeyPressed(f10, false) && !scene.window.keyboard.is_in_menus && !has_dialog;
     if (is_asked) {
-        ImGui::OpenPopup(first);
+        select_menu(ImGui::GetID(first));
+        open_menu(ImGui::GetID(first));
         let_keys_navigate(true);
-        // The stationary pointer must not select an item of the new menu.
-        ImGui::GetCurrentContext()->NavDisableMouseHover = true;
-        ImGui::GetCurrentContext()->NavDisableHighlight = false;
         edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = true; });
     } else if (is_open && !scene.window.keyboard.is_in_menus) {
         let_keys_navigate(true);
         edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = true; });
+    } else if (is_at_closed_menu() && scene.window.keyboard.is_in_menus) {
+        open_menu(ImGui::GetCurrentContext()->NavId);
     } else if (!is_open && scene.window.keyboard.is_in_menus) {
         let_keys_navigate(scene.window.keyboard.has_focus);
         if (!scene.window.keyboard.has_focus)
