@@ -48,6 +48,11 @@ std::string unused_name(const fs::path& folder, const std::string& stem,
     return name;
 }
 
+bool has_own_folder(const std::string& text) {
+    const std::string_view name = trim(text);
+    return name.starts_with("~/") || fs::path(name).is_absolute();
+}
+
 fs::path typed_file(const std::string& text, const fs::path& folder) {
     const std::string name(trim(text));
     const char* const home = std::getenv("HOME");

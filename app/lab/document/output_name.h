@@ -14,5 +14,8 @@ std::string output_stem(const Document& document, const Date& date);
 std::string unused_name(const std::filesystem::path& folder, const std::string& stem,
                         const std::string& ending);
 
+/// Whether a typed text is a whole path, so that no folder is used.
+bool has_own_folder(const std::string& text);
+
 /// The file of a typed name or path: "~" is the home folder, a name is in `folder`.
 std::filesystem::path typed_file(const std::string& text, const std::filesystem::path& folder);

@@ -1,5 +1,6 @@
 #include "ui/dialogs/export_dialog.h"
 
+#include "lab/document/output_name.h"
 #include "lab/offline/background_jobs.h"
 #include "lab/offline/export_plan.h"
 #include "lab/rendering/named_size.h"
@@ -67,8 +68,12 @@ private:
             m_form.sound.clear();
             m_form.quality.clear();
         }
-        dialog_row("Folder");
-        m_form.folder = dialog_text("dialog_folder", m_form.folder.string(), "", room(), m_edits);
+        {
+            const ScopedDisabled disabled(has_own_folder(m_form.file));
+            dialog_row("Folder");
+            m_form.folder =
+                dialog_text("dialog_folder", m_form.folder.string(), "", room(), m_edits);
+        }
         problem(ExportField::file);
     }
 
@@ -152,6 +157,8 @@ private:
         std::vector<std::string> labels;
         for (const ExportChoice& choice : choices)
             labels.push_back(choice.label);
+        if (choices.empty())
+            labels.emplace_back("Set by the file type");
         const auto current = std::ranges::find(choices, name, &ExportChoice::name);
         const auto before = static_cast<std::size_t>(current - choices.begin());
         const std::size_t chosen =

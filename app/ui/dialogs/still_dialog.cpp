@@ -1,5 +1,6 @@
 #include "ui/dialogs/still_dialog.h"
 
+#include "lab/document/output_name.h"
 #include "lab/offline/background_jobs.h"
 #include "lab/offline/export_plan.h"
 #include "lab/storage/local_date.h"
@@ -41,6 +42,7 @@ void draw_file(StillForm& form, bool is_new, Edits& edits) {
         form.format = static_cast<int>(chosen);
         form.file = fs::path(form.file).replace_extension(formats[chosen].ending).string();
     }
+    const ScopedDisabled disabled(has_own_folder(form.file));
     dialog_row("Folder");
     form.folder = dialog_text("dialog_folder", form.folder.string(), "",
                               ImGui::GetContentRegionAvail().x, edits);
@@ -62,6 +64,11 @@ void draw_size(StillForm& form, Extent render_size, Edits& edits) {
         dialog_row("");
         dim_text("Drawn again in the background, at the current time.");
     }
+}
+
+// A slow look whose frame is unfinished has no whole picture to save.
+bool is_drawn_again(const StillForm& form, const Scene& scene) {
+    return form.size != "1x" || !scene.lab.renderer || !scene.lab.renderer->has_whole_picture();
 }
 
 void save(const StillSettings& settings, bool is_drawn_again, Edits& edits) {
@@ -110,5 +117,5 @@ void draw_still_dialog(const Scene& scene, Edits& edits) {
     const bool has_list = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId);
     if (draw_dialog_buttons(replaces ? "Replace" : "Save", settings.has_value() && !has_list,
                             edits))
-        save(*settings, form.size != "1x", edits);
+        save(*settings, is_drawn_again(form, scene), edits);
 }

@@ -33,6 +33,9 @@ TEST_CASE("a typed name is in the folder, a typed path is where it says") {
     CHECK(typed_file("a.mp4", "/films") == "/films/a.mp4");
     CHECK(typed_file("  ../a.mp4 ", "/films/old") == "/films/a.mp4");
     CHECK(typed_file("/b/a.mp4", "/films") == "/b/a.mp4");
+    CHECK(has_own_folder(" /b/a.mp4"));
+    CHECK(has_own_folder("~/a.mp4"));
+    CHECK(!has_own_folder("b/a.mp4"));
     const char* const home = std::getenv("HOME");
     if (home)
         CHECK(typed_file("~/a.mp4", "/films") == fs::path(home) / "a.mp4");
