@@ -1,6 +1,7 @@
 #include "lab/window/file_dialog_kind.h"
 
 #include "lab/document/document.h"
+#include "lab/document/output_name.h"
 #include "lab/library/open.h"
 #include "lab/storage/name_check.h"
 
@@ -151,20 +152,6 @@ std::string proposed_stem(const Dialog& dialog, const Document* document) {
             return {};
     }
 }
-
-// The name, with a number if a file has it already.
-std::string free_name(const fs::path& folder, const std::string& stem,
-                      const std::string& extension) {
-    constexpr int limit = 10000;  // a folder with so many gets the plain name
-    std::error_code error;
-    for (int n = 1; n < limit; ++n) {
-        const std::string name =
-            n == 1 ? stem + extension : fmt::format("{}-{}{}", stem, n, extension);
-        if (!fs::exists(folder / name, error))
-            return name;
-    }
-    return stem + extension;
-}
 }  // namespace
 
 const FileDialogKind* file_dialog_kind(Dialog::Kind kind) {
@@ -209,6 +196,6 @@ FileBrowser first_browser(const Dialog& dialog, const FileDialogChoices& choices
     if (kind->is_saving && stem.empty())
         stem = "untitled";
     if (kind->is_saving)
-        browser.text = free_name(browser.folder, stem, rules_of(*kind).extensions.front());
+        browser.text = unused_name(browser.folder, stem, rules_of(*kind).extensions.front());
     return browser;
 }

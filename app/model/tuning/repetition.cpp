@@ -6,19 +6,20 @@
 #include <numeric>
 
 namespace {
-Fraction reduced(std::int64_t above, std::int64_t below) {
-    const std::int64_t common = std::gcd(above, below);
-    return common > 1 ? Fraction{above / common, below / common} : Fraction{above, below};
+Fraction reduced(std::int64_t numerator, std::int64_t denominator) {
+    const std::int64_t common = std::gcd(numerator, denominator);
+    return common > 1 ? Fraction{numerator / common, denominator / common}
+                      : Fraction{numerator, denominator};
 }
 
 // nullopt: the number has more than six decimal places.
 std::optional<Fraction> decimal_fraction(double number) {
     constexpr double rounding = 1e-13;  // relative, of a typed number
-    constexpr std::int64_t largest_below = 1000000;
-    for (std::int64_t below = 1; below <= largest_below; below *= 10) {
-        const double above = number * static_cast<double>(below);
-        if (std::abs(above - std::round(above)) <= rounding * above)
-            return reduced(static_cast<std::int64_t>(std::round(above)), below);
+    constexpr std::int64_t largest_denominator = 1000000;
+    for (std::int64_t denominator = 1; denominator <= largest_denominator; denominator *= 10) {
+        const double numerator = number * static_cast<double>(denominator);
+        if (std::abs(numerator - std::round(numerator)) <= rounding * numerator)
+            return reduced(static_cast<std::int64_t>(std::round(numerator)), denominator);
     }
     return std::nullopt;
 }
@@ -28,18 +29,19 @@ Fraction fraction_of(double number) {
     if (const auto decimal = decimal_fraction(number))
         return *decimal;
     constexpr double as_good = 1e-9;
-    constexpr std::int64_t largest_below = 1000000;
+    constexpr std::int64_t largest_denominator = 1000000;
     Fraction before{1, 0};
     Fraction now{static_cast<std::int64_t>(std::floor(number)), 1};
     double rest = number - std::floor(number);
     while (std::abs(now.number() - number) > as_good * number && rest > 0.0) {
         const double inverse = 1.0 / rest;
         const double whole = std::floor(inverse);
-        if (whole > static_cast<double>(largest_below))
+        if (whole > static_cast<double>(largest_denominator))
             break;
         const auto term = static_cast<std::int64_t>(whole);
-        const Fraction next{term * now.above + before.above, term * now.below + before.below};
-        if (next.below > largest_below)
+        const Fraction next{term * now.numerator + before.numerator,
+                            term * now.denominator + before.denominator};
+        if (next.denominator > largest_denominator)
             break;
         before = now;
         now = next;
@@ -49,7 +51,7 @@ Fraction fraction_of(double number) {
 }
 
 Fraction reciprocal(const Fraction& fraction) {
-    return {fraction.below, fraction.above};
+    return {fraction.denominator, fraction.numerator};
 }
 
 namespace {
@@ -60,21 +62,22 @@ std::optional<std::int64_t> times(std::int64_t a, std::int64_t b) {
 
 // gcd(a / b, c / d) = gcd(a d, c b) / (b d).
 std::optional<Fraction> common_divisor(const Fraction& a, const Fraction& b) {
-    const auto first = times(a.above, b.below);
-    const auto second = times(b.above, a.below);
-    const auto below = times(a.below, b.below);
-    if (!first || !second || !below)
+    const auto first = times(a.numerator, b.denominator);
+    const auto second = times(b.numerator, a.denominator);
+    const auto denominator = times(a.denominator, b.denominator);
+    if (!first || !second || !denominator)
         return std::nullopt;
-    return reduced(std::gcd(*first, *second), *below);
+    return reduced(std::gcd(*first, *second), *denominator);
 }
 }  // namespace
 
 std::optional<Fraction> product(const Fraction& a, const Fraction& b) {
-    const Fraction left = reduced(a.above, b.below);
-    const Fraction right = reduced(b.above, a.below);
-    const auto above = times(left.above, right.above);
-    const auto below = times(left.below, right.below);
-    return above && below ? std::optional(reduced(*above, *below)) : std::nullopt;
+    const Fraction left = reduced(a.numerator, b.denominator);
+    const Fraction right = reduced(b.numerator, a.denominator);
+    const auto numerator = times(left.numerator, right.numerator);
+    const auto denominator = times(left.denominator, right.denominator);
+    return numerator && denominator ? std::optional(reduced(*numerator, *denominator))
+                                    : std::nullopt;
 }
 
 void Repetition::add(double frequency) {
@@ -103,14 +106,14 @@ std::optional<Fraction> common_period(const Repetition& repetition) {
 }
 
 std::optional<std::int64_t> frames_of_period(const Fraction& seconds, double fps) {
-    if (seconds.above == 0)
+    if (seconds.numerator == 0)
         return 1;
     const auto frames = product(seconds, fraction_of(fps));
     if (!frames)
         return std::nullopt;
     if (frames->is_whole())
-        return frames->above;
-    return frames->above == 1 ? std::optional<std::int64_t>(1) : std::nullopt;
+        return frames->numerator;
+    return frames->numerator == 1 ? std::optional<std::int64_t>(1) : std::nullopt;
 }
 
 std::vector<double> fitting_rates(const Fraction& seconds, double fps) {
@@ -119,7 +122,7 @@ std::vector<double> fitting_rates(const Fraction& seconds, double fps) {
     for (const double rate : usual)
         if (frames_of_period(seconds, rate))
             rates.push_back(rate);
-    if (!rates.empty() || seconds.above == 0)
+    if (!rates.empty() || seconds.numerator == 0)
         return rates;
     const double frames = std::floor(fps * seconds.number());
     for (const double count : {frames, frames + 1.0})

@@ -5,13 +5,15 @@
 #include <string>
 #include <vector>
 
-/// A fraction in lowest terms, `below` above 0.
+/// A fraction in lowest terms; the denominator is positive.
 struct Fraction {
-    std::int64_t above = 0;
-    std::int64_t below = 1;
+    std::int64_t numerator = 0;
+    std::int64_t denominator = 1;
 
-    double number() const { return static_cast<double>(above) / static_cast<double>(below); }
-    bool is_whole() const { return below == 1; }
+    double number() const {
+        return static_cast<double>(numerator) / static_cast<double>(denominator);
+    }
+    bool is_whole() const { return denominator == 1; }
     bool operator==(const Fraction&) const = default;
 };
 
