@@ -26,7 +26,7 @@ bool is_sign(char c) {
     return signs.find(c) != std::string_view::npos;
 }
 
-// Whether the bytes beside the span do not continue it.
+// Whether the span is a whole word or sign: no character next to it continues it.
 bool is_whole(std::string_view line, const Span& span) {
     const auto continues = [](char inside, char outside) {
         return (is_name_byte(inside) && is_name_byte(outside)) ||

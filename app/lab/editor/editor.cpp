@@ -117,7 +117,7 @@ std::vector<EditorInfo> installed_editors() {
 
 Result<std::vector<std::string>> editor_command(const Location& asked, const std::string& chosen) {
     if (asked.file.empty())
-        return fail({{}, 0, "there is no shader file to open"});
+        return fail({{}, 0, "this look has no shader file to open"});
     const Location location = location_on_disk(asked);
     std::vector<std::pair<std::string, std::string>> commands{{"the chosen editor", chosen}};
     for (const char* name : {"VISUAL", "EDITOR"})

@@ -25,7 +25,7 @@ FileChoice failed(std::string problem) {
 
 // A name from a message, with the folder if it is not the listed one.
 std::string missing_text(const TypedPath& typed) {
-    return fmt::format("There is no \"{}\" in {}.", typed.name, display_folder(typed.folder));
+    return fmt::format("\"{}\" was not found in {}.", typed.name, display_folder(typed.folder));
 }
 
 FileChoice saved_path(const FileBrowser& browser, const TypedPath& typed, const FileRules& rules) {
@@ -109,7 +109,7 @@ FileChoice accepted(const FileBrowser& browser, const FileRules& rules,
     if (!browser.selected.empty() && row != rows.end() && (row->is_folder || !rules.is_saving))
         return accepted_row(browser, rules, *row);
     if (!is_folder(typed.folder))
-        return failed(fmt::format("There is no folder {}.", display_folder(typed.folder)));
+        return failed(fmt::format("The folder {} was not found.", display_folder(typed.folder)));
     if (typed.name.empty())
         return browser.text.empty() ? FileChoice() : chosen_path(typed.folder, rules);
     if (rules.is_saving)

@@ -43,7 +43,7 @@ FileFilter filter_of(const FileBrowser& browser, const FileRules& rules, const F
 std::string highlighted(const FileBrowser& browser, const FileRules& rules,
                         const std::vector<FolderEntry>& rows);
 
-/// Changes the typed text. A message or a question about the former text ends.
+/// Changes the typed text. A message or a question about the previous text ends.
 void type_text(FileBrowser& browser, std::string text);
 
 /// Selects a row. A selected file becomes the text if a file is being saved.

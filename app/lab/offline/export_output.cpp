@@ -180,7 +180,8 @@ public:
         return true;
     }
 
-    /// Draws the first frame of the next period. Its difference to the former one in 1/255.
+    /// Draws the first frame of the next period. Returns its largest difference to the previous
+    /// period's first frame, in 1/255.
     int next_period() {
         RawPicture next;
         draw(next);

@@ -36,6 +36,6 @@ Result<void> save_still(const RawPicture& picture, const Document& document,
                         const StillSettings& settings, const RecentMedia& recent);
 
 /// Draws the document at a time and in a size, in its own GL context, and saves it. The look starts
-/// empty, so many frames earlier that it has settled.
+/// empty some frames earlier, so that it has settled by then.
 Result<ExportResult> export_still(const Document& document, const StillSettings& settings,
                                   const Roots& roots, JobProgress& work);

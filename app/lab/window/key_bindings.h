@@ -26,7 +26,7 @@ public:
     /// The other action that has this key; null: none, or the chord has no key.
     const KeyedAction* find_conflict(std::span<const KeyedAction> actions,
                                      const KeyedAction& action, const Chord& chord) const;
-    /// Gives a key to an action. An action that has the key gets the action's former key.
+    /// Gives a key to an action. An action that has the key gets the action's previous key.
     void set(std::span<const KeyedAction> actions, const KeyedAction& action, const Chord& chord);
     /// Gives an action its initial key, as set() does.
     void reset(std::span<const KeyedAction> actions, const KeyedAction& action);

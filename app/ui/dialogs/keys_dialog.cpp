@@ -178,12 +178,12 @@ void draw_prompt(const Scene& scene, Edits& edits) {
     }
     edits.mark("keys_prompt");
     if (other) {
-        const std::string former = chord_text(bindings.chord_of(*action));
+        const std::string previous = chord_text(bindings.chord_of(*action));
         ImGui::SameLine();
-        if (ImGui::Button(former.empty() ? "Take the key" : "Swap keys"))
+        if (ImGui::Button(previous.empty() ? "Take the key" : "Swap keys"))
             assign(scene, *action, conflict, edits);
-        tooltip(former.empty() ? fmt::format("\"{}\" loses its key.", other->label)
-                               : fmt::format("\"{}\" gets {}.", other->label, former));
+        tooltip(previous.empty() ? fmt::format("\"{}\" loses its key.", other->label)
+                               : fmt::format("\"{}\" gets {}.", other->label, previous));
         edits.mark("keys_swap");
     }
     ImGui::SameLine();
