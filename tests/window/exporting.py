@@ -20,7 +20,11 @@ class Exporting(Person):
 
     def ask_for_export(self, name, **fields):
         self.program.choose("File", "Export video or image sequence…")
-        self.fill(dialog_file=str(self.program.folder / name), **fields)
+        self.fill(dialog_file=str(self.program.folder / name), **{"export_fps": "60", **fields})
+
+    def confirm(self):
+        self.program.click("dialog_ok")
+        self.program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
 
     def files(self, pattern):
         return sorted(self.program.folder.glob(pattern))
@@ -101,7 +105,7 @@ class Exporting(Person):
         program.place("dialog_file")
         self.snapshot("save_picture")
         self.fill(dialog_folder=str(program.folder))
-        program.click("dialog_ok")
+        self.confirm()
         name = "phosphor-%s.png" % datetime.date.today().isoformat()
         program.wait_for("the picture has its default name", lambda: (program.folder / name).exists())
         self.assertEqual(self.png_size(program.folder / name), PICTURE)
@@ -111,7 +115,7 @@ class Exporting(Person):
         program.click("still_size:2x (480 × 360)")
         program.click("still_format")
         program.click("still_format:PNG, 16 bit")
-        program.click("dialog_ok")
+        self.confirm()
         program.wait_for("the larger picture is drawn", lambda: (program.folder / "large.png").exists())
         data = (program.folder / "large.png").read_bytes()
         self.assertEqual(struct.unpack(">IIBB", data[16:26]), (480, 360, 16, 2))
@@ -119,7 +123,7 @@ class Exporting(Person):
         self.fill(dialog_file=str(program.folder / "small.avif"))
         program.click("still_size")
         program.click("still_size:1x (240 × 180)")
-        program.click("dialog_ok")
+        self.confirm()
         program.wait_for("the AVIF is written", lambda: (program.folder / "small.avif").exists())
         self.assertEqual((program.folder / "small.avif").read_bytes()[4:12], b"ftypavif")
 

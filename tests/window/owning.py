@@ -92,7 +92,8 @@ class Owning(Person):
         program = self.program
         self.open_song()
         # stop() kills the program, and the session is saved after the state.
-        program.wait_for("the session has the sound", lambda: "song.wav" in program.session().read_text())
+        program.wait_for("the session has the sound", lambda: "song.wav" in
+                         str(json.loads(program.session().read_text())["current"]))
         program.stop()
         program.start()
         program.wait("signal and lock are restored", lambda s:

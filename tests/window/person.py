@@ -90,6 +90,8 @@ class Person(unittest.TestCase):
         bad = len(result.failures) + len(result.errors)
         super().run(result)
         if len(result.failures) + len(result.errors) > bad:
+            if self.program:
+                self.snapshot("failed_" + self.id().split(".")[-1])
             self.leave()
 
     def tidy_up(self):

@@ -1,6 +1,5 @@
-"""Drives the window with mouse and keyboard:
-window_test.py PROGRAM [Tuner|Looker|Owner|Filer|WindowTest.NAME...].
-The groups have separate windows and can run in parallel."""
+"""Drives the window with mouse and keyboard: window_test.py PROGRAM [Tuning|Tuning.NAME...].
+The tests of a class share a window. Classes can run in parallel."""
 
 import sys
 import unittest
@@ -18,6 +17,7 @@ from foreign import Foreign
 from helping import Helping
 from keeping import Keeping
 from keyboard import Keyboard
+from listing import Listing
 from looking import Looking
 from moving import Moving
 from owning import Owning
@@ -29,26 +29,10 @@ from tuning import Tuning
 Person.executable = Path(sys.argv[1]).resolve()
 
 
-class Tuner(Tuning, Keeping, Trying):
-    """The first group of tests. They share a window, and each one starts with the initial look."""
-
-
-class Looker(Driving, Drawing, Editing, Looking, Moving, Remoting, Comparing,
-             Choosing):
-    """The second group."""
-
-
-class Owner(Owning, Foreign, Collecting):
-    """The third group: content and looks of the user, and looks of other programs."""
-
-
-class Filer(Filing, Exporting, Helping, Keyboard):
-    """The fourth group: dialogs for files, exports, help, and the keyboard."""
-
-
-class WindowTest(Tuner, Looker, Owner, Filer):
-    """All groups, for running single tests."""
+class WindowTest(Choosing, Collecting, Comparing, Drawing, Driving, Editing, Exporting, Filing, Foreign,
+                 Helping, Keeping, Keyboard, Listing, Looking, Moving, Owning, Remoting, Trying, Tuning):
+    """All tests with one window, for pictures of the manual."""
 
 
 if __name__ == "__main__":
-    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["Tuner", "Looker", "Owner", "Filer"])], verbosity=2)
+    unittest.main(argv=[sys.argv[0], *(sys.argv[2:] or ["WindowTest"])], verbosity=2)

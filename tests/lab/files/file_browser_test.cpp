@@ -69,14 +69,14 @@ TEST_CASE("Enter takes a typed name, a path, or the first match") {
 TEST_CASE("a miss is explained and keeps the text") {
     Files files;
     const FileChoice choice = files.enter("nothing");
-    CHECK(choice.problem == "There is no \"nothing\" in " + files.folder.path().string() + ".");
+    CHECK(choice.problem == "\"nothing\" was not found in " + files.folder.path().string() + ".");
     apply_choice(files.browser, files.rules, choice);
     CHECK(files.browser.text == "nothing");
     CHECK(files.browser.problem == choice.problem);
     type_text(files.browser, "nothin");
     CHECK(files.browser.problem.empty());
     CHECK(files.enter("gone/x").problem ==
-          "There is no folder " + (files.folder / "gone").string() + ".");
+          "The folder " + (files.folder / "gone").string() + " was not found.");
 }
 
 TEST_CASE("typing highlights the first match, arrow keys move on") {
