@@ -10,7 +10,7 @@
 
 namespace {
 FileReply unavailable() {
-    return {.kind = FileReply::Kind::failed, .problem = "it isn't available"};
+    return {.kind = FileReply::Kind::failed, .problem = "it is not available"};
 }
 }  // namespace
 
@@ -86,9 +86,12 @@ void FileChooser::run() {
             else
                 session->cancel();
         }
-    const std::lock_guard lock(m_mutex);
-    m_is_available = false;
-    if (std::ranges::any_of(std::exchange(m_commands, {}),
-                            [](const auto& command) { return command.has_value(); }))
-        m_reply = unavailable();
+    {
+        const std::lock_guard lock(m_mutex);
+        m_is_available = false;
+        if (std::ranges::any_of(std::exchange(m_commands, {}),
+                                [](const auto& command) { return command.has_value(); }))
+            m_reply = unavailable();
+    }
+    m_wake();
 }

@@ -15,12 +15,10 @@ struct FileGroup {
 
 /// What a file dialog of the desktop is to choose.
 struct FileQuestion {
-    enum class Kind { open, open_folder, save };
+    enum class Kind { open, save };
 
     Kind kind = Kind::open;
     std::string title;
-    std::string accept_label = {};       // "": the desktop's
-    bool takes_several = false;          // when opening
     std::vector<FileGroup> groups = {};  // the first one is selected
     std::filesystem::path folder = {};   // listed first; "": the desktop's choice
     std::string name = {};               // proposed for saving

@@ -98,17 +98,9 @@ void write_options(MessageWriter& writer, const FileQuestion& question, const st
     writer.open('a', "{sv}");
     writer.option("handle_token", "s", token.c_str());
     writer.option("modal", "b", 1);
-    if (!question.accept_label.empty())
-        writer.option("accept_label", "s", question.accept_label.c_str());
-    if (question.kind == FileQuestion::Kind::save) {
-        if (!question.name.empty())
-            writer.option("current_name", "s", question.name.c_str());
-    } else {
-        writer.option("multiple", "b", question.takes_several ? 1 : 0);
-        writer.option("directory", "b", question.kind == FileQuestion::Kind::open_folder ? 1 : 0);
-    }
-    if (question.kind != FileQuestion::Kind::open_folder)
-        write_groups(writer, question.groups);
+    if (question.kind == FileQuestion::Kind::save && !question.name.empty())
+        writer.option("current_name", "s", question.name.c_str());
+    write_groups(writer, question.groups);
     if (!question.folder.empty())
         writer.path_option("current_folder", question.folder);
     writer.close();
@@ -124,7 +116,7 @@ bool read_uris(sd_bus_message* message, FileReply& reply) {
         if (fs::path path = path_of_uri(uri); !path.empty())
             reply.files.push_back(std::move(path));
         else
-            reply.problem = fmt::format("\"{}\" isn't a file of this machine", uri);
+            reply.problem = fmt::format("\"{}\" is not a file on this machine", uri);
     }
     return sd_bus_message_exit_container(message) >= 0 &&
            sd_bus_message_exit_container(message) >= 0;
@@ -169,13 +161,13 @@ PortalResponse read_response(sd_bus_message* signal) {
     FileReply& reply = response.reply;
     if (sd_bus_message_read(signal, "u", &response.code) < 0 || !read_results(signal, reply))
         return {.code = 0,
-                .reply = {.kind = FileReply::Kind::failed, .problem = "its reply is invalid"}};
+                .reply = {.kind = FileReply::Kind::failed, .problem = "the reply is invalid"}};
     const bool has_files = response.code == 0 && !reply.files.empty() && reply.problem.empty();
     reply.kind = has_files            ? FileReply::Kind::chosen
                  : response.code == 0 ? FileReply::Kind::failed
                                       : FileReply::Kind::cancelled;
     if (reply.kind == FileReply::Kind::failed && reply.problem.empty())
-        reply.problem = "its reply has no file";
+        reply.problem = "the reply has no file";
     if (!has_files)
         reply.files.clear();
     return response;

@@ -40,7 +40,7 @@ struct PortalSession::Handlers {
         if (sd_bus_message_read(signal, "sss", &name, &before, &now) < 0)
             return 0;
         if (*before)
-            session(data).fail("it has ended");
+            session(data).fail("the portal exited");
         if (*now)
             session(data).probe();
         else
@@ -50,7 +50,9 @@ struct PortalSession::Handlers {
     static int take_confirmation(sd_bus_message* reply, void* data, sd_bus_error* /*error*/) {
         PortalSession& portal = session(data);
         if (sd_bus_message_is_method_error(reply, nullptr)) {
-            portal.fail(text_of(sd_bus_message_get_error(reply)));
+            const std::string problem = text_of(sd_bus_message_get_error(reply));
+            portal.close();  // a portal that has not confirmed in time may still open its dialog
+            portal.fail(problem);
             return 0;
         }
         const char* path = nullptr;
@@ -66,7 +68,7 @@ struct PortalSession::Handlers {
         PortalResponse response = read_response(signal);
         const auto open_time = std::chrono::steady_clock::now() - portal.m_open->asked;
         if (response.code == 2 && open_time < shortest_dialog)
-            portal.fail("it ended without a choice");
+            portal.fail("it closed without a choice");
         else
             portal.answer(std::move(response.reply));
         return 0;
@@ -136,21 +138,28 @@ void PortalSession::ask(const FileQuestion& question) {
     const char* name = nullptr;
     m_open.emplace(OpenQuestion{.asked = std::chrono::steady_clock::now()});
     if (sd_bus_get_unique_name(m_bus.get(), &name) < 0)
-        return fail("the session bus doesn't answer");
+        return fail("no connection to the session bus");
     m_open->path = request_path(name, token);
     const BusMessage call = file_chooser_call(m_bus.get(), question, token);
-    if (!call || sd_bus_call_async(m_bus.get(), nullptr, call.get(), Handlers::take_confirmation,
-                                   this, confirmation_microseconds) < 0)
-        fail("it can't be asked for this file");
+    sd_bus_slot* confirmation = nullptr;
+    if (!call ||
+        sd_bus_call_async(m_bus.get(), &confirmation, call.get(), Handlers::take_confirmation, this,
+                          confirmation_microseconds) < 0)
+        return fail("the request could not be sent");
+    m_open->confirmation.reset(confirmation);
 }
 
 void PortalSession::cancel() {
+    close();
+    m_open.reset();
+}
+
+void PortalSession::close() {
     if (!m_open)
         return;
     const std::string& path = m_open->older.empty() ? m_open->path : m_open->older;
     sd_bus_call_method_async(m_bus.get(), nullptr, portal::service, path.c_str(), portal::request,
                              "Close", nullptr, nullptr, nullptr);
-    m_open.reset();
 }
 
 bool PortalSession::process() {
@@ -159,7 +168,7 @@ bool PortalSession::process() {
         result = sd_bus_process(m_bus.get(), nullptr);
     if (result == 0)
         return true;
-    fail("the session bus has ended");
+    fail("the session bus closed the connection");
     set_available(false);
     return false;
 }

@@ -36,10 +36,14 @@ private:
     struct BusDeleter {
         void operator()(sd_bus* bus) const { sd_bus_close_unref(bus); }
     };
+    struct SlotDeleter {
+        void operator()(sd_bus_slot* slot) const { sd_bus_slot_unref(slot); }
+    };
     struct OpenQuestion {
         std::string path = {};   // of the request's object
         std::string older = {};  // the same on portals before 0.9, which choose it; "": unknown
         std::chrono::steady_clock::time_point asked;
+        std::unique_ptr<sd_bus_slot, SlotDeleter> confirmation = {};  // ends with the question
     };
     /// What signals and replies call.
     struct Handlers;
@@ -51,6 +55,8 @@ private:
     void set_available(bool is_available);
     void answer(FileReply reply);
     void fail(std::string problem);
+    /// Asks the portal to close the dialog of the open question.
+    void close();
 
     std::unique_ptr<sd_bus, BusDeleter> m_bus;
     Listener m_listener;
