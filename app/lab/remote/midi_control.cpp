@@ -11,6 +11,7 @@ Result<void> MidiControl::listen(bool listens) {
     learn({});
     m_last.clear();
     m_takeovers.clear();
+    m_triggers = {};
     m_problem.clear();
     m_applied = m_refused = 0;
     if (!listens)

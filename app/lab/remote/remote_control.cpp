@@ -27,11 +27,11 @@ RemoteControl::RemoteControl(OpenDocument& document, const Roots& roots, Message
                              std::unique_ptr<MidiInputs> midi,
                              std::span<const RemoteCommand> commands)
     : m_document(document),
-      m_roots(roots),
+      m_store(roots),
       m_messages(messages),
       m_commands(commands),
       m_midi(std::move(midi)) {
-    const auto settings = load_remote_settings(m_roots);
+    const auto settings = m_store.load();
     if (!m_messages.succeeded(settings))
         return;
     m_settings = *settings;
@@ -39,6 +39,10 @@ RemoteControl::RemoteControl(OpenDocument& document, const Roots& roots, Message
         open_osc();
     if (m_settings.listens_to_midi)
         listen_to_midi(true);
+}
+
+void RemoteControl::save() {
+    m_messages.succeeded(m_store.save(m_settings));
 }
 
 void RemoteControl::open_osc() {
@@ -56,7 +60,7 @@ void RemoteControl::set_settings(const RemoteSettings& settings) {
         open_osc();
     if (is_other_midi && !listen_to_midi(settings.listens_to_midi))
         m_settings.listens_to_midi = false;
-    m_messages.succeeded(save_remote_settings(m_roots, m_settings));
+    save();
 }
 
 // A missing device is not an error: it may be connected later.
@@ -73,7 +77,7 @@ void RemoteControl::find_midi_devices() {
         return;
     m_settings.listens_to_midi = true;
     m_messages.say(fmt::format("Listening to MIDI: {}", fmt::join(m_midi.devices(), ", ")));
-    m_messages.succeeded(save_remote_settings(m_roots, m_settings));
+    save();
 }
 
 void RemoteControl::learn_midi(const MidiTarget& goal) {
@@ -113,7 +117,7 @@ void RemoteControl::bind_midi(const MidiNews& news) {
 
 void RemoteControl::say_bound(const std::string& trigger, const std::string& name) {
     m_messages.say(fmt::format("{} now controls \"{}\"", trigger, name));
-    m_messages.succeeded(save_remote_settings(m_roots, m_settings));
+    save();
 }
 
 void RemoteControl::update(double wall_seconds, const MutableParts& parts) {
@@ -124,7 +128,7 @@ void RemoteControl::update(double wall_seconds, const MutableParts& parts) {
     bind_midi(news);
     constexpr std::size_t max_pressed = 100;  // drops presses that would run much later
     for (PressedCommand& pressed : news.pressed)
-        if (m_pressed.size() < max_pressed)
+        if (m_pressed.size() < max_pressed || !pressed.is_down)
             m_pressed.push_back(std::move(pressed));
     if (m_midi.refused() > refused_midi)
         log_midi();
@@ -258,6 +262,8 @@ void RemoteControl::log(const Incoming& incoming, const Diagnostics& reasons) {
     m_log.reject({local_date().seconds, incoming.message.address, arguments_text(incoming.message),
                   incoming.sender, reason});
     const std::string protocol = is_midi ? "MIDI" : "OSC";
+    if (m_log.messages().front().count > 1)
+        return;  // a notice of each repetition would replace all other notices
     m_messages.say(fmt::format("{}: {}", protocol, m_log.messages().front().reason), true,
                    protocol);
 }

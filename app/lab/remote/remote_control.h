@@ -6,7 +6,7 @@
 #include "lab/remote/osc_control.h"
 #include "lab/remote/remote_command.h"
 #include "lab/remote/remote_log.h"
-#include "lab/storage/roots.h"
+#include "lab/storage/remote_store.h"
 #include "model/devices/remote_settings.h"
 
 #include <deque>
@@ -69,6 +69,7 @@ private:
         std::optional<UdpAddress> address = {};  // for replies; nullopt: MIDI
     };
 
+    void save();
     void open_osc();
     bool listen_to_midi(bool listens);
     void bind_midi(const MidiNews& news);
@@ -83,7 +84,7 @@ private:
     void log_midi();
 
     OpenDocument& m_document;
-    const Roots& m_roots;
+    RemoteStore m_store;
     Messages& m_messages;
     std::span<const RemoteCommand> m_commands;
     RemoteSettings m_settings;

@@ -4,39 +4,61 @@
 #include "io/files/atomic_file.h"
 
 #include <algorithm>
+#include <utility>
 
 KeyStore::KeyStore(const Roots& roots)
     : m_file(roots.config.empty() ? std::filesystem::path() : roots.config / "keys.json") {}
 
 KeyBindings KeyStore::load(std::span<const KeyedAction> actions, Diagnostics& problems) {
-    std::error_code error;
-    if (m_file.empty() || !std::filesystem::exists(m_file, error))
+    if (m_file.empty())
         return {};
-    const auto text = read_text(m_file);
-    const auto choices = text ? parse_keys(*text, m_file) : fail(text.error());
+    const auto choices = read();
     if (!choices) {
-        m_is_broken = true;
         problems.insert(problems.end(), choices.error().begin(), choices.error().end());
         return {};
     }
     m_saved = bindings_from(*choices, actions, m_file, problems);
-    std::ranges::copy_if(*choices, std::back_inserter(m_unknown), [&](const KeyChoice& choice) {
-        return std::ranges::find(actions, choice.action, &KeyedAction::name) == actions.end();
-    });
     return m_saved;
+}
+
+namespace {
+// The choices of the file with those that differ between two states. Another window may have
+// changed the file, and a newer program may have added actions.
+std::vector<KeyChoice> merged(std::vector<KeyChoice> stored, const std::vector<KeyChoice>& before,
+                              const std::vector<KeyChoice>& now) {
+    const auto forget = [&](const KeyChoice& choice) {
+        std::erase_if(stored, [&](const KeyChoice& old) { return old.action == choice.action; });
+    };
+    for (const KeyChoice& choice : before)
+        if (std::ranges::find(now, choice) == now.end())
+            forget(choice);
+    for (const KeyChoice& choice : now)
+        if (std::ranges::find(before, choice) == before.end()) {
+            forget(choice);
+            stored.push_back(choice);
+        }
+    return stored;
+}
+}  // namespace
+
+Result<std::vector<KeyChoice>> KeyStore::read() const {
+    std::error_code error;
+    if (!std::filesystem::exists(m_file, error))
+        return std::vector<KeyChoice>();
+    const auto text = read_text(m_file);
+    return text ? parse_keys(*text, m_file) : fail(text.error());
 }
 
 void KeyStore::update(const KeyBindings& bindings, Messages& messages) {
     if (m_file.empty() || bindings == m_saved)
         return;
-    m_saved = bindings;
-    if (m_is_broken)
-        return messages.say({m_file, 0,
-                             "has errors and was not overwritten. Correct or delete it; "
-                             "until then, changed keys are lost at the end."});
-    std::vector<KeyChoice> choices = bindings.choices();
-    choices.insert(choices.end(), m_unknown.begin(), m_unknown.end());
+    const KeyBindings before = std::exchange(m_saved, bindings);
+    const auto stored = read();
+    if (!stored)
+        return messages.say(
+            {m_file, 0, "has errors, so changed keys are not saved. Correct or delete the file."});
     std::error_code error;
     std::filesystem::create_directories(m_file.parent_path(), error);
-    messages.succeeded(write_atomically(m_file, keys_to_json(choices)));
+    messages.succeeded(write_atomically(
+        m_file, keys_to_json(merged(*stored, before.choices(), bindings.choices()))));
 }

@@ -12,16 +12,18 @@ class KeyStore {
 public:
     explicit KeyStore(const Roots& roots);
 
-    /// Reads the bindings. A file with errors gives none. It is then never overwritten.
+    /// Reads the bindings. A file with errors gives none, and is not overwritten.
     KeyBindings load(std::span<const KeyedAction> actions, Diagnostics& problems);
-    /// Saves the bindings if they differ from the last ones. Reports a failure.
+    /// Saves the bindings that differ from the last ones; others in the file stay. Reports a
+    /// failure.
     void update(const KeyBindings& bindings, Messages& messages);
 
     const std::filesystem::path& file() const { return m_file; }
 
 private:
+    /// The choices in the file; empty if it does not exist.
+    Result<std::vector<KeyChoice>> read() const;
+
     std::filesystem::path m_file;
-    std::vector<KeyChoice> m_unknown;  // of a newer program: kept in the file
     KeyBindings m_saved;
-    bool m_is_broken = false;
 };

@@ -81,20 +81,27 @@ TEST_CASE("a second window starts from the session of the first and saves its ow
     CHECK(warnings.empty());
 }
 
-TEST_CASE("a second window does not listen for OSC and keeps the setting of the first") {
+TEST_CASE("a second window does not listen for OSC, and both windows save only their changes") {
     const StateFolder folder;
+    const Roots first_roots = folder.roots();
+    const Roots second_roots = folder.roots(2);
+    RemoteStore first(first_roots);
+    RemoteStore second(second_roots);
     RemoteSettings settings;
     settings.listens_to_osc = true;
     settings.osc_port = 9123;
-    REQUIRE(save_remote_settings(folder.roots(), settings).has_value());
-    auto second = load_remote_settings(folder.roots(2));
-    REQUIRE(second.has_value());
-    CHECK_FALSE(second->listens_to_osc);
-    second->has_soft_takeover = !second->has_soft_takeover;
-    REQUIRE(save_remote_settings(folder.roots(2), *second).has_value());
-    const auto first = load_remote_settings(folder.roots());
-    REQUIRE(first.has_value());
-    CHECK(first->listens_to_osc);
-    CHECK(first->osc_port == 9123);
-    CHECK(first->has_soft_takeover == second->has_soft_takeover);
+    REQUIRE(first.save(settings).has_value());
+    auto of_second = second.load();
+    REQUIRE(of_second.has_value());
+    CHECK_FALSE(of_second->listens_to_osc);
+    of_second->has_soft_takeover = !of_second->has_soft_takeover;
+    settings.osc_reply_port = 9200;
+    REQUIRE(first.save(settings).has_value());
+    REQUIRE(second.save(*of_second).has_value());
+    const auto stored = RemoteStore(first_roots).load();
+    REQUIRE(stored.has_value());
+    CHECK(stored->listens_to_osc);
+    CHECK(stored->osc_port == 9123);
+    CHECK(stored->osc_reply_port == 9200);
+    CHECK(stored->has_soft_takeover == of_second->has_soft_takeover);
 }

@@ -105,7 +105,7 @@ TEST_CASE("two actions may swap their keys in the file") {
     CHECK(key_of(bindings, "redo") == "Ctrl+Z");
 }
 
-TEST_CASE("wrong lines of the file are reported and left out, and unknown ones are kept") {
+TEST_CASE("invalid lines of the file are reported, ignored and kept") {
     const ConfigFolder folder;
     folder.write(
         with_keys("    \"undu\": \"U\",\n    \"undo\": \"Ctrl+Nope\",\n"
@@ -118,13 +118,14 @@ TEST_CASE("wrong lines of the file are reported and left out, and unknown ones a
           file + ":5: warning: unknown action 'undu' (did you mean 'undo'?)\n" + file +
               ":6: warning: 'Ctrl+Nope' is not a key. Write it as in 'Ctrl+Shift+S', or '' for no "
               "key.\n" +
-              file + ":8: warning: 'F10' has a fixed effect and can't be assigned\n" + file +
+              file + ":8: warning: 'F10' is reserved. Choose another key.\n" + file +
               ":7: warning: Space is already the key of 'play_pause'\n");
     CHECK(bindings.is_empty());
     bindings.set(actions, actions[3], {'I'});
     Messages messages;
     store.update(bindings, messages);
-    CHECK(folder.text() == with_keys("    \"about\": \"I\",\n    \"undu\": \"U\""));
+    CHECK(folder.text() == with_keys("    \"undu\": \"U\",\n    \"undo\": \"Ctrl+Nope\",\n"
+                                     "    \"redo\": \"Space\",\n    \"about\": \"I\""));
 }
 
 TEST_CASE("a broken file is reported with its line and never overwritten") {
