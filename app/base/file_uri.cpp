@@ -2,8 +2,11 @@
 
 #include "base/text.h"
 
+#include <fmt/format.h>
+
+#include <cctype>
 #include <charconv>
-#include <string>
+#include <cstring>
 
 namespace fs = std::filesystem;
 
@@ -28,4 +31,15 @@ fs::path path_of_uri(std::string_view uri) {
         i += is_escape ? 2 : 0;
     }
     return path;
+}
+
+std::string percent_encoded(const std::string& path) {
+    std::string encoded;
+    for (const char letter : path)
+        if (std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+            std::strchr("-_.!~*'()/", letter))
+            encoded += letter;
+        else
+            encoded += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
+    return encoded;
 }

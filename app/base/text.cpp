@@ -123,7 +123,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> above;     // the row before
     std::vector<std::size_t> previous;  // the row before that
     for (std::size_t i = 1; i <= a.size(); ++i) {
-        previous = std::exchange(above, row);
+        std::swap(previous, above);
+        above = row;  // reuses its memory
         row[0] = i;
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const std::size_t change = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
@@ -141,7 +142,9 @@ std::optional<std::string> find_similar(std::string_view name,
     std::optional<std::string> best;
     std::size_t best_distance = std::max<std::size_t>(name.size() / 3, 1) + 1;
     for (const std::string& candidate : candidates) {
-        if (candidate == name)
+        const std::size_t longer = std::max(name.size(), candidate.size());
+        const std::size_t shorter = std::min(name.size(), candidate.size());
+        if (candidate == name || longer - shorter >= best_distance)
             continue;
         const std::size_t distance = edit_distance(to_lower(name), to_lower(candidate));
         if (distance < best_distance) {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-/// Prints the reasons to stderr, one per line. Returns exit_failure.
+/// Prints the reasons to stderr, each with its source line if it has one. Returns exit_failure.
 int report(const Diagnostics& reasons);
 
-/// Prints the warnings to stderr, one per line.
+/// Prints the warnings to stderr, each with its source line if it has one.
 void warn(const Diagnostics& warnings);
 
 /// Parses "1280x720" or the name of a size. Throws UsageError for other text and sizes outside 1 to

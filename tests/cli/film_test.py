@@ -16,14 +16,14 @@ HAS_FFMPEG = shutil.which("ffmpeg") is not None and shutil.which("ffprobe") is n
 RATE = 48000
 
 
-@unittest.skipUnless(HAS_FFMPEG, "there is no ffmpeg here")
+@unittest.skipUnless(HAS_FFMPEG, "ffmpeg is not installed")
 class FilmTest(ProgramTest):
     def look(self, name, body, **more):
         """A look with one pass and without a signal."""
         self.write(f"{name}/look.json", json.dumps(
             {"format": "afterglow-look", "version": 1, "name": name, "driven_by": "nothing", "settle_frames": 2,
              "passes": [{"name": "show", "fragment": "show.frag", "format": "rgba32f", **more}]}))
-        self.write(f"{name}/show.frag", "#version 410 core\nuniform float u_time;\nuniform sampler2D former;\n"
+        self.write(f"{name}/show.frag", "#version 410 core\nuniform float u_time;\nuniform sampler2D previous;\n"
                    "in vec2 uv;\nout vec4 color;\nvoid main() { " + body + " }\n")
         return self.folder / name
 
@@ -185,15 +185,15 @@ class Sound(FilmTest):
                 self.assertAlmostEqual(float(self.stream(film)["start_time"]), 0.0, delta=0.001)
                 self.assertAlmostEqual(samples[0], tone(0), delta=0.08)
 
-    def test_aac_warns_that_it_bends_an_xy_figure(self):
+    def test_aac_warns_that_it_distorts_an_xy_figure(self):
         sound = self.wav("tone.wav", 0.2, lambda i: 0.5 * math.sin(i * 0.1))
         scope = ("render", "vector-beam", "--size", "64x64", "--signal")
         done = run(*scope, f"audio:{sound},mode=xy", "-o", self.folder / "a.mp4")
         self.assert_done(done)
-        self.assertIn("warning: AAC changes the sound, so the XY figure that it draws bends. Use .mov or .mkv", done.stderr)
+        self.assertIn("warning: AAC distorts the sound and the XY figure drawn from it. Use .mov or .mkv", done.stderr)
         for signal, name, more in ((f"audio:{sound},mode=waveform", "b.mp4", ()), (f"audio:{sound},mode=xy", "c.mkv", ()),
                                    (f"audio:{sound},mode=xy", "d.mp4", ("--audio-codec", "none"))):
-            self.assertNotIn("bends", run(*scope, signal, *more, "-o", self.folder / name).stderr)
+            self.assertNotIn("distorts", run(*scope, signal, *more, "-o", self.folder / name).stderr)
 
 
 class Loops(FilmTest):
@@ -222,8 +222,8 @@ class Loops(FilmTest):
     def test_the_frame_after_the_last_is_the_first(self):
         # Light that needs 600 frames to come within 1/255 of its end.
         slow = self.look("slow", "vec3 light = vec3(uv.x < 0.5 + 0.4 * sin(6.283185307 * u_time) ? 0.01 : 0.0);"
-                         " color = vec4(texture(former, uv).rgb * 0.99 + light, 1.0);",
-                         inputs={"former": "show@1"})
+                         " color = vec4(texture(previous, uv).rgb * 0.99 + light, 1.0);",
+                         inputs={"previous": "show@1"})
         self.assertEqual(self.frames(slow, "--size", "96x64", "--fps", "30"), 30)
         loop = self.decoded(self.folder / "loop.mkv", "rgb24")
         size = 3 * 96 * 64
@@ -260,9 +260,9 @@ class Encoders(FilmTest):
 
     def test_an_encoder_that_dies_is_reported_with_its_reason(self):
         look = self.look("plain", "color = vec4(0.5);")
-        for text, words in (("kill -9 $$", "ffmpeg: it was stopped by signal 9 (Killed), perhaps because memory is full"),
+        for text, words in (("kill -9 $$", "ffmpeg: stopped by signal 9 (Killed), possibly out of memory"),
                             ("echo 'Unknown encoder' >&2; exit 1", "ffmpeg: Unknown encoder"),
-                            ("exit 4", "ffmpeg: it ended with exit status 4")):
+                            ("exit 4", "ffmpeg: exited with status 4")):
             done = run("render", look, "--size", "64x64", "--frames", "100", "-o", self.folder / "a.mp4", PATH=self.fake(text))
             self.assert_refused(done, "a.mp4: error: can't write the video: " + words)
             self.assertEqual([file.name for file in self.folder.iterdir() if file.is_file()], [])

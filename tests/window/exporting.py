@@ -38,7 +38,7 @@ class Exporting(Person):
             self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", 1)
             time.sleep(0.5)
 
-    def test_frames_are_exported_beside_what_is_shown(self):
+    def test_frames_are_exported_in_the_background(self):
         program = self.program
         self.ask_for_export("frame_%02d.png", export_seconds="0.1")
         self.snapshot("export")
@@ -127,7 +127,7 @@ class Exporting(Person):
         program.wait_for("the AVIF is written", lambda: (program.folder / "small.avif").exists())
         self.assertEqual((program.folder / "small.avif").read_bytes()[4:12], b"ftypavif")
 
-    @unittest.skipUnless(shutil.which("xclip"), "there is no xclip here")
+    @unittest.skipUnless(shutil.which("xclip"), "xclip is not installed")
     def test_the_picture_is_on_the_clipboard(self):
         program = self.program
         self.hover("picture")

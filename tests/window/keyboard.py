@@ -78,7 +78,7 @@ class Keyboard(Person):
         before = script.read_text()
         script.write_text("#!/bin/sh\nexit 3\n")
         program.key("F4")
-        program.wait("the failure is told", lambda s: "could not open" in s["notice"] and
+        program.wait("the failure is reported", lambda s: "could not open" in s["notice"] and
                      "status 3" in s["notice"])
         self.snapshot("editor_failed")
         program.click("offer:Choose editor")

@@ -1,5 +1,6 @@
 #include "formats/markdown/html_page.h"
 
+#include "base/file_uri.h"
 #include "base/text.h"
 
 #include <fmt/format.h>
@@ -95,7 +96,8 @@ std::string address_of(std::string_view address, const HtmlContext& context) {
     const bool is_inside = target.empty() || *target.begin() != "..";
     if (is_inside && target.extension() == ".md")
         return fs::path(path).replace_extension(".html").string() + anchor;
-    return "file://" + (context.docs / target).lexically_normal().string() + anchor;
+    return "file://" + percent_encoded((context.docs / target).lexically_normal().string()) +
+           anchor;
 }
 
 // Replaces the addresses of href="..." and src="...".

@@ -117,7 +117,7 @@ private:
         }
         if (is_quoted)
             m_errors.push_back(
-                {at.file, at.line, "the expression that starts here has no closing '\"'"});
+                {at.file, at.line, "a string in this expression has no closing '\"'"});
         return std::string(trim(text));
     }
 

@@ -1,11 +1,11 @@
 #include "io/files/trash.h"
 
+#include "base/file_uri.h"
 #include "io/system/local_time.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -33,18 +33,6 @@ fs::path top_of_volume(const fs::path& file) {
            ::stat(top.parent_path().c_str(), &above) == 0 && here.st_dev == above.st_dev)
         top = top.parent_path();
     return top;
-}
-
-// Encodes all except RFC 2396's unreserved characters and "/".
-std::string percent_encoded(const std::string& path) {
-    std::string encoded;
-    for (const char letter : path)
-        if (std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
-            std::strchr("-_.!~*'()/", letter))
-            encoded += letter;
-        else
-            encoded += fmt::format("%{:02X}", static_cast<unsigned char>(letter));
-    return encoded;
 }
 
 std::string info_text(const fs::path& path) {

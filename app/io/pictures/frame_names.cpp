@@ -4,14 +4,43 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
+
+namespace fs = std::filesystem;
+
 std::filesystem::path FrameNames::name(int frame) const {
     if (!is_sequence())
         return m_before;
     return fmt::format("{}{:0{}}{}", m_before, frame, m_digits, m_after);
 }
 
+namespace {
+bool is_frame(std::string_view name, std::string_view before, std::string_view after) {
+    if (name.size() <= before.size() + after.size() || !name.starts_with(before) ||
+        !name.ends_with(after))
+        return false;
+    name.remove_prefix(before.size());
+    name.remove_suffix(after.size());
+    return std::ranges::all_of(name, [](char c) { return c >= '0' && c <= '9'; });
+}
+}  // namespace
+
+bool FrameNames::exist() const {
+    std::error_code error;
+    if (!is_sequence())
+        return fs::exists(m_before, error);
+    const fs::path before(m_before);
+    const fs::path folder = before.has_parent_path() ? before.parent_path() : fs::path(".");
+    for (fs::directory_iterator found(folder, error), end; !error && found != end;
+         found.increment(error))
+        if (is_frame(found->path().filename().string(), before.filename().string(), m_after))
+            return true;
+    return false;
+}
+
 Result<FrameNames> parse_frame_names(const std::string& text) {
-    const std::size_t percent = text.find('%');
+    const std::size_t percent = text.find('%', text.rfind('/') + 1);  // npos + 1 is 0
     if (percent == std::string::npos)
         return FrameNames(text, 0, {});
     const std::size_t end = text.find('d', percent);

@@ -13,6 +13,8 @@ public:
 
     bool is_sequence() const { return m_digits > 0; }
     std::filesystem::path name(int frame) const;
+    /// Whether the picture, or any picture of the sequence, exists.
+    bool exist() const;
 
 private:
     std::string m_before;
@@ -20,5 +22,5 @@ private:
     std::string m_after;
 };
 
-/// Parses "out.png", or a name with one %d, %04d or similar: "out_%04d.png".
+/// Parses "out.png", or a path whose file name has one %d, %04d or similar: "out_%04d.png".
 Result<FrameNames> parse_frame_names(const std::string& text);

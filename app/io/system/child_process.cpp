@@ -83,11 +83,11 @@ double processor_seconds(pid_t process) {
 
 std::string fault_of(int status) {
     if (WIFSIGNALED(status))
-        return fmt::format("it was stopped by signal {} ({}){}", WTERMSIG(status),
+        return fmt::format("stopped by signal {} ({}){}", WTERMSIG(status),
                            ::strsignal(WTERMSIG(status)),
-                           WTERMSIG(status) == SIGKILL ? ", perhaps because memory is full" : "");
+                           WTERMSIG(status) == SIGKILL ? ", possibly out of memory" : "");
     const int code = WEXITSTATUS(status);
-    return code == 0 ? "" : fmt::format("it ended with exit status {}", code);
+    return code == 0 ? "" : fmt::format("exited with status {}", code);
 }
 
 // The environment of a child: ours, with some variables added or replaced.
@@ -267,8 +267,7 @@ void ChildProcess::set_patience(double seconds) {
 
 void ChildProcess::end_stuck() {
     end();
-    m_fault =
-        fmt::format("it made no progress for {} s and was stopped", format_number(m_patience));
+    m_fault = fmt::format("stopped after {} s without progress", format_number(m_patience));
 }
 
 bool ChildProcess::feed(int input, std::string_view bytes) {

@@ -53,7 +53,7 @@ public:
     bool finish();
     /// The first line of its stderr so far.
     std::string complaint() const;
-    /// Why it failed; empty after exit status 0: "it was stopped by signal 9 (Killed)".
+    /// Why it failed; empty after exit status 0: "stopped by signal 9 (Killed)".
     const std::string& fault() const { return m_fault; }
 
 private:

@@ -221,10 +221,15 @@ private:
 };
 }  // namespace
 
-bool is_video_file(const fs::path& file) {
-    constexpr std::array<std::string_view, 11> extensions{
+const std::vector<std::string>& video_extensions() {
+    static const std::vector<std::string> extensions{
         ".mp4", ".m4v", ".mkv", ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv", ".gif", ".y4m"};
-    return std::ranges::find(extensions, to_lower(file.extension().string())) != extensions.end();
+    return extensions;
+}
+
+bool is_video_file(const fs::path& file) {
+    const auto& all = video_extensions();
+    return std::ranges::find(all, to_lower(file.extension().string())) != all.end();
 }
 
 Result<std::unique_ptr<PictureReader>> open_video(const fs::path& file) {

@@ -4,7 +4,11 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
+/// The extensions of videos: ".mp4".
+const std::vector<std::string>& video_extensions();
 /// Whether the extension is that of a video.
 bool is_video_file(const std::filesystem::path& file);
 

@@ -29,6 +29,7 @@ constexpr std::array navigation{
     HtmlLink{"Annotations", "annotations.md"},
     HtmlLink{"Foreign formats", "formats.md"},
     HtmlLink{"Command line", "command-line.md"},
+    HtmlLink{"Remote control", "remote.md"},
     HtmlLink{"What's new", "whats-new.md"},
 };
 
@@ -64,25 +65,21 @@ Result<void> write_help_pages(const fs::path& docs, const fs::path& target) {
         const auto html = html_page(*text, {name, docs, navigation});
         if (!html)
             return fail({file, 0, html.error().front().message});
+        if (const auto old = read_text(page); old && *old == *html)
+            continue;
         if (auto written = write_atomically(page, *html); !written)
             return written;
     }
     return {};
 }
 
-void open_help_page(const Roots& roots, const std::string& page, Messages& messages) {
+void open_help_page(const Roots& roots, const std::string& page, ExternalPrograms& programs,
+                    Messages& messages) {
     const fs::path docs = find_docs(roots);
     if (docs.empty())
         return messages.say("The manual is not installed. Copy the folder docs next to shaders.",
                             true);
     const fs::path target = roots.cache / "docs";
-    if (!messages.succeeded(write_help_pages(docs, target)))
-        return;
-    const std::string file = fs::path(target / page).replace_extension(".html").string();
-    if (const int error = start_detached({"xdg-open", file}); error != 0)
-        messages.say(fmt::format("Can't start xdg-open: {}. Open {} in your browser.",
-                                 std::strerror(error), file),
-                     true);
-    else
-        messages.say(fmt::format("Opened {} in your browser.", file));
+    if (messages.succeeded(write_help_pages(docs, target)))
+        programs.open_page(fs::path(target / page).replace_extension(".html"));
 }

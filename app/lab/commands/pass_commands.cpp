@@ -66,13 +66,14 @@ bool is_included(const fs::path& shader, const fs::path& folder) {
     return false;
 }
 
-// The shaders of a removed pass to delete. A link, or a shader that others include, stays.
+// The shaders of a removed pass to delete. A link, a shader of another folder, or one that others
+// include stays.
 void remove_shaders(const std::vector<std::string>& shaders, const fs::path& folder,
                     FileEdit& files) {
     for (const std::string& shader : shaders) {
         const fs::path file = folder / shader;
         std::error_code error;
-        if (fs::is_symlink(file, error) || is_included(file, folder))
+        if (fs::is_symlink(file, error) || !is_inside(file, folder) || is_included(file, folder))
             continue;
         if (auto bytes = read_bytes(file))
             files.push_back({file, std::move(*bytes), std::nullopt});
@@ -95,8 +96,7 @@ std::optional<std::string> PassCommands::refusal(const std::string& pass) const 
     if (!located)
         return "Open a look first";
     if (is_foreign_look(located->manifest))
-        return "The passes of looks of other programs can't be changed here. Edit the file "
-               "instead.";
+        return "The passes of a foreign look can't be changed here. Edit its file instead.";
     if (m_work.library.is_shipped(located->manifest) || !is_writable(located->manifest))
         return fmt::format("\"{}\" is a shipped or read-only look. Change the passes of a copy.",
                            m_work.document->look().name);
@@ -170,11 +170,12 @@ void PassCommands::finish(std::string name, FileEdit files, std::string notice,
     DocumentState next = document.state();
     next.files = edit;
     document.finish();
-    document.change(std::move(next), std::move(name), false, Document::StepKind::files);
+    document.change(std::move(next), name, false, Document::StepKind::files);
     m_work.messages.offer(
         std::move(notice),
-        {.name = "Undo", .commands = {[edit](Document& changed) {
-                             if (changed.state().files == edit && changed.history().can_undo())
+        {.name = "Undo", .commands = {[edit, name = std::move(name)](Document& changed) {
+                             if (changed.state().files == edit &&
+                                 changed.history().undo_name() == name)
                                  changed.undo();
                          }}});
 }
@@ -270,7 +271,7 @@ bool PassCommands::write(const FileEdit& files, const std::string& name) {
     if (written)
         return true;
     const Diagnostic& problem = written.error().front();
-    m_work.messages.say(fmt::format("The files of \"{}\" stay as they are: {} {}", name,
+    m_work.messages.say(fmt::format("Can't undo or redo \"{}\": {} {}", name,
                                     display_name(problem.file), problem.message),
                         true);
     return false;

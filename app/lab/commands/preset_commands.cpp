@@ -6,6 +6,7 @@
 #include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
 #include "lab/storage/display_name.h"
+#include "lab/storage/name_check.h"
 #include "lab/window/preset_list.h"
 
 #include <fmt/format.h>
@@ -15,14 +16,6 @@
 namespace fs = std::filesystem;
 
 namespace {
-// The allowed characters of a preset's name.
-std::string without_other_letters(std::string name) {
-    for (char& letter : name)
-        if (std::string_view("/\\:*?\"<>|',").find(letter) != std::string_view::npos)
-            letter = ' ';
-    return std::string(trim(name));
-}
-
 bool is_json(const fs::path& file) {
     return to_lower(file.extension().string()) == ".json";
 }
@@ -38,7 +31,7 @@ std::string PresetCommands::proposed_name() const {
     const OpenDocument& document = m_work.document;
     if (!document)
         return {};
-    std::string name = without_other_letters(preset_name(*document));
+    std::string name = valid_preset_name(preset_name(*document));
     if (name.empty() || !m_work.library.is_shipped(preset_file(*document)))
         return name;
     for (int n = 1;; ++n) {

@@ -81,9 +81,8 @@ Result<void> PresetNavigation::open_named(const std::string& name, std::optional
     if (!request)
         return fail(request.error());
     if (seconds && *seconds > 0.0 && (!request->preset || request->preset->look == look.id))
-        morph_to(*file, *seconds);
-    else
-        m_loader.open(*request);
+        return morph_to(*file, *seconds);
+    m_loader.open(*request);
     return {};
 }
 
@@ -111,30 +110,35 @@ void PresetNavigation::note_opened(const OpenRequest& request, bool had_changes)
         m_work.messages.say(std::move(text));
 }
 
-void PresetNavigation::morph_to(const fs::path& file, double seconds) {
+Result<void> PresetNavigation::morph_to(const fs::path& file, double seconds) {
     if (!m_work.document)
-        return;
+        return fail(Diagnostic{{}, 0, "no look is open"});
     const Look& look = m_work.document->look();
     Preset to;
     to.name = look.name;
     if (!file.empty()) {
         const auto preset = load_preset(file);
-        if (!m_work.messages.succeeded(preset))
-            return;
+        if (!preset)
+            return fail(preset.error());
         if (preset->look != look.id)
-            return m_work.messages.say(
-                fmt::format("\"{}\" belongs to another look. It can be opened, but not morphed to.",
-                            preset->name));
+            return fail({{},
+                         0,
+                         fmt::format("\"{}\" belongs to another look. It can be opened, but not "
+                                     "morphed to.",
+                                     preset->name)});
         to = with_checked_media(*preset, look, media_folder(file), m_work.media.recent()).preset;
         const auto values = fitted_values(look, to, file);
+        if (!values)
+            return fail(values.error());
         const auto modulations = fitted_modulations(look, *preset, file);
-        if (!m_work.messages.succeeded(values) || !m_work.messages.succeeded(modulations))
-            return;
+        if (!modulations)
+            return fail(modulations.error());
         to.values = *values;
         to.modulations = *modulations;
     }
     end_morph();
     m_morphing = std::make_unique<Morphing>(*m_work.document, std::move(to), file, seconds);
+    return {};
 }
 
 void PresetNavigation::morph_by(int by, double seconds, bool only_starred) {

@@ -32,7 +32,7 @@ public:
     std::vector<std::string> names() const;
     /// Morphs to a preset of the open look, as one undo step, and opens it at the end; "": to the
     /// look's defaults.
-    void morph_to(const std::filesystem::path& preset, double seconds);
+    Result<void> morph_to(const std::filesystem::path& preset, double seconds);
     void morph_by(int by, double seconds, bool only_starred = false);
     void end_morph();
     /// The running morph, or null.

@@ -121,7 +121,8 @@ Result<OscMessages> black_out(const RemoteCall& call) {
         return fail(is_black.error());
     auto* window = part<WindowState>(call);
     if (!window || !window->output.is_open)
-        return reject("the output window is closed. Open it with F12.");
+        return reject(
+            "the output window is closed. Send /afterglow/command/action/output_window first.");
     window->output.is_black = *is_black;
     return OscMessages{};
 }

@@ -1,12 +1,13 @@
 #include "lab/document/output_name.h"
 
 #include "base/text.h"
+#include "io/pictures/frame_names.h"
 #include "lab/document/opened_preset.h"
+#include "lab/files/typed_path.h"
 
 #include <fmt/format.h>
 
 #include <cctype>
-#include <cstdlib>
 
 namespace fs = std::filesystem;
 
@@ -38,12 +39,15 @@ std::string output_stem(const Document& document, const Date& date) {
     return fmt::format("{}-{:04}-{:02}-{:02}", stem, date.year, date.month, date.day);
 }
 
-std::string unused_name(const fs::path& folder, const std::string& stem,
-                        const std::string& ending) {
-    constexpr int most = 1000;
-    std::error_code ignored;
+std::string unused_name(const fs::path& folder, const std::string& stem, const std::string& ending,
+                        const IsTaken& is_taken) {
+    constexpr int most = 10000;
+    const auto is_used = [&](const fs::path& file) {
+        const auto names = parse_frame_names(file.string());
+        return (names && names->exist()) || is_taken(file);
+    };
     std::string name = stem + ending;
-    for (int number = 2; number < most && fs::exists(folder / name, ignored); ++number)
+    for (int number = 2; number < most && is_used(folder / name); ++number)
         name = fmt::format("{}-{}{}", stem, number, ending);
     return name;
 }
@@ -54,9 +58,5 @@ bool has_own_folder(const std::string& text) {
 }
 
 fs::path typed_file(const std::string& text, const fs::path& folder) {
-    const std::string name(trim(text));
-    const char* const home = std::getenv("HOME");
-    if (home && (name == "~" || name.starts_with("~/")))
-        return fs::path(home) / (name.size() > 2 ? name.substr(2) : "");
-    return (folder / name).lexically_normal();
+    return parse_typed_path(text, folder, home_folder()).file();
 }

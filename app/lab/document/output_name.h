@@ -4,15 +4,21 @@
 #include "model/devices/date.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 /// The default name of an exported file without its ending: look, preset and date, such as
 /// "phosphor-amber-p3-2026-11-26". Only letters that every file system takes.
 std::string output_stem(const Document& document, const Date& date);
 
-/// A name in the folder that no file has: STEM.ENDING, or with -2, -3, … behind the stem.
-std::string unused_name(const std::filesystem::path& folder, const std::string& stem,
-                        const std::string& ending);
+/// Whether something else is going to write a file.
+using IsTaken = std::function<bool(const std::filesystem::path&)>;
+
+/// A name in the folder that neither a file nor an image sequence has, and that is not taken:
+/// STEM.ENDING, or with -2, -3, … after the stem.
+std::string unused_name(
+    const std::filesystem::path& folder, const std::string& stem, const std::string& ending,
+    const IsTaken& is_taken = [](const std::filesystem::path&) { return false; });
 
 /// Whether a typed text is a whole path, so that no folder is used.
 bool has_own_folder(const std::string& text);

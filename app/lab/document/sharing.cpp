@@ -58,17 +58,18 @@ Result<std::string> png_with_preset(std::string png, const Document& document,
                        &document.look());
 }
 
+Result<std::string> png_of(const Picture& picture, const Document& document,
+                           const RecentMedia& recent) {
+    const bool has_alpha = document.look().passes.back().has_alpha && is_transparent(picture);
+    auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
+                         : encode_png(picture);
+    return png ? png_with_preset(std::move(*png), document, recent) : fail(png.error());
+}
+
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
                                       const fs::path& file, const RecentMedia& recent) {
     if (to_lower(file.extension().string()) != ".png")
         return save_picture(picture, file);
-    const bool has_alpha = document.look().passes.back().has_alpha && is_transparent(picture);
-    auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
-                         : encode_png(picture);
-    if (!png)
-        return fail(png.error());
-    const auto whole = png_with_preset(std::move(*png), document, recent);
-    if (!whole)
-        return fail(whole.error());
-    return write_atomically(file, *whole);
+    const auto png = png_of(picture, document, recent);
+    return png ? write_atomically(file, *png) : fail(png.error());
 }

@@ -30,7 +30,12 @@ Result<void> write_preset(const Document& document, const std::string& name,
 Result<std::string> png_with_preset(std::string png, const Document& document,
                                     const RecentMedia& recent);
 
-/// Writes a picture. A PNG also contains the document as a preset, so that it can be opened. If the
-/// look has alpha (ISF) and any pixel is transparent, the PNG has unassociated alpha.
+/// The bytes of a PNG with the document as a preset. If the look has alpha (ISF) and any pixel is
+/// transparent, it has unassociated alpha.
+Result<std::string> png_of(const Picture& picture, const Document& document,
+                           const RecentMedia& recent);
+
+/// Writes a picture. A PNG also contains the document as a preset, so that it can be opened; see
+/// png_of().
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,
                                       const std::filesystem::path& file, const RecentMedia& recent);

@@ -61,9 +61,14 @@ void ExternalPrograms::open_folder(const fs::path& folder) {
     start({"xdg-open", folder.string()}, {}, folder);
 }
 
+void ExternalPrograms::open_page(const fs::path& page) {
+    m_messages.say(fmt::format("Opening {} in your browser", page.filename().string()));
+    start({"xdg-open", page.string()}, {}, page);
+}
+
 void ExternalPrograms::start(const std::vector<std::string>& command, Location location,
-                             fs::path folder) {
-    Started started{command.front(), std::move(location), std::move(folder),
+                             fs::path path) {
+    Started started{command.front(), std::move(location), std::move(path),
                     std::chrono::steady_clock::now(), std::make_shared<Ended>()};
     const int error = start_detached(command, [ended = started.ended, wake = m_wake](int status) {
         ended->status = status;
@@ -81,7 +86,7 @@ void ExternalPrograms::update() {
     for (Started& started : all) {
         const int status = started.ended->status;
         if (status > 0)
-            report(started, fmt::format("it ended with status {}", status));
+            report(started, fmt::format("exited with status {}", status));
         else if (status < 0 && now - started.time < start_time)
             m_started.push_back(std::move(started));
     }
@@ -89,11 +94,12 @@ void ExternalPrograms::update() {
 
 void ExternalPrograms::report(const Started& started, const std::string& reason) {
     if (started.location.file.empty())
-        return m_messages.ask(fmt::format("{} could not open the folder: {}. Copy its path.",
-                                          started.program, reason),
-                              {copy_button(started.folder)});
+        return m_messages.ask(
+            fmt::format("{} could not open {}: {}. Copy its path.", started.program,
+                        started.path.filename().string(), reason),
+            {copy_button(started.path)});
     m_messages.ask(
         fmt::format("{} could not open {}: {}. Choose an editor.", started.program,
                     started.location.file.filename().string(), reason),
-        {choose_button(), folder_button(started.folder), copy_button(started.location.file)});
+        {choose_button(), folder_button(started.path), copy_button(started.location.file)});
 }

@@ -19,6 +19,8 @@ public:
 
     void open_in_editor(const Location& location);
     void open_folder(const std::filesystem::path& folder);
+    /// In the browser.
+    void open_page(const std::filesystem::path& page);
 
     /// The chosen command with {file} and {line}; "": that of the environment or the desktop.
     const std::string& editor() const { return m_editor; }
@@ -36,14 +38,14 @@ private:
     struct Ended;  // shared with the threads that wait for programs
     struct Started {
         std::string program;
-        Location location;  // no file: a folder was opened
-        std::filesystem::path folder;
+        Location location;           // of a file in the editor
+        std::filesystem::path path;  // of a folder or page
         std::chrono::steady_clock::time_point time;
         std::shared_ptr<Ended> ended;
     };
 
     void start(const std::vector<std::string>& command, Location location,
-               std::filesystem::path folder);
+               std::filesystem::path path);
     void report(const Started& started, const std::string& reason);
 
     Messages& m_messages;

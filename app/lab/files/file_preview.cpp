@@ -55,6 +55,9 @@ bool has_preview(const fs::path& file) {
 }
 
 FilePreview load_preview(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error))
+        return {};  // opening a pipe would wait
     return is_picture_file(file) ? picture_preview(file)
            : is_sound_file(file) ? sound_preview(file)
                                  : FilePreview();

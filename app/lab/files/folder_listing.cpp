@@ -1,11 +1,11 @@
 #include "lab/files/folder_listing.h"
 
+#include "base/file.h"
 #include "base/text.h"
 #include "io/system/file_status.h"
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -16,13 +16,12 @@ bool is_of_others(const fs::path& file, const std::string& ending) {
     if (ending != ".json")
         return file.filename() == "CMakeLists.txt";
     constexpr std::size_t beginning = 4096;  // bytes that contain the format
-    std::string text(beginning, '\0');
-    std::ifstream stream(file, std::ios::binary);
-    stream.read(text.data(), static_cast<std::streamsize>(beginning));
-    text.resize(static_cast<std::size_t>(stream.gcount()));
-    const bool is_shader = text.find("\"renderpass\"") != std::string::npos ||
-                           text.find("\"Shader\"") != std::string::npos;
-    return stream.gcount() > 0 && text.find("\"afterglow-") == std::string::npos && !is_shader &&
+    const auto text = read_start(file, beginning);
+    if (!text || text->empty())
+        return false;
+    const bool is_shader = text->find("\"renderpass\"") != std::string::npos ||
+                           text->find("\"Shader\"") != std::string::npos;
+    return text->find("\"afterglow-") == std::string::npos && !is_shader &&
            file.filename() != "look.json";
 }
 

@@ -251,6 +251,8 @@ Result<fs::path> Library::new_look_folder(const std::string& id) const {
         return fail(fine.error());
     const fs::path folder = m_roots.user / "shaders" / id;
     std::error_code error;
+    if (fs::exists(folder, error) && !fs::is_empty(folder, error))
+        return fail({folder, 0, "already exists and is not empty. Choose another name."});
     fs::create_directories(folder, error);
     if (error)
         return fail({folder, 0, error.message()});
@@ -274,7 +276,7 @@ Result<fs::path> Library::new_look(const std::string& id, std::string_view templ
     const auto chosen = std::ranges::find(templates, template_id, &LookTemplate::id);
     if (chosen == templates.end())
         return fail({m_roots.program / "shaders" / "templates", 0,
-                     fmt::format("has no template '{}'. Install the program again.", template_id)});
+                     fmt::format("has no template '{}'. Reinstall Afterglow.", template_id)});
     auto folder = new_look_folder(id);
     if (!folder)
         return folder;

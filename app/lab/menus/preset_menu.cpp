@@ -9,11 +9,12 @@ namespace {
 MenuSection morph_section(const std::vector<ListedPreset>& presets, double seconds) {
     MenuSection section{"Morph", MenuSection::Menu::file};
     for (const ListedPreset& preset : presets)
-        section.entries.push_back(
-            {.name = fmt::format("To {}", preset.preset.name),
-             .commands = {[file = preset.preset.entry.file, seconds](PresetCommands& commands) {
-                 commands.navigation().morph_to(file, seconds);
-             }}});
+        section.entries.push_back({.name = fmt::format("To {}", preset.preset.name),
+                                   .commands = {[file = preset.preset.entry.file, seconds](
+                                                    PresetCommands& commands, Messages& messages) {
+                                       messages.succeeded(
+                                           commands.navigation().morph_to(file, seconds));
+                                   }}});
     for (const double length : morph_lengths)
         section.entries.push_back(
             {.name = fmt::format("Duration {:g} s", length),

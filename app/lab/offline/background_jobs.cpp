@@ -46,15 +46,15 @@ void BackgroundJobs::export_still(const StillSettings& settings) {
 
 void BackgroundJobs::save_still(RawPicture picture, const StillSettings& settings) {
     if (m_document)
-        m_exports.add(settings.file,
-                      [document = *m_document, picture = std::move(picture), settings,
-                       roots = m_roots](JobProgress&) -> Result<ExportResult> {
-                          const auto saved =
-                              ::save_still(picture, document, settings, RecentMedia(roots));
-                          if (!saved)
-                              return fail(saved.error());
-                          return ExportResult{settings.file, 0, picture.extent, {}};
-                      });
+        m_stills.add(settings.file,
+                     [document = *m_document, picture = std::move(picture), settings,
+                      roots = m_roots](JobProgress&) -> Result<ExportResult> {
+                         const auto saved =
+                             ::save_still(picture, document, settings, RecentMedia(roots));
+                         if (!saved)
+                             return fail(saved.error());
+                         return ExportResult{settings.file, 0, picture.extent, {}};
+                     });
 }
 
 namespace {
@@ -89,6 +89,8 @@ void BackgroundJobs::update() {
     if (const auto& compared = m_rates.outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_index());
     m_impulse.update();
-    for (const QueuedExport& ended : m_exports.update())
-        report(ended);
+    for (ExportQueue* queue : {&m_exports, &m_stills})
+        for (const QueuedExport& ended : queue->update())
+            report(ended);
+    m_stills.remove_ended();
 }

@@ -32,14 +32,19 @@ public:
     void export_frames(const ExportSettings& settings);
     /// Adds a picture in another size or at another time to the queue.
     void export_still(const StillSettings& settings);
-    /// Adds the encoding of a picture that was read.
+    /// Encodes a picture that was read, without waiting for the exports.
     void save_still(RawPicture picture, const StillSettings& settings);
     ExportQueue& exports() { return m_exports; }
     const ExportQueue& exports() const { return m_exports; }
+    bool is_exporting() const { return m_exports.is_pending() || m_stills.is_pending(); }
+    /// Whether an export that has not ended writes a file.
+    bool is_target(const std::filesystem::path& file) const {
+        return m_exports.is_target(file) || m_stills.is_target(file);
+    }
 
     void update();
     bool is_running() const {
-        return m_rates.is_running() || m_impulse.is_running() || m_exports.is_pending();
+        return m_rates.is_running() || m_impulse.is_running() || is_exporting();
     }
 
 private:
@@ -53,4 +58,5 @@ private:
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
     ExportQueue m_exports;
+    ExportQueue m_stills;  // pictures that are drawn already
 };

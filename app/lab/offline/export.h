@@ -28,6 +28,7 @@ struct ExportJob {
     ExportPart part;
     int pass = 0;
     double fps = 60.0;
+    bool loops = false;  // the pictures are numbered from 0
     FilmChoice film = {};
     FramePipeline::Stages stages = {};
     FlashLog* flashes = nullptr;  // null: not counted
@@ -35,7 +36,7 @@ struct ExportJob {
     std::function<bool(std::int64_t drawn)> should_continue = {};
 };
 
-/// Separate pictures, .png or .exr, numbered as on the look's clock. Either all PNGs have alpha or
+/// Separate pictures, .png or .exr, numbered from `first`. Either all PNGs have alpha or
 /// none has.
 FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
                                       FrameAlpha alpha = FrameAlpha::none);

@@ -37,13 +37,13 @@ std::string lossy_sound_warning(const FilmEncoding& encoding, const Spec& signal
     if (!encoding.sound || encoding.sound->is_lossless || !is_drawn_as_xy(signal))
         return {};
     return fmt::format(
-        "{} changes the sound, so the XY figure that it draws bends. Use .mov or .mkv for lossless "
+        "{} distorts the sound and the XY figure drawn from it. Use .mov or .mkv for lossless "
         "sound.",
         encoding.sound->label);
 }
 
 namespace {
-/// An opened output. It must not move while its stages are used.
+/// An opened output. The stages use `film`.
 struct OpenOutput {
     std::unique_ptr<FilmFile> film;  // null: no film
     FramePipeline::Stages stages;
@@ -93,7 +93,7 @@ Result<OpenOutput> open_output(const std::string& output, const Offline& offline
     if (!names)
         return fail(names.error());
     return OpenOutput{nullptr,
-                      sequence_stages(*names, job.part.first,
+                      sequence_stages(*names, job.loops ? 0 : job.part.first,
                                       alpha_of(pass_of(offline, job), job.film.keeps_alpha))};
 }
 
@@ -208,11 +208,12 @@ private:
 Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob job,
                          Diagnostics& warnings) {
     constexpr int max_periods = 4;
-    constexpr int as_good = 1;  // in 1/255
+    constexpr int tolerance = 1;  // in 1/255
     LoopDrawing drawing(offline, job);
     if (!drawing.start())
         return false;
     ExportJob period = job;
+    period.loops = true;
     int difference = 0;
     for (int i = 0; i < max_periods; ++i) {
         auto opened = open_output(output, offline, period, warnings);
@@ -225,7 +226,7 @@ Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob 
         if (!written || !*written)
             return written;
         difference = drawing.next_period();
-        if (difference <= as_good) {
+        if (difference <= tolerance) {
             if (auto finished = finish(*opened, flashes, warnings); !finished)
                 return fail(finished.error());
             return true;
@@ -236,6 +237,6 @@ Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob 
     return fail({{},
                  0,
                  fmt::format("the loop does not close: after {} frames the picture differs by "
-                             "{}/255. Set the period of the look as the duration.",
+                             "{}/255. Set the period with --seconds, or in the field Period.",
                              job.part.count(), difference)});
 }

@@ -15,7 +15,8 @@ bool is_film_output(const std::string& output);
 /// Fails if a loop at this rate would lose frames: a GIF holds at most 50 per second.
 Result<void> check_loop_rate(const std::string& output, double fps);
 
-/// Whether the sound of a completed signal is drawn as XY, so that a lossy sound bends the figure.
+/// Whether the sound of a completed signal is drawn as XY, so that a lossy sound distorts the
+/// figure.
 bool is_drawn_as_xy(const Spec& signal);
 
 /// The warning about a film whose lossy sound is drawn as XY; "": it is not.
@@ -27,7 +28,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
                        Diagnostics& warnings);
 
 /// As export_to() for a loop: the frame after the last one must equal the first within 1/255. If
-/// not, the look has not settled, and the next period is written instead, up to a few times. The
+/// not, the look has not settled, and the next period is written instead, four in all. The
 /// pictures of a sequence are numbered from 0.
 Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob job,
                          Diagnostics& warnings);

@@ -89,6 +89,8 @@ void check_film(ExportPlan& plan, const ExportFacts& facts, FormReader& reader) 
         plan.note = lossy_sound_warning(*encoding, facts.signal);
 }
 
+constexpr const char* another_export = "Another export is writing this file. Choose another name.";
+
 void check_file(const ExportForm& form, ExportPlan& plan, const ExportFacts& facts,
                 FormReader& reader) {
     const fs::path& file = plan.settings.file;
@@ -99,12 +101,11 @@ void check_file(const ExportForm& form, ExportPlan& plan, const ExportFacts& fac
     if (!plan.is_good())
         return;
     if (facts.queue.is_target(file))
-        return reader.refuse(ExportField::file, "Another export writes this file.");
+        return reader.refuse(ExportField::file, another_export);
     if (const auto good = check_export(facts.document, plan.settings); !good)
         return reader.refuse(ExportField::file, as_sentence(good.error().front().message));
-    std::error_code ignored;
     const auto names = parse_frame_names(file.string());
-    plan.replaces = names && fs::exists(names->name(0), ignored);
+    plan.replaces = names && names->exist();
 }
 
 Extent read_size(const ExportForm& form, FormReader& reader) {
@@ -154,8 +155,9 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
     plan.settings.film = read_film(form, reader);
     if (!form.loops && facts.sound_seconds > 0.0 && plan.settings.seconds <= 0.0 &&
         plan.settings.start >= facts.sound_seconds)
-        reader.refuse(ExportField::start,
-                      fmt::format("The sound ends at {:.4g} s.", facts.sound_seconds));
+        reader.refuse(
+            ExportField::start,
+            fmt::format("The sound ends at {:.4g} s. Type an earlier start.", facts.sound_seconds));
     check_file(form, plan, facts, reader);
     estimate(plan, facts);
     return plan;
@@ -247,7 +249,8 @@ ExportForm initial_export_form(ExportForm last, const ExportFacts& facts, const 
     if (const fs::path typed(last.file); typed.has_parent_path())
         last.folder = typed_file(last.file, last.folder).parent_path();
     last.folder = usual_folder(last.folder);
-    last.file = unused_name(last.folder, output_stem(facts.document, date), ending);
+    last.file = unused_name(last.folder, output_stem(facts.document, date), ending,
+                            [&](const fs::path& file) { return facts.queue.is_target(file); });
     if (last.fps.empty())
         last.fps = "60";
     return last;
@@ -265,7 +268,8 @@ Extent still_extent(const std::string& size, Extent render_size) {
     return {render_size.width * times, render_size.height * times};
 }
 
-Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds) {
+Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds,
+                                    const IsTaken& is_taken) {
     if (trim(form.file).empty())
         return fail({{}, 0, "Type a file name."});
     const auto& format = still_formats()[static_cast<std::size_t>(form.format)];
@@ -275,6 +279,8 @@ Result<StillSettings> planned_still(const StillForm& form, Extent render_size, d
                            .seconds = seconds};
     if (settings.file.extension().empty())
         settings.file += format.ending;
+    if (is_taken(settings.file))
+        return fail({{}, 0, another_export});
     constexpr int largest = 16384;
     if (settings.size.width > largest || settings.size.height > largest)
         return fail({{},
@@ -286,11 +292,12 @@ Result<StillSettings> planned_still(const StillForm& form, Extent render_size, d
     return settings;
 }
 
-StillForm initial_still_form(StillForm last, const Document& document, const Date& date) {
+StillForm initial_still_form(StillForm last, const Document& document, const Date& date,
+                             const IsTaken& is_taken) {
     if (const fs::path typed(last.file); typed.has_parent_path())
         last.folder = typed_file(last.file, last.folder).parent_path();
     last.folder = usual_folder(last.folder);
     const auto& format = still_formats()[static_cast<std::size_t>(last.format)];
-    last.file = unused_name(last.folder, output_stem(document, date), format.ending);
+    last.file = unused_name(last.folder, output_stem(document, date), format.ending, is_taken);
     return last;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/document/output_name.h"
 #include "lab/offline/export_queue.h"
 #include "lab/offline/frame_export.h"
 #include "lab/offline/still_export.h"
@@ -74,5 +75,8 @@ const std::vector<std::string>& still_sizes();
 Extent still_extent(const std::string& size, Extent render_size);
 
 /// The settings of the picture dialog, or the reason why its file can't be written.
-Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds);
-StillForm initial_still_form(StillForm last, const Document& document, const Date& date);
+/// `is_taken`: whether an export that has not ended writes a file.
+Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds,
+                                    const IsTaken& is_taken);
+StillForm initial_still_form(StillForm last, const Document& document, const Date& date,
+                             const IsTaken& is_taken);

@@ -13,41 +13,47 @@ tl::unexpected<Diagnostics> cancelled() {
 }
 
 Result<void> check_file(const ExportSettings& settings) {
-    const auto names = parse_frame_names(settings.file.string());
-    if (!names)
-        return fail(names.error());
     const std::string ending = to_lower(settings.file.extension().string());
-    if (names->is_sequence()) {
-        if (ending != ".png" && ending != ".exr")
-            return fail({settings.file, 0, "image sequences must end in .png or .exr"});
-    } else if (ending == ".png" || ending == ".exr") {
-        return fail({settings.file, 0, "image sequences need %04d in the name"});
-    } else if (const auto encoding = film_encoding(settings.file, settings.film); !encoding) {
-        return fail(encoding.error());
-    } else if (const auto fits = check_film_extent(*encoding, settings.size);
-               !settings.size.is_empty() && !fits) {
-        return fits;
+    if (ending == ".png" || ending == ".exr") {
+        const auto names = parse_frame_names(settings.file.string());
+        if (!names)
+            return fail(names.error());
+        if (!names->is_sequence())
+            return fail({settings.file, 0, "image sequences need %04d in the name"});
+        return check_writable(names->name(0));
     }
-    return check_writable(names->name(0));
+    if (settings.file.filename().string().find('%') != std::string::npos)
+        return fail({settings.file, 0, "image sequences must end in .png or .exr"});
+    const auto encoding = film_encoding(settings.file, settings.film);
+    if (!encoding)
+        return fail(encoding.error());
+    if (!settings.size.is_empty())
+        if (auto fits = check_film_extent(*encoding, settings.size); !fits)
+            return fits;
+    return check_writable(settings.file);
 }
 
 // The frames of an export that does not loop.
 Result<ExportPart> part_to_export(const Offline& offline, const ExportSettings& settings) {
+    if (settings.seconds > 0.0)
+        return part_of(settings.start, settings.seconds, settings.fps);
     const auto usual = default_video_seconds(offline, settings.start);
     if (!usual)
         return fail(usual.error());
-    return part_of(settings.start, settings.seconds > 0.0 ? settings.seconds : *usual,
-                   settings.fps);
+    return part_of(settings.start, *usual, settings.fps);
 }
 
 // The frames of one period.
 Result<ExportPart> loop_to_export(Offline& offline, Extent size, const ExportSettings& settings,
                                   JobProgress& work) {
-    const LoopSearch search{
-        .extent = size,
-        .fps = settings.fps,
-        .seconds = settings.seconds,
-        .should_continue = [&work](std::int64_t, std::int64_t) { return !work.is_cancelled; }};
+    const LoopSearch search{.extent = size,
+                            .fps = settings.fps,
+                            .seconds = settings.seconds,
+                            .should_continue = [&work](std::int64_t drawn, std::int64_t limit) {
+                                work.share =
+                                    static_cast<double>(drawn) / static_cast<double>(limit);
+                                return !work.is_cancelled;
+                            }};
     const auto part = find_loop(offline.document(), search);
     offline.make_current();
     if (!part)

@@ -19,14 +19,14 @@ Repetition repetition_of_signal(const Document& document, const PlayedSignal& si
         return repetition;
     const SignalKind* const kind = find_kind(document.state().signal.kind);
     if (kind && (kind->is_live || kind->is_sent)) {
-        repetition.obstacle = "live input never repeats. Choose another signal.";
+        repetition.error = "live input never repeats. Choose another signal.";
         return repetition;
     }
     const auto sound = signal.sound_stream();
     if (!sound)
         return signal.get()->repetition();
     if (!sound->loops())
-        repetition.obstacle = "the sound plays only once. Set its loop to on.";
+        repetition.error = "the sound plays only once. Set its loop to on.";
     else
         repetition.hertz.push_back({sound->rate(), sound->length()});
     return repetition;
@@ -38,8 +38,8 @@ Repetition repetition_of(const Document& document, const PlayedSignal& signal) {
     for (const auto& [name, modulation] : document.state().modulations) {
         if (modulation.kind != ModulationKind::lfo || modulation.depth == 0.0)
             continue;
-        if (modulation.shape == LfoShape::random && repetition.obstacle.empty())
-            repetition.obstacle = fmt::format(
+        if (modulation.shape == LfoShape::random && repetition.error.empty())
+            repetition.error = fmt::format(
                 "the LFO of '{}' has random steps, which never repeat. Choose another shape.",
                 name);
         repetition.add(modulation.rate);
@@ -98,7 +98,8 @@ std::optional<std::int64_t> PeriodFinder::add(std::vector<std::uint8_t> picture)
 }
 
 namespace {
-constexpr double longest_search = 120.0;  // s
+constexpr double longest_search = 120.0;      // s
+constexpr std::int64_t most_pictures = 4096;  // in memory
 
 // A picture of the same shape, large enough to see a change.
 Extent small_extent(Extent extent) {
@@ -113,8 +114,8 @@ Extent small_extent(Extent extent) {
 
 // The period that is known before drawing; a step of one frame if nothing tells it.
 Result<std::int64_t> known_frames(const Repetition& repetition, const LoopSearch& search) {
-    if (!repetition.obstacle.empty())
-        return fail({{}, 0, fmt::format("can't loop: {}", repetition.obstacle)});
+    if (!repetition.error.empty())
+        return fail({{}, 0, fmt::format("can't loop: {}", repetition.error)});
     if (search.seconds > 0.0)
         return loop_frames(fraction_of(search.seconds), search.fps);
     const auto period = common_period(repetition);
@@ -122,7 +123,8 @@ Result<std::int64_t> known_frames(const Repetition& repetition, const LoopSearch
         return fail({{},
                      0,
                      "can't loop: the frequencies of the signal and of the LFOs have no common "
-                     "period below an hour. Round them."});
+                     "period below an hour. Round the frequencies, or set the period with "
+                     "--seconds or in the field Period."});
     return loop_frames(*period, search.fps);
 }
 
@@ -130,7 +132,7 @@ tl::unexpected<Diagnostics> not_found() {
     return fail({{},
                  0,
                  fmt::format("can't loop: the picture does not repeat within {} s. Set the period "
-                             "of the look as the duration.",
+                             "with --seconds, or in the field Period.",
                              format_number(longest_search))});
 }
 
@@ -140,10 +142,9 @@ Result<std::optional<ExportPart>> drawn_loop(Offline& small, std::int64_t step, 
     constexpr double longest_unknown = 30.0;  // s
     const auto second = static_cast<std::int64_t>(std::ceil(search.fps));
     const auto limit = std::max(static_cast<std::int64_t>(longest_search * search.fps), 3 * step);
-    const std::int64_t longest =
-        is_exact
-            ? step
-            : std::max(step, static_cast<std::int64_t>(longest_unknown * search.fps) / step * step);
+    const auto most =
+        std::min(static_cast<std::int64_t>(longest_unknown * search.fps), most_pictures);
+    const std::int64_t longest = is_exact ? step : std::max(step, most / step * step);
     const std::int64_t settled = small.document().look().settle_frames;
     PeriodFinder finder(step, longest, second);
     for (std::int64_t drawn = 1; drawn <= limit; ++drawn) {
@@ -159,7 +160,6 @@ Result<std::optional<ExportPart>> drawn_loop(Offline& small, std::int64_t step, 
 }  // namespace
 
 Result<std::optional<ExportPart>> find_loop(const Document& document, const LoopSearch& search) {
-    constexpr std::int64_t most_pictures = 4096;  // in memory
     auto small = Offline::create({document, {}}, small_extent(search.extent), search.fps);
     if (!small)
         return fail(small.error());

@@ -31,7 +31,7 @@ Result<std::int64_t> loop_frames(const Fraction& seconds, double fps);
 
 /// The frames of one period, after the look has settled. Draws a small picture of the document
 /// until it repeats. nullopt: cancelled. Fails if it never repeats, if the period is not a whole
-/// number of frames, or if none is found within two minutes.
+/// number of frames, or if none is found in the first 120 s of the picture.
 Result<std::optional<ExportPart>> find_loop(const Document& document, const LoopSearch& search);
 
 /// Finds the smallest period in a series of pictures.

@@ -10,6 +10,7 @@
 #include "lab/media/media_input.h"
 #include "lab/offline/thumbnail.h"
 #include "lab/storage/file_stamp.h"
+#include "lab/storage/picture_cache.h"
 #include "lab/storage/shader_cache.h"
 #include "signals/signal_table.h"
 
@@ -77,20 +78,6 @@ std::vector<fs::path> files_named_in(const Document& document) {
 bool has_samples(const Executor& executor) {
     const auto samples = executor.drawer().samples();
     return !samples || samples->held >= samples->enough.value_or(0);
-}
-
-// Keeps the most recent pictures.
-void forget_old(const fs::path& folder) {
-    constexpr std::size_t maximum = 1000;  // about 16 MB
-    std::vector<std::pair<fs::file_time_type, fs::path>> files;
-    std::error_code error;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-        files.emplace_back(fs::last_write_time(it->path(), error), it->path());
-    if (files.size() <= maximum)
-        return;
-    std::ranges::sort(files);
-    for (std::size_t i = 0; i + maximum < files.size(); ++i)
-        fs::remove(files[i].second, error);
 }
 }  // namespace
 

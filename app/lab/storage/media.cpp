@@ -12,13 +12,11 @@
 #include "signals/signal_table.h"
 
 #include <algorithm>
-#include <array>
-#include <span>
 
 namespace fs = std::filesystem;
 
 namespace {
-bool has_extension(const fs::path& file, std::span<const std::string_view> extensions) {
+bool has_extension(const fs::path& file, const std::vector<std::string>& extensions) {
     const std::string extension = to_lower(file.extension().string());
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
@@ -60,16 +58,24 @@ std::string digest_of_media(const fs::path& file) {
 }
 }  // namespace
 
+const std::vector<std::string>& sound_extensions() {
+    static const std::vector<std::string> extensions{".wav", ".flac", ".ogg", ".oga",
+                                                     ".mp3", ".aif",  ".aiff"};
+    return extensions;
+}
+
+const std::vector<std::string>& picture_extensions() {
+    static const std::vector<std::string> extensions{".png", ".jpg", ".jpeg",
+                                                     ".exr", ".hdr", ".webp"};
+    return extensions;
+}
+
 bool is_sound_file(const fs::path& file) {
-    constexpr std::array<std::string_view, 7> extensions{".wav", ".flac", ".ogg", ".oga",
-                                                         ".mp3", ".aif",  ".aiff"};
-    return has_extension(file, extensions);
+    return has_extension(file, sound_extensions());
 }
 
 bool is_picture_file(const fs::path& file) {
-    constexpr std::array<std::string_view, 6> extensions{".png", ".jpg", ".jpeg",
-                                                         ".exr", ".hdr", ".webp"};
-    return has_extension(file, extensions);
+    return has_extension(file, picture_extensions());
 }
 
 std::vector<MediaEntry> RecentMedia::entries() const {

@@ -9,6 +9,9 @@
 #include <string>
 #include <vector>
 
+/// The extensions of sounds and pictures: ".wav".
+const std::vector<std::string>& sound_extensions();
+const std::vector<std::string>& picture_extensions();
 /// Whether the file name has the extension of a sound.
 bool is_sound_file(const std::filesystem::path& file);
 /// Whether the file name has the extension of a picture.

@@ -6,6 +6,7 @@
 #include "lab/library/look_templates.h"
 #include "lab/offline/preset_thumbnail_renderer.h"
 #include "lab/storage/file_stamp.h"
+#include "lab/storage/picture_cache.h"
 
 #include <fmt/format.h>
 
@@ -138,14 +139,15 @@ void LookThumbnails::draw(const Library& library, const std::vector<ListedLook>&
     auto& [folder, entry] = *due;
     const fs::path file = cached_file(library.roots(), folder, entry.stamp);
     std::error_code error;
-    const bool is_cached = fs::exists(file, error);
-    if (!is_cached && (!can_draw || !m_drawing.is_free()))
+    auto cached = fs::exists(file, error) ? std::optional(load_picture(file)) : std::nullopt;
+    if (cached && *cached) {
+        entry.is_due = false;
+        return m_finished->add(folder, std::move(**cached));
+    }
+    if (!can_draw || !m_drawing.is_free())
         return;
     entry.is_due = false;
-    if (!is_cached)
-        return start_drawing(library, folder, file);
-    if (auto picture = load_picture(file))
-        m_finished->add(folder, std::move(*picture));
+    start_drawing(library, folder, file);
 }
 
 void LookThumbnails::start_drawing(const Library& library, const fs::path& folder,
@@ -155,7 +157,8 @@ void LookThumbnails::start_drawing(const Library& library, const fs::path& folde
         auto picture = drawn(folder, library, work);
         if (!picture)
             return fail(picture.error());
-        (void)save_picture(*picture, file);  // without the cache, it is drawn again
+        if (save_picture(*picture, file))  // without the cache, it is drawn again
+            forget_old(file.parent_path());
         finished->add(folder, std::move(*picture));
         if (wake)
             wake();

@@ -50,9 +50,7 @@ void PictureClipboard::copy(const Renderer& renderer, int pass, const Document& 
     const auto picture = snapshot(renderer, pass, messages);
     if (!picture)
         return;
-    auto png = encode_picture(*picture, ".png");
-    if (png)
-        png = png_with_preset(std::move(*png), document, recent);
+    auto png = png_of(picture_of(*picture), document, recent);
     if (!png) {
         messages.say(png.error().front());
         return;

@@ -19,5 +19,5 @@ std::string chord_text(const Chord& chord);
 /// The chord of a text, in any case; "" is no key. nullopt: not a chord.
 std::optional<Chord> parse_chord(std::string_view text);
 
-/// Whether the user may assign the chord to an action. Escape, Tab and F10 have fixed effects.
+/// Whether the user may assign the chord to an action. Escape, Tab and F10 are reserved.
 bool is_assignable(const Chord& chord);

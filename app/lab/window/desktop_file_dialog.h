@@ -26,6 +26,6 @@ private:
     bool can_ask(const WindowState& window) const;
 
     std::function<void()> m_wake;
-    std::optional<FileChooser> m_chooser;  // connected while the user wants the desktop's dialog
+    std::optional<FileChooser> m_chooser;  // connected once the user wants the desktop's dialog
     bool m_is_asked = false;
 };

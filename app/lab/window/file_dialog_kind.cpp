@@ -1,8 +1,10 @@
 #include "lab/window/file_dialog_kind.h"
 
+#include "io/video/video_file.h"
 #include "lab/document/document.h"
 #include "lab/document/output_name.h"
 #include "lab/library/open.h"
+#include "lab/storage/media.h"
 #include "lab/storage/name_check.h"
 
 #include <fmt/format.h>
@@ -18,11 +20,10 @@ using DialogKind = Dialog::Kind;
 using Extensions = std::vector<std::string>;
 
 Extensions media_and_looks() {
-    Extensions all{".svg",  ".svgz", ".obj", ".png", ".exr", ".jpg",  ".jpeg", ".wav",
-                   ".flac", ".ogg",  ".oga", ".mp3", ".aif", ".aiff", ".mp4",  ".m4v",
-                   ".mkv",  ".webm", ".mov", ".avi", ".mpg", ".mpeg", ".ogv",  ".gif"};
-    for (std::string& extension : look_extensions())
-        all.push_back(std::move(extension));
+    Extensions all{".svg", ".svgz", ".obj"};
+    for (const Extensions& extensions :
+         {picture_extensions(), sound_extensions(), video_extensions(), look_extensions()})
+        all.insert(all.end(), extensions.begin(), extensions.end());
     return all;
 }
 

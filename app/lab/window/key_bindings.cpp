@@ -63,7 +63,7 @@ std::string fault_of(const KeyChoice& choice) {
         return fmt::format("'{}' is not a key. Write it as in 'Ctrl+Shift+S', or '' for no key.",
                            choice.key);
     if (chord->key != 0 && !is_assignable(*chord))
-        return fmt::format("'{}' has a fixed effect and can't be assigned", choice.key);
+        return fmt::format("'{}' is reserved. Choose another key.", choice.key);
     return {};
 }
 }  // namespace

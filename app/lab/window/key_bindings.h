@@ -44,6 +44,6 @@ private:
 };
 
 /// The bindings of a file. Reported at its lines, and left out: unknown actions, texts that are not
-/// keys, keys with a fixed effect, and keys that another action has.
+/// keys, reserved keys, and keys that another action has.
 KeyBindings bindings_from(std::span<const KeyChoice> choices, std::span<const KeyedAction> actions,
                           const std::filesystem::path& file, Diagnostics& problems);

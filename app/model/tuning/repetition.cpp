@@ -88,9 +88,8 @@ void Repetition::add(double frequency) {
 
 void Repetition::add(const Repetition& other) {
     hertz.insert(hertz.end(), other.hertz.begin(), other.hertz.end());
-    if (obstacle.empty())
-        obstacle = other.obstacle;
-    is_known = is_known && other.is_known;
+    if (error.empty())
+        error = other.error;
 }
 
 std::optional<Fraction> common_period(const Repetition& repetition) {

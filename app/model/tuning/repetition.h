@@ -28,8 +28,7 @@ std::optional<Fraction> product(const Fraction& a, const Fraction& b);
 /// How something repeats over time: the frequencies of its periodic parts.
 struct Repetition {
     std::vector<Fraction> hertz = {};  // each above 0; none: it does not change
-    std::string obstacle = {};         // why it never repeats, as a sentence; "": it does
-    bool is_known = true;              // false: it may also change in other ways
+    std::string error = {};            // why it never repeats, as a sentence; "": it repeats
 
     /// Adds a part with a frequency in Hz; 0 adds nothing.
     void add(double frequency);

@@ -71,7 +71,7 @@ Result<std::unique_ptr<Signal>> make_scene_signal(std::shared_ptr<const BeamScen
 struct ChangingScene {
     std::function<BeamScene(double seconds)> at;  // the scene drawn from that time on
     double seconds = 1.0 / 60.0;                  // between starts; no drawing takes longer
-    Repetition repetition = {.is_known = false};  // of `at`
+    Repetition repetition = {};                   // of `at`
 };
 
 /// Like make_scene_signal(), but the scene may be empty.

@@ -196,7 +196,7 @@ Repetition repetition_of_drawings(double seconds, double refresh) {
     if (refresh > 0.0 && seconds <= 1.0 / refresh + rounding)
         repetition.add(refresh);
     else
-        repetition.obstacle = fmt::format(
+        repetition.error = fmt::format(
             "one drawing takes {:.4g} s, so it has no fixed rate. Raise the beam speed until it "
             "fits the refresh rate.",
             seconds);

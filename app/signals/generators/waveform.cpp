@@ -103,7 +103,7 @@ public:
             if (m_inputs[i].coupling == Coupling::ground || !m_inputs[i].is_on())
                 continue;
             if (m_inputs[i].shape == Shape::noise)
-                repetition.obstacle = "noise never repeats. Choose another shape of the wave.";
+                repetition.error = "noise never repeats. Choose another shape of the wave.";
             const bool scrolls = !m_is_xy || i == 0;
             repetition.add(m_inputs[i].hertz + (m_is_xy && scrolls ? m_scroll : 0.0));
             if (!m_is_xy)

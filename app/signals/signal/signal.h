@@ -26,7 +26,7 @@ public:
     virtual double seconds() const { return std::numeric_limits<double>::infinity(); }
 
     /// How it repeats, apart from a sound that it plays. By default unknown.
-    virtual Repetition repetition() const { return {.is_known = false}; }
+    virtual Repetition repetition() const { return {}; }
 };
 
 struct BeamScene;

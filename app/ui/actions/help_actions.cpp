@@ -16,9 +16,10 @@ std::vector<Action> help_actions::list() {
     };
     const auto page = [](const char* file) {
         return [file](const Scene& scene, Edits& edits) {
-            edits.change([roots = scene.roots, file](Messages& messages) {
-                open_help_page(roots, file, messages);
-            });
+            edits.change(
+                [roots = scene.roots, file](ExternalPrograms& programs, Messages& messages) {
+                    open_help_page(roots, file, programs, messages);
+                });
         };
     };
     return {

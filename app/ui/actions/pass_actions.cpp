@@ -23,7 +23,7 @@ void capture_with_renderdoc(const Scene&, Edits& edits) {
     gpu::capture_next_frame();
     edits.change([](FrameLoop& frames, Messages& messages) {
         frames.reapply();
-        messages.say("Captured the next frame. Open it in RenderDoc.");
+        messages.say("Capturing the next frame. Open it in RenderDoc.");
     });
 }
 

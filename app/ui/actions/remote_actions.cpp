@@ -16,17 +16,13 @@ std::string similar_action(const std::string& name, const ActionTable& actions) 
     return did_you_mean(name, names);
 }
 
-bool opens_dialog(const Action& action) {
-    return std::string_view(action.label).ends_with("…");
-}
-
-Result<void> run_named(const RequestedAction& asked, const Scene& scene, Edits& edits) {
+Result<void> run_named(const RequestedAction& request, const Scene& scene, Edits& edits) {
     const auto reject = [](std::string reason) { return fail({{}, 0, std::move(reason)}); };
-    const Action* action = find_action(asked.name, scene.actions);
+    const Action* action = find_action(request.name, scene.actions);
     if (!action)
-        return reject(fmt::format("unknown action '{}'{}", asked.name,
-                                  similar_action(asked.name, scene.actions)));
-    if (!asked.is_down) {
+        return reject(fmt::format("unknown action '{}'{}", request.name,
+                                  similar_action(request.name, scene.actions)));
+    if (!request.is_down) {
         if (action->on_release)
             action->on_release(scene, edits);
         return {};
@@ -34,17 +30,19 @@ Result<void> run_named(const RequestedAction& asked, const Scene& scene, Edits& 
     if (const std::string reason = disabled_reason(*action, scene); !reason.empty())
         return reject(fmt::format("\"{}\" isn't available: {}", action->label, reason));
     const bool has_dialog = scene.window.dialog.kind != Dialog::Kind::none;
-    if (has_dialog && opens_dialog(*action))
+    Edits acted;
+    act_with_undo_notice(*action, scene, acted);
+    if (has_dialog && acted.requests().shows_dialog)
         return reject(fmt::format("\"{}\" isn't available: a dialog is open", action->label));
-    act_with_undo_notice(*action, scene, edits);
+    edits.append(std::move(acted));
     return {};
 }
 }  // namespace
 
 void run_requested_action(const Scene& scene, Edits& edits) {
-    const auto& asked = scene.lab.remote.requested_action();
-    if (!asked)
+    const auto& request = scene.lab.remote.requested_action();
+    if (!request)
         return;
-    const Result<void> done = run_named(*asked, scene, edits);
+    const Result<void> done = run_named(*request, scene, edits);
     edits.change([done](RemoteControl& remote) { remote.finish_action(done); });
 }

@@ -18,7 +18,7 @@ void draw_desktop_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame(kind->title, 30.0f, scene, edits);
     if (!frame.is_open())
         return;
-    wrapped_dim_text("Choose in the desktop's file dialog. It is a separate window.");
+    wrapped_dim_text("The desktop's file dialog is open in a separate window.");
     const ImVec2 at = start_of_buttons();
     if (ImGui::Button("Use Afterglow's dialog"))
         edits.arrange([](WindowState& window) {

@@ -123,7 +123,7 @@ private:
         m_form.length =
             dialog_text("export_seconds", m_form.length, length_hint(), number_width(), m_edits);
         ImGui::SameLine();
-        dim_text(m_form.loops ? "s. Leave it empty to find it." : "s");
+        dim_text(m_form.loops ? "s. Leave empty to detect the period." : "s");
         problem(ExportField::length);
     }
 

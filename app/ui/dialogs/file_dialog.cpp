@@ -81,7 +81,7 @@ std::string list_problem(const FileDialogFrame& frame) {
     if (!listing.problem.empty())
         return listing.problem;
     return listing.entries.empty() ? "This folder has no matching files."
-                                   : "No matching files. Change the name to see others.";
+                                   : "No matching files. Clear the name to list all.";
 }
 
 // Takes the choice of the user: enters a folder, asks, shows a problem, or is done.

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "gpu/input_event.h"
+#include "lab/window/search_words.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/mouse_gestures.h"
 #include "ui/frame/action.h"
@@ -12,6 +13,7 @@
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -35,9 +37,7 @@ struct KeyGroup {
 };
 
 bool is_found(std::string_view search, std::initializer_list<std::string_view> texts) {
-    return search.empty() || std::ranges::any_of(texts, [&](std::string_view text) {
-               return to_lower(text).find(to_lower(search)) != std::string::npos;
-           });
+    return has_search_words(fmt::format("{}", fmt::join(texts, " ")), search);
 }
 
 std::vector<KeyGroup> key_groups(const Scene& scene) {
@@ -171,7 +171,7 @@ void draw_prompt(const Scene& scene, Edits& edits) {
             fmt::format("{} is the key of \"{}\".", chord_text(conflict), other->label).c_str());
     } else if (conflict.key != 0) {
         const ScopedColor color(ImGuiCol_Text, theme::warning);
-        ImGui::TextUnformatted("This key has a fixed effect. Press another one.");
+        ImGui::TextUnformatted("This key is reserved. Press another one.");
     } else {
         ImGui::TextUnformatted(
             fmt::format("Press the new key for \"{}\". Esc cancels.", action->label).c_str());
@@ -180,10 +180,10 @@ void draw_prompt(const Scene& scene, Edits& edits) {
     if (other) {
         const std::string previous = chord_text(bindings.chord_of(*action));
         ImGui::SameLine();
-        if (ImGui::Button(previous.empty() ? "Take the key" : "Swap keys"))
+        if (ImGui::Button(previous.empty() ? "Reassign key" : "Swap keys"))
             assign(scene, *action, conflict, edits);
         tooltip(previous.empty() ? fmt::format("\"{}\" loses its key.", other->label)
-                               : fmt::format("\"{}\" gets {}.", other->label, previous));
+                                 : fmt::format("\"{}\" gets {}.", other->label, previous));
         edits.mark("keys_swap");
     }
     ImGui::SameLine();
@@ -285,7 +285,7 @@ void draw_mouse(const Scene& scene) {
 void draw_search(const Scene& scene, Edits& edits) {
     std::string search = scene.window.dialog.text;
     const bool is_new = scene.window.dialog.is_new;
-    if (draw_search_box({"keys_search", "Search actions, keys and gestures",
+    if (draw_search_box({"keys_search", "Search commands, keys and gestures",
                          ImGui::GetFontSize() * 20.0f, is_new},
                         search, edits))
         edits.arrange([search](WindowState& window) { window.dialog.text = search; });

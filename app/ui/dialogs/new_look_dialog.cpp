@@ -61,7 +61,7 @@ void draw_new_look_dialog(const Scene& scene, Edits& edits) {
         return;
     const std::vector<LookTemplate> templates = look_templates(scene.roots.program);
     if (templates.empty()) {
-        wrapped_dim_text("The program's templates are missing. Install the program again.");
+        wrapped_dim_text("The program's templates are missing. Reinstall Afterglow.");
         draw_close_button("Close", edits);
         return;
     }

@@ -75,7 +75,7 @@ void draw_addresses(const OscControl& osc, const Fonts& fonts) {
         draw(host_text(network.host),
              fmt::format("devices in the network of {}", network.interface));
     if (osc.networks().empty())
-        wrapped_dim_text("This machine has no network now. Only its own programs can send.");
+        wrapped_dim_text("No network found. Only programs on this machine can send.");
     const ScopedColor color(ImGuiCol_Text, theme::warning);
     ImGui::TextWrapped(
         "OSC has no password: every device in these networks can control Afterglow.");

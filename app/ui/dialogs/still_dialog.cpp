@@ -62,7 +62,7 @@ void draw_size(StillForm& form, Extent render_size, Edits& edits) {
         form.size = sizes[chosen];
     if (form.size != "1x") {
         dialog_row("");
-        dim_text("Drawn again in the background, at the current time.");
+        dim_text("Rendered in the background at the current time.");
     }
 }
 
@@ -95,15 +95,17 @@ void draw_still_dialog(const Scene& scene, Edits& edits) {
         return;
     const bool is_new = scene.window.dialog.is_new;
     StillForm form = scene.window.saving;
+    const auto is_taken = [&](const fs::path& file) { return scene.lab.jobs.is_target(file); };
     if (is_new) {
         if (form.folder.empty())
             form.folder = last_folder(scene.window.file_dialogs, "picture", UserFolder::pictures);
-        form = initial_still_form(form, *scene.lab.document, local_date());
+        form = initial_still_form(form, *scene.lab.document, local_date(), is_taken);
     }
     const Extent render_size = scene.lab.size.extent();
     draw_file(form, is_new, edits);
     draw_size(form, render_size, edits);
-    const auto settings = planned_still(form, render_size, scene.lab.player.transport().time());
+    const auto settings =
+        planned_still(form, render_size, scene.lab.player.transport().time(), is_taken);
     dialog_problem(settings ? "" : settings.error().front().message, edits);
     wrapped_dim_text(still_formats()[static_cast<std::size_t>(form.format)].help);
     std::error_code ignored;

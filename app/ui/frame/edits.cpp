@@ -15,7 +15,19 @@ void Edits::finish() {
     change([](Document& document) { document.finish(); });
 }
 
+void Edits::append(Edits other) {
+    std::ranges::move(other.m_edits, std::back_inserter(m_edits));
+    WindowRequests& added = other.m_requests;
+    if (added.copied)
+        m_requests.copied = std::move(added.copied);
+    m_requests.copies_picture |= added.copies_picture;
+    m_requests.quits |= added.quits;
+    m_requests.shows_dialog |= added.shows_dialog;
+    m_widget_rects.merge(other.m_widget_rects);
+}
+
 void Edits::show(Dialog dialog) {
+    m_requests.shows_dialog = true;
     arrange([dialog = std::move(dialog)](WindowState& window) { window.dialog = dialog; });
 }
 

@@ -19,6 +19,14 @@ struct WidgetRect {
     float bottom = 0.0f;
 };
 
+/// What the panels ask of the window in one frame.
+struct WindowRequests {
+    std::optional<std::string> copied = {};  // text for the clipboard
+    bool copies_picture = false;
+    bool quits = false;
+    bool shows_dialog = false;
+};
+
 /// The user's changes in the panels during one frame. They are applied after all panels are drawn.
 class Edits {
 public:
@@ -40,19 +48,19 @@ public:
     /// Opens stored unsaved changes. Those of the open look are stored instead.
     void open_unsaved(const std::filesystem::path& stored);
     /// Copies the text to the clipboard.
-    void copy(std::string text) { m_copied = std::move(text); }
+    void copy(std::string text) { m_requests.copied = std::move(text); }
     /// Copies the displayed picture to the clipboard.
-    void copy_picture() { m_copies_picture = true; }
-    void quit() { m_is_quitting = true; }
+    void copy_picture() { m_requests.copies_picture = true; }
+    void quit() { m_requests.quits = true; }
+    /// Appends the edits of another list.
+    void append(Edits other);
 
     /// Records the position of the last widget under this name, for scripts that drive the window.
     void mark(const std::string& name);
     void mark(const std::string& name, const WidgetRect& rect) { m_widget_rects[name] = rect; }
 
     void apply(Lab& lab, WindowState& window) const;
-    const std::optional<std::string>& copied() const { return m_copied; }
-    bool copies_picture() const { return m_copies_picture; }
-    bool is_quitting() const { return m_is_quitting; }
+    const WindowRequests& requests() const { return m_requests; }
     /// Whether any edit changes more than the window.
     bool change_lab() const {
         return std::ranges::any_of(m_edits, std::not_fn(&Edit::changes_only_window));
@@ -61,8 +69,6 @@ public:
 
 private:
     std::vector<Edit> m_edits;
-    std::optional<std::string> m_copied;
-    bool m_copies_picture = false;
-    bool m_is_quitting = false;
+    WindowRequests m_requests;
     std::map<std::string, WidgetRect> m_widget_rects;
 };

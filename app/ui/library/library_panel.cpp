@@ -60,10 +60,10 @@ void draw_recent(const Scene& scene, Edits& edits) {
     const std::vector<RecentLook> recent =
         recent_looks(scene.window.recent.looks, scene.library_view.looks(), open);
     if (recent.empty())
-        dim_text("No other looks were opened yet.");
+        dim_text("No other recent looks.");
     for (const RecentLook& look : recent) {
         const ScopedId id(look.argument);
-        if (ImGui::MenuItem(look.name.c_str()))
+        if (ImGui::MenuItem(menu_label(look.name).c_str()))
             edits.open(look.argument);
         edits.mark("recent_look:" + look.name);
     }

@@ -15,8 +15,9 @@ void draw_morph_items(const ListedPreset& preset, const Scene& scene, Edits& edi
             if (ImGui::MenuItem(fmt::format("{} s", seconds).c_str(), nullptr, is_present)) {
                 edits.arrange(
                     [seconds](WindowState& window) { window.presets.morph_seconds = seconds; });
-                edits.change([file = preset.preset.entry.file, seconds](PresetCommands& presets) {
-                    presets.navigation().morph_to(file, seconds);
+                edits.change([file = preset.preset.entry.file, seconds](PresetCommands& presets,
+                                                                        Messages& messages) {
+                    messages.succeeded(presets.navigation().morph_to(file, seconds));
                 });
             }
             edits.mark(fmt::format("morph:{}", seconds));
@@ -62,7 +63,9 @@ void open_listed(const ListedPreset& preset, const Scene& scene, Edits& edits,
 
 void morph_to_listed(const ListedPreset& preset, const Scene& scene, Edits& edits) {
     edits.change([file = preset.preset.entry.file, seconds = scene.window.presets.morph_seconds](
-                     PresetCommands& presets) { presets.navigation().morph_to(file, seconds); });
+                     PresetCommands& presets, Messages& messages) {
+        messages.succeeded(presets.navigation().morph_to(file, seconds));
+    });
 }
 
 void star_listed(const ListedPreset& preset, Edits& edits) {

@@ -14,7 +14,7 @@ namespace {
 // What stopped the clock, otherwise the number of problems.
 std::string problems_text(const Scene& scene) {
     if (const auto& found = scene.lab.frames.nan_guard().found(); found && scene.lab.renderer)
-        return fmt::format("Stopped: NaN/Inf in {}",
+        return fmt::format("Paused: NaN/Inf in {}",
                            scene.lab.renderer->executor().look().passes[found->pass].name);
     const std::size_t count = scene.lab.messages.problems().size();
     return count == 0   ? "No problems"

@@ -53,6 +53,13 @@ std::string wrapped(const std::string& text, float width) {
         text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
 }
 
+std::string menu_label(std::string_view name) {
+    std::string label = printable(name);
+    for (std::size_t at = label.find("##"); at != std::string::npos; at = label.find("##"))
+        label.insert(at + 1, " ");
+    return label;
+}
+
 std::string elided_to_width(const std::string& text, float width) {
     const auto width_of = [](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str()).x;

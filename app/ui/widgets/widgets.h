@@ -30,6 +30,9 @@ void wrapped_dim_text(const std::string& text);
 std::string wrapped(const std::string& text, float width);
 /// Cuts the text with "…" if it does not fit `width`; the tooltip has the whole text.
 void fitted_text(const std::string& text, float width, const ImVec4& color);
+/// A file name as the label of a menu item: printable, and not cut at "##", where ImGui cuts
+/// labels.
+std::string menu_label(std::string_view name);
 std::string elided_to_width(const std::string& text, float width);
 
 /// Whether the last item has been hovered for a moment without a pressed button.

@@ -128,11 +128,13 @@ private:
 bool Application::is_ending() {
     if (!m_window.take_close_request() && !m_is_quitting)
         return false;
-    if (!m_lab.jobs().exports().is_pending())
-        return true;
+    m_schedule.stay_awake();
+    if (!m_lab.jobs().exports().is_pending()) {
+        m_is_quitting = m_lab.jobs().is_exporting();  // until the last picture is saved
+        return !m_is_quitting;
+    }
     m_is_quitting = false;
     m_state.dialog = {.kind = Dialog::Kind::quit_exporting};
-    m_schedule.stay_awake();
     return false;
 }
 
@@ -205,14 +207,14 @@ void Application::apply(const Edits& edits) {
         m_schedule.stay_awake();
     if (edits.change_lab())
         m_panels.library().refresh();
-    if (edits.copied())
-        m_window.set_clipboard(*edits.copied());
+    if (edits.requests().copied)
+        m_window.set_clipboard(*edits.requests().copied);
     if (!m_state.copied.empty())
         m_window.set_clipboard(std::exchange(m_state.copied, {}));
-    if (edits.copies_picture() && m_lab.document() && m_lab.renderer())
+    if (edits.requests().copies_picture && m_lab.document() && m_lab.renderer())
         m_clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
                          *m_lab.document(), m_lab.work().media.recent(), m_lab.messages());
-    m_is_quitting = edits.is_quitting();
+    m_is_quitting = m_is_quitting || edits.requests().quits;
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());
     report_other_window();

@@ -15,7 +15,7 @@ void draw_recent_menu(const Scene& scene, Edits& edits) {
     for (const std::string& name : files) {
         const ScopedId id(name);
         const std::filesystem::path file(name);
-        if (ImGui::MenuItem(file.filename().c_str()))
+        if (ImGui::MenuItem(menu_label(file.filename().string()).c_str()))
             edits.open_file(file);
         tooltip(name);
         edits.mark("menu:recent:" + file.filename().string());

@@ -59,7 +59,7 @@ void move_to_pane() {
 }
 
 void start(Edits& edits) {
-    let_keys_navigate(true);
+    set_keyboard_navigation(true);
     ImGuiContext& context = *ImGui::GetCurrentContext();
     context.NavDisableHighlight = false;
     context.NavDisableMouseHover = true;
@@ -67,7 +67,7 @@ void start(Edits& edits) {
 }
 
 void end(Edits& edits) {
-    let_keys_navigate(false);
+    set_keyboard_navigation(false);
     ImGui::SetWindowFocus(nullptr);
     edits.arrange([](WindowState& window) { window.keyboard.has_focus = false; });
 }

@@ -38,11 +38,12 @@ void select_menu(ImGuiID id) {
 }
 }  // namespace
 
-void let_keys_navigate(bool are_let) {
+void set_keyboard_navigation(bool is_enabled) {
     ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
-    flags = are_let ? flags | ImGuiConfigFlags_NavEnableKeyboard
-                    : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::GetIO().KeyMap[ImGuiKey_Space] = are_let ? gpu::key::enter : ' ';  // activates an item
+    flags = is_enabled ? flags | ImGuiConfigFlags_NavEnableKeyboard
+                       : flags & ~ImGuiConfigFlags_NavEnableKeyboard;
+    ImGui::GetIO().KeyMap[ImGuiKey_Space] =
+        is_enabled ? gpu::key::enter : ' ';  // activates an item
 }
 
 void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
@@ -53,15 +54,15 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
     if (is_asked) {
         select_menu(ImGui::GetID(first));
         open_menu(ImGui::GetID(first));
-        let_keys_navigate(true);
+        set_keyboard_navigation(true);
         edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = true; });
     } else if (is_open && !scene.window.keyboard.is_in_menus) {
-        let_keys_navigate(true);
+        set_keyboard_navigation(true);
         edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = true; });
     } else if (is_at_closed_menu() && scene.window.keyboard.is_in_menus) {
         open_menu(ImGui::GetCurrentContext()->NavId);
     } else if (!is_open && scene.window.keyboard.is_in_menus) {
-        let_keys_navigate(scene.window.keyboard.has_focus);
+        set_keyboard_navigation(scene.window.keyboard.has_focus);
         if (!scene.window.keyboard.has_focus)
             ImGui::SetWindowFocus(nullptr);
         edits.arrange([](WindowState& window) { window.keyboard.is_in_menus = false; });

@@ -10,4 +10,4 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits);
 
 /// Whether ImGui's keyboard navigation covers all controls. It is normally off, because the
 /// parameters use the arrow keys.
-void let_keys_navigate(bool are_let);
+void set_keyboard_navigation(bool is_enabled);

@@ -197,8 +197,7 @@ TEST_CASE("every error in a range, a condition or a text is reported on its own 
     check_error("int a; // @scale half-life",
                 "@scale half-life needs a single float with a @range within 0 and 1");
     check_error("float a; // @when", "@when takes an expression, such as @when mode == 1");
-    check_error("float a; // @when a == \"x",
-                "the expression that starts here has no closing '\"'");
+    check_error("float a; // @when a == \"x", "a string in this expression has no closing '\"'");
     check_error("float a; // @when gain > 0", "@when of 'a': no parameter 'gain'");
     check_error("float a; // @random yes", "@random must be 'no'");
     check_error("float a; // @label", "@label takes one text in quotes: @label \"...\"");

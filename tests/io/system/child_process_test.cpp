@@ -70,13 +70,13 @@ TEST_CASE("a child process that is stuck is ended, one that works is not") {
         is_read = stuck->feed(0, std::string(10000, 'a'));
     CHECK_FALSE(is_read);
     CHECK_FALSE(stuck->finish());
-    CHECK(stuck->fault() == "it made no progress for 0.5 s and was stopped");
+    CHECK(stuck->fault() == "stopped after 0.5 s without progress");
 
     auto waiting = ChildProcess::start({"sleep", "600"}, {.inputs = 1});
     REQUIRE(waiting.has_value());
     waiting->set_patience(0.5);
     CHECK_FALSE(waiting->finish());
-    CHECK(waiting->fault() == "it made no progress for 0.5 s and was stopped");
+    CHECK(waiting->fault() == "stopped after 0.5 s without progress");
 
     auto busy = ChildProcess::start(
         {"sh", "-c", "i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done"}, {.inputs = 1});
@@ -90,11 +90,11 @@ TEST_CASE("the end of a child process has a reason, and its environment can be e
     auto killed = ChildProcess::start({"sh", "-c", "kill -11 $$"});
     REQUIRE(killed.has_value());
     CHECK_FALSE(killed->finish());
-    CHECK(killed->fault() == "it was stopped by signal 11 (Segmentation fault)");
+    CHECK(killed->fault() == "stopped by signal 11 (Segmentation fault)");
     auto failed = ChildProcess::start({"sh", "-c", "exit 7"});
     REQUIRE(failed.has_value());
     CHECK_FALSE(failed->finish());
-    CHECK(failed->fault() == "it ended with exit status 7");
+    CHECK(failed->fault() == "exited with status 7");
     auto told = ChildProcess::start({"sh", "-c", "echo \"$AFTERGLOW_TEST $HOME\""},
                                     {.environment = {"AFTERGLOW_TEST=a=b", "HOME=/nowhere"}});
     REQUIRE(told.has_value());

@@ -70,7 +70,7 @@ TEST_CASE("undo does not replace a shader that was edited after its pass was add
     CHECK(small.text("tint.frag") == edited);
     CHECK(small.text("look.json") == manifest);
     CHECK(small.notice() ==
-          "The files of \"Add pass tint\" stay as they are: tint.frag was changed "
+          "Can't undo or redo \"Add pass tint\": tint.frag was changed "
           "by another program and was not replaced");
 }
 
@@ -124,8 +124,7 @@ TEST_CASE("a preset that opens after an added pass keeps the pass") {
     Preset preset;
     preset.look = "small";
     preset.name = "Bright";
-    small.lab().edit(
-        [&](Document& document) { open_preset(document, preset, "bright.json"); });
+    small.lab().edit([&](Document& document) { open_preset(document, preset, "bright.json"); });
     small.update(3);
     CHECK(fs::exists(small.file("tint.frag")));
     CHECK(small.text("look.json").find("tint") != std::string::npos);

@@ -140,7 +140,8 @@ TEST_CASE("slots are stored and recalled in the order of the messages") {
 TEST_CASE("blackout is immediate, and is rejected without an output window") {
     RemoteLab small;
     small.send("command/blackout", {1.0});
-    CHECK(small.reason() == "the output window is closed. Open it with F12.");
+    CHECK(small.reason() ==
+          "the output window is closed. Send /afterglow/command/action/output_window first.");
     CHECK_FALSE(small.window.output.is_black);
     small.window.output.is_open = true;
     small.send("command/blackout", {1.0});

@@ -27,6 +27,12 @@ TEST_CASE("a default name is that of no other file") {
     std::ofstream(folder / "a-2.mp4") << "x";
     CHECK(unused_name(folder.path(), "a", ".mp4") == "a-3.mp4");
     CHECK(unused_name(folder.path(), "a", ".mov") == "a.mov");
+    CHECK(unused_name(folder.path(), "a", ".mp4", [&](const fs::path& file) {
+              return file == folder / "a-3.mp4";
+          }) == "a-4.mp4");
+    CHECK(unused_name(folder.path(), "b", "_%04d.png") == "b_%04d.png");
+    std::ofstream(folder / "b_0600.png") << "x";
+    CHECK(unused_name(folder.path(), "b", "_%04d.png") == "b-2_%04d.png");
 }
 
 TEST_CASE("a typed name is in the folder, a typed path is where it says") {

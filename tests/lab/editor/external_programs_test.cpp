@@ -37,7 +37,7 @@ TEST_CASE("an editor that ends with an error is reported, with other ways to ope
     started.open("sh -c 'exit 3' {file}");
     REQUIRE(started.notice().has_value());
     CHECK(started.notice()->text ==
-          "sh could not open tube.frag: it ended with status 3. Choose an editor.");
+          "sh could not open tube.frag: exited with status 3. Choose an editor.");
     REQUIRE(started.notice()->buttons.size() == 3);
     CHECK(started.notice()->buttons[0].name == "Choose editor");
     CHECK(started.notice()->buttons[1].name == "Open folder");

@@ -87,7 +87,7 @@ TEST_CASE("a start after the sound and a small picture are refused") {
     Planning planning;
     planning.sound_seconds = 2.0;
     planning.form.start = "2";
-    CHECK(planning.problem(ExportField::start) == "The sound ends at 2 s.");
+    CHECK(planning.problem(ExportField::start) == "The sound ends at 2 s. Type an earlier start.");
     planning.form.start = "0.5";
     CHECK(planning.plan().frames == 90);
     planning.form.codec = "av1";
@@ -100,7 +100,7 @@ TEST_CASE("lossy sound that is drawn as XY gets a note") {
     Planning planning;
     planning.signal = {.kind = "audio", .settings = {{"mode", std::string("xy")}}};
     planning.sound_seconds = 2.0;
-    CHECK(planning.plan().note.find("AAC changes the sound") == 0);
+    CHECK(planning.plan().note.find("AAC distorts the sound") == 0);
     planning.form.file = "a.mov";
     CHECK(planning.plan().note == "");
 }
@@ -131,13 +131,18 @@ TEST_CASE("pictures have sizes relative to the render size, or usual ones") {
     CHECK(still_extent("1080p", {640, 480}) == Extent{1920, 1080});
     const TemporaryFolder folder;
     StillForm form{.file = "a", .folder = folder.path(), .size = "2x"};
-    const auto settings = planned_still(form, {64, 48}, 3.0);
+    const auto is_target = [&](const std::filesystem::path& file) {
+        return file == folder / "b.png";
+    };
+    const auto settings = planned_still(form, {64, 48}, 3.0, is_target);
     REQUIRE(settings.has_value());
     CHECK(settings->file == folder / "a.png");
     CHECK(settings->size == Extent{128, 96});
+    form.file = "b";
+    CHECK(!planned_still(form, {64, 48}, 3.0, is_target));
     form.file = "a.jpg";
-    CHECK(!planned_still(form, {64, 48}, 3.0));
+    CHECK(!planned_still(form, {64, 48}, 3.0, is_target));
     form.file = "a.avif";
     form.size = "4x";
-    CHECK(!planned_still(form, {8192, 48}, 3.0));
+    CHECK(!planned_still(form, {8192, 48}, 3.0, is_target));
 }

@@ -25,7 +25,7 @@ TEST_CASE("a text that is not a chord is refused") {
     }
 }
 
-TEST_CASE("keys with a fixed effect and modifiers cannot be assigned") {
+TEST_CASE("reserved keys and modifiers cannot be assigned") {
     constexpr int escape = 256;
     constexpr int tab = 258;
     constexpr int f10 = 299;

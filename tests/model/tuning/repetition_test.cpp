@@ -48,13 +48,12 @@ TEST_CASE("frame rates that fit are usual ones, otherwise the nearest") {
     CHECK(fitting_rates({1, 7}, 60.0) == std::vector<double>{56.0, 63.0});
 }
 
-TEST_CASE("parts of a repetition add up, and one obstacle is enough") {
+TEST_CASE("parts of a repetition add up, and one error is enough") {
     Repetition whole;
     whole.add(0.5);
-    Repetition part{.obstacle = "noise never repeats", .is_known = false};
+    Repetition part{.error = "noise never repeats"};
     part.add(0.75);
     whole.add(part);
     CHECK(common_period(whole) == Fraction{4, 1});
-    CHECK(whole.obstacle == "noise never repeats");
-    CHECK(!whole.is_known);
+    CHECK(whole.error == "noise never repeats");
 }

@@ -16,8 +16,7 @@ std::unique_ptr<Signal> made(const char* text) {
 
 std::optional<Fraction> period_of(const char* text) {
     const Repetition repetition = made(text)->repetition();
-    CHECK(repetition.is_known);
-    CHECK(repetition.obstacle == "");
+    CHECK(repetition.error == "");
     return common_period(repetition);
 }
 
@@ -58,7 +57,7 @@ TEST_CASE("signals know after which time they draw the same points again") {
 }
 
 TEST_CASE("signals that never repeat say why") {
-    CHECK(made("waveform:ch1=noise")->repetition().obstacle.find("noise never repeats") == 0);
-    const std::string slow = made("text:A LONG TEXT,beam_speed=20")->repetition().obstacle;
+    CHECK(made("waveform:ch1=noise")->repetition().error.find("noise never repeats") == 0);
+    const std::string slow = made("text:A LONG TEXT,beam_speed=20")->repetition().error;
     CHECK(slow.find("Raise the beam speed") != std::string::npos);
 }
