@@ -5,6 +5,7 @@
 #include "io/system/machine_memory.h"
 #include "lab/messages/source_lines.h"
 #include "lab/rendering/named_size.h"
+#include "model/tuning/tempo.h"
 
 #include <fmt/format.h>
 
@@ -51,18 +52,25 @@ void LookOptions::add_to(Options& options, Take take) {
         .add("--set NAME=VALUE", m_set,
              "Set a parameter, such as decay=0.9 or, in a stack, crt/exposure=2")
         .repeated();
-    options.add("--signal SIGNAL", m_request.signal,
-                "Signal of a scope look, such as lissajous:x=3,y=2 or audio:song.wav,mode=xy "
-                "('afterglow list signals' prints all)");
+    m_takes_several = take == Take::several;
+    options
+        .add("--signal SIGNAL", m_signals,
+             "Signal of a scope look, such as lissajous:x=3,y=2 or audio:song.wav,mode=xy "
+             "('afterglow list signals' prints all)")
+        .repeated();
     options.add("--source SOURCE", m_request.source,
                 "Picture of a CRT look: an image file, frame_%04d.png, a video or pattern:NAME, "
                 "with optional settings ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
+    options
+        .add("--tempo BPM", m_request.bpm,
+             "Tempo of modulations in beats (default: the preset's, else 120)")
+        .between(min_bpm, max_bpm);
     options
         .add("--size WxH", m_size,
              "Render size in pixels, or 720p, 1080p, 1440p, 2160p, square (1080x1080) or portrait "
              "(1080x1920)")
         .show_default();
-    if (take == Take::drawing)
+    if (take != Take::values)
         options.add("--fps N", m_request.fps, "Frames per second of the fixed clock")
             .show_default()
             .between(1.0, 1000.0);
@@ -71,6 +79,10 @@ void LookOptions::add_to(Options& options, Take take) {
 RenderRequest LookOptions::request() const {
     RenderRequest request = m_request;
     request.size = parse_size(m_size);
+    if (m_signals.size() > 1 && !m_takes_several)
+        throw UsageError("--signal: only 'render' takes several sounds");
+    if (!m_signals.empty())
+        request.signal = m_signals.front();
     for (const std::string& assignment : m_set) {
         const std::size_t equals = assignment.find('=');
         if (equals == std::string::npos || equals == 0)

@@ -28,16 +28,20 @@ void check_ending(const std::string& option, const std::string& file,
 /// The options for a look and its input, shared by the commands that open one look.
 class LookOptions {
 public:
-    /// The options that a command takes; `drawing` adds --fps.
-    enum class Take { values, drawing };
+    /// The options that a command takes; `drawing` adds --fps, and `several` takes several sounds.
+    enum class Take { values, drawing, several };
 
     explicit LookOptions(std::string size = "1280x720") : m_size(std::move(size)) {}
 
     void add_to(Options& options, Take take);
     RenderRequest request() const;
+    /// All values of --signal. request() has only the first.
+    const std::vector<std::string>& signals() const { return m_signals; }
 
 private:
     RenderRequest m_request;
+    std::vector<std::string> m_signals;
+    bool m_takes_several = false;
     std::vector<std::string> m_set;
     std::string m_size;
 };

@@ -8,6 +8,7 @@
 #include "lab/document/sharing.h"
 #include "lab/offline/export_output.h"
 #include "lab/offline/loop.h"
+#include "model/look/spec.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +21,8 @@ constexpr std::array render_examples{
     "afterglow render phosphor --preset amber-p3 -o amber.png",
     "afterglow render crt --source screenshot.png --set exposure=1.5 -o crt.png",
     "afterglow render phosphor --signal audio:song.flac,mode=xy -o song.mp4",
+    "afterglow render phosphor --signal audio:song.flac --cues show.txt -o show.mp4",
+    "afterglow render phosphor --signal audio:a.flac --signal audio:b.flac --join -o album.mp4",
     "afterglow render vector-beam --size 640x360 --seconds 1 -o frame_%04d.png",
 };
 
@@ -32,6 +35,8 @@ struct RenderArguments {
     std::string pass;
     std::string all_passes;
     std::string automation;
+    std::string cues;
+    bool joins = false;
     double timeout = 0.0;  // s; 0: not given
     FilmChoice film;
     double quality = 0.0;  // 0: not given
@@ -109,6 +114,10 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
             "--frames");
     if (arguments.loops && !arguments.automation.empty())
         throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
+    if (arguments.loops && !arguments.cues.empty())
+        throw UsageError("--loop: a cue file does not repeat. Leave out --cues.");
+    if (arguments.loops && arguments.joins)
+        throw UsageError("--loop takes one sound. Leave out --join.");
     if (arguments.loops)
         if (const auto fits = check_loop_rate(output, arguments.look.request().fps); !fits)
             throw UsageError(fits.error().front().message);
@@ -267,9 +276,9 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     return save_all_passes(offline, arguments.all_passes);
 }
 
-int render(const RenderArguments& arguments, const DataFolders& data) {
-    RenderRequest request = arguments.look.request();
+int render_film(const RenderArguments& arguments, RenderRequest request, const DataFolders& data) {
     request.automation = arguments.automation;
+    request.cues = arguments.cues;
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
@@ -286,6 +295,67 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
         return seen_passes(arguments, look, *pass);
     };
     return run_drawing(request, data, {check, work, displayed});
+}
+
+// "song" of audio:music/song.flac,mode=xy.
+std::string sound_name(const std::string& signal) {
+    const auto spec = parse_spec(signal);
+    if (!spec || spec->kind != "audio")
+        throw UsageError(
+            fmt::format("--signal: several signals must be sounds (audio:FILE), got '{}'", signal));
+    const auto file = spec->settings.find(spec->settings.contains("file") ? "file" : "");
+    const auto* path =
+        file == spec->settings.end() ? nullptr : std::get_if<std::string>(&file->second);
+    return path ? std::filesystem::path(*path).stem().string() : std::string();
+}
+
+// The output for a sound: {name} is replaced, and in a folder NAME.mp4 is written.
+std::string output_for(const std::string& output, const std::string& name) {
+    constexpr const char* place = "{name}";
+    std::error_code error;
+    if (output.find(place) != std::string::npos)
+        return replace_all(output, place, name);
+    if (output.ends_with('/') || std::filesystem::is_directory(output, error))
+        return (std::filesystem::path(output) / (name + ".mp4")).string();
+    throw UsageError(
+        "--output: several sounds need a folder or {name} in the output, such as "
+        "films/{name}.mp4. Use --join for one film.");
+}
+
+// One film for each sound. All are tried, also if one fails.
+int render_each(const RenderArguments& arguments, const DataFolders& data) {
+    const std::vector<std::string>& signals = arguments.look.signals();
+    std::vector<std::string> outputs;
+    for (const std::string& signal : signals) {
+        outputs.push_back(output_for(arguments.output, sound_name(signal)));
+        if (std::ranges::count(outputs, outputs.back()) > 1)
+            throw UsageError(
+                fmt::format("--output: two sounds would be written to '{}'", outputs.back()));
+    }
+    int code = exit_done;
+    for (std::size_t i = 0; i < signals.size(); ++i) {
+        RenderArguments one = arguments;
+        one.output = outputs[i];
+        RenderRequest request = arguments.look.request();
+        request.signal = signals[i];
+        code = std::max(code, render_film(one, std::move(request), data));
+    }
+    return code;
+}
+
+int render(const RenderArguments& arguments, const DataFolders& data) {
+    RenderRequest request = arguments.look.request();
+    const std::vector<std::string>& signals = arguments.look.signals();
+    if (arguments.joins && signals.size() < 2)
+        throw UsageError("--join: give at least two sounds with --signal audio:FILE");
+    if (!arguments.joins && signals.size() > 1)
+        return render_each(arguments, data);
+    if (arguments.joins)
+        for (const std::string& signal : signals)
+            static_cast<void>(sound_name(signal));  // each must be a sound
+    for (std::size_t i = 1; i < signals.size(); ++i)
+        request.joined.push_back(signals[i]);
+    return render_film(arguments, std::move(request), data);
 }
 std::string codec_list() {
     std::vector<std::string> texts;
@@ -332,7 +402,7 @@ Command add_render(CommandLine& program) {
                          "command gives the same bytes.",
                          render_examples);
     auto arguments = std::make_shared<RenderArguments>();
-    arguments->look.add_to(options, LookOptions::Take::drawing);
+    arguments->look.add_to(options, LookOptions::Take::several);
     options
         .add("-o,--output FILE", arguments->output,
              "Picture of the last frame (.png, .exr), image sequence (frame_%04d.png or .exr, from "
@@ -354,6 +424,12 @@ Command add_render(CommandLine& program) {
     add_film_options(options, *arguments);
     options.add("--moves FILE", arguments->automation,
                 "Automation file, as recorded in the window, with lines of 'seconds name value'");
+    options.add("--cues FILE", arguments->cues,
+                "Cue file, as edited in the window, with lines such as '1:23.5 preset "
+                "\"Amber P3\" morph 2'");
+    options.add_flag("--join", arguments->joins,
+                     "Join several sounds (--signal audio:A --signal audio:B) to one film. Without "
+                     "it, each sound gets a film: -o is a folder or contains {name}");
     options
         .add("--timeout S", arguments->timeout,
              "Fail after S seconds without a point from stdin or a socket (default: no limit)")

@@ -56,6 +56,7 @@ void Lab::update_loading(double wall_seconds) {
 
 void Lab::update_drawing(double wall_seconds, double loading_seconds) {
     m_presets.navigation().update(wall_seconds);
+    m_sequencer.update(wall_seconds);
     m_drawing.follow();
     if (!m_frames.has_unfinished_frame())
         m_content.update();
@@ -67,7 +68,8 @@ void Lab::update_drawing(double wall_seconds, double loading_seconds) {
 
 bool Lab::is_moving() const {
     return m_loader.is_loading() || m_frames.is_moving() || m_presets.navigation().morphing() ||
-           m_remote.is_busy() || m_jobs.is_running() || m_work.messages.is_counting();
+           m_remote.is_busy() || m_jobs.is_running() || m_sequencer.is_busy() ||
+           m_work.messages.is_counting();
 }
 
 void Lab::take(BuiltLook built) {
@@ -88,6 +90,8 @@ void Lab::open_document(BuiltLook& built) {
     const bool had_changes = document && is_modified(*document);
     const bool loses_changes = had_changes && has_unlocked_changes(*document);
     const Content content = document ? content_of(*document) : m_content.initial();
+    const Tempo tempo = document ? document->state().tempo : Tempo{};
+    const CueText cues = document ? document->state().cues : CueText{};
     std::optional<Session> left;
     std::optional<Picture> left_picture;
     if (!is_same && had_changes) {
@@ -102,6 +106,10 @@ void Lab::open_document(BuiltLook& built) {
         m_looks.passes().forget();
     }
     keep_content(*document, content);
+    document->amend([&](DocumentState& state) {
+        state.cues = cues;
+        state.tempo = tempo;
+    });
     remember_files(*document, m_work.media.recent());
     m_frames.open(built, is_same);
     open_values(request);
@@ -163,6 +171,7 @@ void Lab::watch_extra_files() {
     add(preset_file(*m_work.document));
     if (const fs::path file = driving_file(*m_work.document); file.is_absolute())
         add(file);
+    add(m_work.document->state().cues.file);
     m_loader.files().watch_extra(std::move(files));
 }
 
@@ -171,6 +180,7 @@ void Lab::file_changed(const fs::path& file) {
         return;
     if (file == preset_file(*m_work.document))
         m_presets.sharing().file_changed(file);
+    m_sequencer.cues().file_changed(file);
     if (m_work.pictures.forget(file))
         m_frames.reapply();  // reads it again, and draws a paused picture again
     m_frames.comparison().file_changed(file);

@@ -12,6 +12,7 @@
 #include "lab/playback/audio_control.h"
 #include "lab/reload/look_loader.h"
 #include "lab/remote/remote_control.h"
+#include "lab/sequencer/sequencer.h"
 
 #include <functional>
 #include <memory>
@@ -64,6 +65,8 @@ public:
     const FrameLoop& frames() const { return m_frames; }
     BackgroundJobs& jobs() { return m_jobs; }
     const BackgroundJobs& jobs() const { return m_jobs; }
+    Sequencer& sequencer() { return m_sequencer; }
+    const Sequencer& sequencer() const { return m_sequencer; }
 
     /// One iteration: reads changed files, takes built looks, applies edits, draws. `window` is for
     /// remote commands; null: without a window.
@@ -92,4 +95,5 @@ private:
     ContentCommands m_content{m_work, m_drawing, m_frames.comparison()};
     LookCommands m_looks{m_work, m_loader, m_content};
     PresetCommands m_presets{m_work, m_loader, m_content};
+    Sequencer m_sequencer{m_work, m_frames, m_presets.navigation(), m_remote};
 };

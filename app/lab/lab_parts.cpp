@@ -18,7 +18,8 @@ LabParts parts_of(const Lab& lab) {
             .remote = lab.remote(),
             .drawing = lab.drawing(),
             .automation = lab.automation(),
-            .jobs = lab.jobs()};
+            .jobs = lab.jobs(),
+            .sequencer = lab.sequencer()};
 }
 
 MutableParts mutable_parts(Lab& lab, WindowState* window) {
@@ -44,5 +45,6 @@ MutableParts mutable_parts(Lab& lab, WindowState* window) {
             &lab.remote(),
             &work.size,
             work.renderer.get(),
+            &lab.sequencer(),
             window};
 }

@@ -22,6 +22,7 @@ struct LabParts {
     const DrawingTool& drawing;
     const Automation& automation;
     const BackgroundJobs& jobs;
+    const Sequencer& sequencer;
 };
 LabParts parts_of(const Lab& lab);
 

@@ -25,10 +25,13 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     saved.preset.bypass = bypassed_keys(state.stack);
     saved.preset.values = state.values;
     saved.preset.modulations = state.modulations;
+    if (state.tempo != Tempo{})
+        saved.preset.tempo = state.tempo;
     if (!state.signal.kind.empty())
         saved.preset.signal = state.signal;
     saved.preset.source = state.source;
     saved.locks = state.locks;
+    saved.cues = state.cues;
     return saved;
 }
 
@@ -72,7 +75,9 @@ DocumentState document_state(const SessionState& saved, const Ground& ground) {
         state.source = saved.preset.source;
     state.overrides = saved.overrides;
     state.modulations = saved.preset.modulations;
+    state.tempo = saved.preset.tempo.value_or(Tempo{});
     state.locks = saved.locks;
+    state.cues = saved.cues;
     return state;
 }
 

@@ -42,7 +42,9 @@ Modulation read_modulation(const JsonValue& value, ObjectReader& parent) {
     modulation.kind = reader.choice("kind", choices(modulation_kinds()), modulation.kind);
     if (modulation.kind == ModulationKind::lfo)
         modulation.shape = reader.choice("shape", choices(lfo_shapes()), modulation.shape);
-    for (const ModulationFigure& figure : figures_of(modulation.kind))
+    modulation.is_in_beats =
+        reader.choice("unit", Choices<bool>{{"seconds", false}, {"beats", true}}, false);
+    for (const ModulationFigure& figure : figures_of(modulation))
         read_figure(reader, figure, modulation);
     reader.report_unknown_keys();
     return modulation;
@@ -59,11 +61,40 @@ Modulations read_modulations(ObjectReader& reader) {
     return modulations;
 }
 
+Tempo read_tempo(ObjectReader& parent) {
+    const JsonValue* member = parent.find("tempo");
+    if (!member)
+        return {};
+    ObjectReader reader(*member, parent.file(), parent.problems());
+    Tempo tempo;
+    tempo.bpm = reader.number("bpm", tempo.bpm);
+    if (!(tempo.bpm >= min_bpm && tempo.bpm <= max_bpm))
+        reader.problem(
+            *member, fmt::format("'bpm' must be between {} and {}, got {}", format_number(min_bpm),
+                                 format_number(max_bpm), format_number(tempo.bpm)));
+    tempo.downbeat = reader.number("downbeat", tempo.downbeat);
+    constexpr int most = static_cast<int>(max_beats_per_bar);
+    tempo.beats_per_bar = reader.whole("beats_per_bar", 4, 1, most);
+    reader.report_unknown_keys();
+    return normalised(tempo);
+}
+
+Json json_of(const Tempo& tempo) {
+    Json json{{"bpm", tempo.bpm}};
+    if (tempo.downbeat != Tempo{}.downbeat)
+        json["downbeat"] = tempo.downbeat;
+    if (tempo.beats_per_bar != Tempo{}.beats_per_bar)
+        json["beats_per_bar"] = static_cast<int>(tempo.beats_per_bar);
+    return json;
+}
+
 Json json_of(const Modulation& modulation) {
     Json json{{"kind", key_of(modulation_kinds(), modulation.kind)}};
     if (modulation.kind == ModulationKind::lfo)
         json["shape"] = key_of(lfo_shapes(), modulation.shape);
-    for (const ModulationFigure& figure : figures_of(modulation.kind))
+    if (modulation.is_in_beats)
+        json["unit"] = "beats";
+    for (const ModulationFigure& figure : figures_of(modulation))
         json[figure.key] = modulation.*figure.number;
     return json;
 }

@@ -15,6 +15,12 @@ Modulations read_modulations(ObjectReader& reader);
 nlohmann::ordered_json json_of(const Modulation& modulation);
 nlohmann::ordered_json json_of(const Modulations& modulations);
 
+/// Reads the member "tempo" of a preset; the default tempo without one. Reports unknown keys and
+/// numbers beyond their limits, with lines.
+Tempo read_tempo(ObjectReader& reader);
+/// JSON that read_tempo() reads as the same tempo.
+nlohmann::ordered_json json_of(const Tempo& tempo);
+
 /// The preset's modulations under the current parameter names (`@was`); orphans are kept. Error: a
 /// modulation of a parameter that cannot be modulated, at its line of `file` if that is the
 /// preset's JSON.

@@ -108,6 +108,8 @@ Result<Preset> parse_preset(std::string_view text, const std::filesystem::path& 
     preset.bypass = read_bypass(reader, preset.look);
     preset.values = read_values(reader);
     preset.modulations = read_modulations(reader);
+    if (reader.find("tempo"))
+        preset.tempo = read_tempo(reader);
     reader.report_unknown_keys();
     if (!problems.empty())
         return fail(std::move(problems));
@@ -150,6 +152,8 @@ nlohmann::ordered_json preset_json(const Preset& preset, const Look* look, Digit
     json["values"] = Json::object();
     for (const auto& [name, value] : preset.values)
         json["values"][name] = json_of(value, look ? find_parameter(*look, name) : nullptr);
+    if (preset.tempo)
+        json["tempo"] = json_of(*preset.tempo);
     if (!preset.modulations.empty())
         json["modulation"] = json_of(preset.modulations);
     return digits == Digits::all ? json : with_float_digits(std::move(json));

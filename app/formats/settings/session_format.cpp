@@ -38,6 +38,10 @@ nlohmann::ordered_json json_of(const SessionState& state) {
         json["keeps_source"] = true;
     if (state.chose_content)
         json["chose_content"] = true;
+    if (!state.cues.is_empty()) {
+        json["cue_file"] = state.cues.file;
+        json["cues"] = state.cues.text;
+    }
     return json;
 }
 
@@ -235,6 +239,7 @@ private:
         state.locks.signal = reader.boolean("keeps_signal", false);
         state.locks.source = reader.boolean("keeps_source", false);
         state.chose_content = reader.boolean("chose_content", false);
+        state.cues = {reader.text("cue_file"), reader.text("cues")};
         reader.report_unknown_keys();
         return state;
     }

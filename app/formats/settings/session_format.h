@@ -4,6 +4,7 @@
 #include "model/plan/plan.h"
 #include "model/preset/comparison.h"
 #include "model/preset/content.h"
+#include "model/preset/cue_text.h"
 #include "model/preset/preset.h"
 #include "model/preset/preset_stars.h"
 #include "model/tuning/parameter_settings.h"
@@ -21,6 +22,8 @@ struct SessionState {
     ContentLocks locks = {};
     bool chose_content = false;  // the step changed the content, so undo restores the content of
                                  // this state
+
+    CueText cues = {};
 
     bool operator==(const SessionState&) const = default;
 };

@@ -59,20 +59,33 @@ public:
     Result<void> open() override;
     void close() override {
         m_inputs.clear();
+        m_ports.clear();
         m_names.clear();
         m_queue.clear();
     }
     std::vector<std::string> names() const override { return m_names; }
     std::optional<std::vector<std::uint8_t>> take() override { return m_queue.take(); }
+    const MidiClockInput* clock() const override { return &m_clock; }
     int descriptor() const override { return m_queue.descriptor(); }
 
 private:
     void open_all();
-    static void come(double, std::vector<unsigned char>* message, void* self) {
-        static_cast<MachineMidi*>(self)->m_queue.put(*message);
+    /// An open device, for its callback.
+    struct Port {
+        MachineMidi& owner;
+        std::size_t number = 0;
+    };
+    static void come(double, std::vector<unsigned char>* message, void* data) {
+        const Port& port = *static_cast<Port*>(data);
+        if (MidiClockInput::is_clock_message(*message))
+            port.owner.m_clock.receive(*message, port.number, MidiClockInput::now());
+        else
+            port.owner.m_queue.put(*message);
     }
 
-    MidiQueue m_queue;  // outlives the inputs that write to it
+    MidiQueue m_queue;  // outlives the inputs that write to it, as the clock and the ports do
+    MidiClockInput m_clock;
+    std::vector<std::unique_ptr<Port>> m_ports;
     std::vector<std::unique_ptr<RtMidiIn>> m_inputs;
     std::vector<std::string> m_names;
 };
@@ -95,8 +108,9 @@ void MachineMidi::open_all() {
         if (!is_device(name))
             continue;
         auto input = make_input();
-        input->ignoreTypes(true, true, true);
-        input->setCallback(come, this);
+        input->ignoreTypes(true, false, true);
+        m_ports.push_back(std::make_unique<Port>(Port{*this, m_ports.size()}));
+        input->setCallback(come, m_ports.back().get());
         input->openPort(port, our_name);
         if (!input->isPortOpen())
             continue;

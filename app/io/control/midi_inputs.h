@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/diagnostic.h"
+#include "io/control/midi_clock_input.h"
 
 #include <cstdint>
 #include <memory>
@@ -21,6 +22,8 @@ public:
     virtual std::vector<std::string> names() const = 0;
     /// The next complete message; nullopt if none is queued. Never waits.
     virtual std::optional<std::vector<std::uint8_t>> take() = 0;
+    /// The clock that the devices send; null: not supported.
+    virtual const MidiClockInput* clock() const { return nullptr; }
     /// Becomes readable when a message has been received. The same for the object's lifetime; -1:
     /// never.
     virtual int descriptor() const = 0;

@@ -28,9 +28,10 @@ public:
 
     virtual std::string device_name() const = 0;
 
-    /// Plays the part from `start_seconds`, which is time 0 and the start of the loop. Null is
-    /// silence. The sound has a rate and a channel.
-    virtual void play(std::shared_ptr<const Sound> sound, double start_seconds) = 0;
+    /// Plays the part from `start_seconds`, which is time 0 and the start of the loop, to
+    /// `end_seconds`; 0: to the end. Null is silence. The sound has a rate and a channel.
+    virtual void play(std::shared_ptr<const Sound> sound, double start_seconds,
+                      double end_seconds) = 0;
     /// Resumes after pause().
     virtual void play() = 0;
     virtual void pause() = 0;

@@ -33,8 +33,9 @@ public:
 
     std::string device_name() const override { return m_name; }
 
-    void play(std::shared_ptr<const Sound> sound, double start_seconds) override {
-        m_player->play(std::move(sound), start_seconds);
+    void play(std::shared_ptr<const Sound> sound, double start_seconds,
+              double end_seconds) override {
+        m_player->play(std::move(sound), start_seconds, end_seconds);
         m_clock.seek_started(m_player->jump(), 0.0);
     }
     void play() override { m_player->set_paused(false); }

@@ -10,13 +10,18 @@ double bounded(double value, double low, double high) {
 }
 }  // namespace
 
-void SoundPlayer::play(std::shared_ptr<const Sound> sound, double start_seconds) {
+void SoundPlayer::play(std::shared_ptr<const Sound> sound, double start_seconds,
+                       double end_seconds) {
     m_track = nullptr;  // the old sound must not restart
     seek(0.0);
     if (sound) {
         const double start = bounded(start_seconds, 0.0, sound->seconds()) * sound->rate;
         const std::size_t first = std::min(static_cast<std::size_t>(start), sound->frame_count());
-        m_tracks.push_back(std::make_unique<const Track>(Track{std::move(sound), first}));
+        const double last = bounded(end_seconds, 0.0, sound->seconds()) * sound->rate;
+        const auto rounded = static_cast<std::size_t>(std::llround(last));
+        const std::size_t end =
+            rounded > first ? std::min(rounded, sound->frame_count()) : sound->frame_count();
+        m_tracks.push_back(std::make_unique<const Track>(Track{std::move(sound), first, end}));
         m_track = m_tracks.back().get();
     }
     drop_unused_tracks();

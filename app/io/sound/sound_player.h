@@ -15,9 +15,10 @@ class SoundPlayer {
 public:
     explicit SoundPlayer(int device_rate) : m_device_rate(device_rate) {}
 
-    /// Plays the part from `start_seconds`, which is time 0 and the start of the loop. Null is
-    /// silence. The sound has a rate and a channel.
-    void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0);
+    /// Plays the part from `start_seconds`, which is time 0 and the start of the loop, to
+    /// `end_seconds`; 0: to the end. Null is silence. The sound has a rate and a channel.
+    void play(std::shared_ptr<const Sound> sound, double start_seconds = 0.0,
+              double end_seconds = 0.0);
     void set_paused(bool paused) { m_is_paused = paused; }
     /// Continues at this time of the sound; with a loop also beyond its end.
     void seek(double seconds);
@@ -44,8 +45,9 @@ private:
     struct Track {
         std::shared_ptr<const Sound> sound;  // shared with the signal that draws it
         std::size_t first = 0;               // frame to start from
+        std::size_t end = 0;                 // after the last frame
 
-        std::size_t frame_count() const { return sound->frame_count() - first; }
+        std::size_t frame_count() const { return end - first; }
         const float* samples() const {
             return sound->samples.data() + first * static_cast<std::size_t>(sound->channels);
         }

@@ -25,6 +25,7 @@ constexpr std::array navigation{
     HtmlLink{"Presets", "presets.md"},
     HtmlLink{"Signals", "signals.md"},
     HtmlLink{"Scenes", "scenes.md"},
+    HtmlLink{"Cues", "cues.md"},
     HtmlLink{"Look format", "look-format.md"},
     HtmlLink{"Annotations", "annotations.md"},
     HtmlLink{"Foreign formats", "formats.md"},

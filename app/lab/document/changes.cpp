@@ -161,6 +161,19 @@ void add_overrides(const PassOverrides& before, const PassOverrides& after,
     }
 }
 
+std::string tempo_text(const Tempo& tempo) {
+    return fmt::format("{} BPM, downbeat at {} s, {} beats per bar", format_number(tempo.bpm),
+                       format_number(tempo.downbeat), format_number(tempo.beats_per_bar));
+}
+
+std::string cues_text(const CueText& cues) {
+    if (cues.is_empty())
+        return "none";
+    const auto lines = std::ranges::count(cues.text, '\n');
+    return fmt::format("{}, {} line{}", std::filesystem::path(cues.file).filename().string(), lines,
+                       lines == 1 ? "" : "s");
+}
+
 std::string stack_text(const Stack& stack) {
     std::string text;
     const std::vector<std::string> keys = stack_keys(stack);
@@ -177,6 +190,10 @@ std::vector<Change> changes_between(const Look& look, const DocumentState& befor
                moved(after.values, after.stack, look.stack), changes);
     add_modulations(look, moved(before.modulations, before.stack, look.stack),
                     moved(after.modulations, after.stack, look.stack), changes);
+    if (before.tempo != after.tempo)
+        changes.push_back({{}, "Tempo", tempo_text(before.tempo), tempo_text(after.tempo), {}});
+    if (before.cues != after.cues)
+        changes.push_back({{}, "Cues", cues_text(before.cues), cues_text(after.cues), {}});
     add_signal(before.signal, after.signal, changes);
     if (before.source != after.source)
         changes.push_back(

@@ -2,6 +2,7 @@
 
 #include "model/plan/plan.h"
 #include "model/preset/content.h"
+#include "model/preset/cue_text.h"
 #include "model/preset/preset.h"
 #include "model/preset/undo.h"
 #include "model/tuning/parameter_settings.h"
@@ -23,6 +24,8 @@ struct DocumentState {
     Modulations modulations = {};  // also use the names of the stack
     ContentLocks locks = {};       // of signal and source; changed without undo steps
     std::size_t files = 0;         // edit of the look's files, see PassCommands; 0: as opened
+    Tempo tempo = {};              // of modulations in beats
+    CueText cues = {};             // not part of a preset
 
     bool operator==(const DocumentState&) const = default;
 };

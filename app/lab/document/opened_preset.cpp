@@ -31,6 +31,9 @@ DocumentState comparable_state(const Document& document) {
     if (document.look().driven_by != Driver::picture || state.locks.source)
         state.source = saved.source;
     state.locks = saved.locks;
+    if (!uses_tempo(state.modulations))
+        state.tempo = saved.tempo;  // has no effect on the picture
+    state.cues = saved.cues;
     return state;
 }
 }  // namespace
@@ -61,6 +64,9 @@ Preset preset_of(const Document& document) {
     preset.values = changed_values(look, document.values());
     preset.bypass = bypassed_keys(look.stack);
     preset.modulations = state.modulations;
+    preset.tempo.reset();
+    if (uses_tempo(state.modulations))
+        preset.tempo = state.tempo;
     preset.signal.reset();
     preset.source.clear();
     if (look.driven_by == Driver::signal)
@@ -90,6 +96,7 @@ DocumentState state_of(const Preset& preset, const Document& document) {
             value = clamped(*parameter, value);
     state.values = changed_values(look, state.values);
     state.modulations = renamed(look, preset.modulations);
+    state.tempo = preset.tempo.value_or(current.tempo);
     if (preset.signal)
         state.signal = *preset.signal;
     if (!preset.source.empty())
@@ -97,12 +104,21 @@ DocumentState state_of(const Preset& preset, const Document& document) {
     return state;
 }
 
-// `state` with the current pass overrides, which no preset has, and based on the same preset.
+// `state` with the current pass overrides and cues, which no preset has, and based on the same
+// preset.
 DocumentState with_current_overrides(DocumentState state, const Document& document) {
     const DocumentState& current = document.state();
     state.overrides = moved(current.overrides, current.stack, state.stack);
     state.origin = current.origin;
     state.files = current.files;
+    state.cues = current.cues;
+    return state;
+}
+
+// The defaults of the look at the current tempo.
+DocumentState default_state(const Document& document) {
+    DocumentState state = initial_state(document.look());
+    state.tempo = document.state().tempo;
     return state;
 }
 
@@ -135,14 +151,14 @@ void open_preset(Document& document, const Preset& preset, std::filesystem::path
 
 void open_defaults(Document& document, OpenedContent content) {
     const Look& look = document.look();
-    open_state(document, {.saved = initial_state(look)}, fmt::format("Open {}", look.name),
+    open_state(document, {.saved = default_state(document)}, fmt::format("Open {}", look.name),
                content);
 }
 
 void finish_morph(Document& document, const Preset& preset, std::filesystem::path file,
                   const std::string& gesture) {
     if (file.empty())
-        open_state(document, {.saved = initial_state(document.look())}, gesture);
+        open_state(document, {.saved = default_state(document)}, gesture);
     else
         open_state(document, {preset, std::move(file), state_of(preset, document)}, gesture);
     document.finish();

@@ -3,6 +3,7 @@
 #include "base/elapsed.h"
 #include "lab/document/users_content.h"
 #include "lab/frame/content_problems.h"
+#include "lab/frame/replay_length.h"
 #include "lab/rendering/frame_limit.h"
 #include "lab/storage/local_date.h"
 #include "model/look/value_changes.h"
@@ -36,8 +37,8 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
     if (!applied)
         applied = state;
     // Names every member, so that a new one cannot be omitted.
-    const auto& [values, signal, source, overrides, origin, stack, modulations, locks, files] =
-        state;
+    const auto& [values, signal, source, overrides, origin, stack, modulations, locks, files, tempo,
+                 cues] = state;
     follow_values(applied->values, values);
     applied->signal = signal;
     applied->source = source;
@@ -47,6 +48,8 @@ void copy_changes(std::optional<DocumentState>& applied, const DocumentState& st
     applied->modulations = modulations;
     applied->locks = locks;
     applied->files = files;
+    applied->tempo = tempo;
+    applied->cues = cues;
     assert(*applied == state);
 }
 }  // namespace
@@ -143,7 +146,8 @@ void FrameLoop::specialize(double wall_seconds) {
     if (!m_applied)
         return m_specialization.stop();
     const bool is_quiet = m_work.player.transport().is_playing() && !m_loader.is_loading() &&
-                          !m_previews.is_busy() && !m_work.document->history().is_in_gesture();
+                          !m_work.cues && !m_previews.is_busy() &&
+                          !m_work.document->history().is_in_gesture();
     m_specialization.update(drawn(), *m_work.renderer, is_quiet, wall_seconds);
 }
 
@@ -240,8 +244,8 @@ void FrameLoop::begin_frame(double wall_seconds) {
 
 bool FrameLoop::has_converged() const {
     const Source* source = m_work.media.source().get();
-    const bool moves =
-        (source && source->moves()) || (m_applied && !m_applied->modulations.empty());
+    const bool moves = (source && source->moves()) ||
+                       (m_applied && !m_applied->modulations.empty()) || m_work.cues;
     return m_work.renderer && !moves && m_work.renderer->has_converged();
 }
 
@@ -286,6 +290,8 @@ Redraw FrameLoop::apply_changes(const DocumentState& state, Spec signal) {
         restart_samples();
         redraw.needs_replay = true;
     }
+    if (!is_first && m_applied->tempo != state.tempo && uses_tempo(state.modulations))
+        redraw.needs_replay = true;
     if (!is_first && m_applied->modulations != state.modulations) {
         redraw.needs_replay = true;
         if (Executor* variant = renderer.executors().variant())
@@ -393,7 +399,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.renderer->replay().cancel();
         m_work.messages.succeeded(
             m_work.media.source().show(frame->span.end, m_work.renderer->executors()));
-        modulate_values(frame->span.end);
+        set_values(*frame);
         m_work.renderer->draw(*frame, m_work.player.signal().trace(frame->span));
         return;
     }
@@ -404,7 +410,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
                 m_work.messages.succeeded(
                     m_work.media.source().show_past(past.span.end, m_work.renderer->executors()));
-                modulate_values(past.span.end);
+                set_values(past);
             });
     else if (m_work.redraw.needs_replay() && !comes_next)
         start_replay();
@@ -415,18 +421,13 @@ void FrameLoop::draw_picture(double wall_seconds) {
 void FrameLoop::redraw() {
     const Redraw redraw = m_work.redraw.take();
     if (!m_work.player.transport().past().empty())
-        modulate_values(m_work.player.transport().past().back().span.end);
+        set_values(m_work.player.transport().past().back(), FrameDraw::again);
     m_work.renderer->redraw(m_work.player, redraw.passes);
 }
 
-void FrameLoop::modulate_values(double seconds) {
-    if (!m_applied)
-        return;
-    static const Values none;
-    const Values* variant = m_comparison.variant_values();
-    modulate(m_work.renderer->executors(),
-             {m_applied->values, variant ? *variant : none, m_applied->modulations}, seconds,
-             m_work.player.signal().loudness().get());
+void FrameLoop::set_values(const PlayedFrame& frame, FrameDraw draw) {
+    if (m_applied)
+        set_frame_values(m_work, frame, draw, *m_applied, m_comparison.variant_values());
 }
 
 void FrameLoop::replace_drawn_look() {
@@ -447,18 +448,10 @@ void FrameLoop::restart_samples() {
     }));
 }
 
-// During a drag only as many frames are replayed as take 0.2 s.
 void FrameLoop::start_replay() {
-    constexpr double sample_budget_seconds = 0.2;
-    constexpr std::size_t fewest = 4;
-    const auto all = static_cast<std::size_t>(std::max(m_work.document->look().settle_frames, 1));
-    std::size_t frames = all;
-    if (m_work.document->history().is_in_gesture())
-        frames = std::clamp(static_cast<std::size_t>(sample_budget_seconds /
-                                                     m_work.renderer->times().frame_seconds()),
-                            std::min(fewest, all), all);
-    m_work.renderer->replay().start(m_work.player, frames);
-    if (frames == all || m_work.renderer->replay().total() < frames)
+    const ReplayLength length = replay_length(m_work);
+    m_work.renderer->replay().start(m_work.player, length.frames);
+    if (length.is_complete || m_work.renderer->replay().total() < length.frames)
         m_work.redraw.clear();  // otherwise the rest is replayed when the drag ends
 }
 
@@ -474,6 +467,8 @@ void FrameLoop::restart() {
 void FrameLoop::cancel_replay() {
     if (!m_work.renderer)
         return;
+    if (m_work.renderer->replay().total() > settling_frames(m_work))
+        m_work.redraw.add_replay();  // of all frames; the latest ones are enough for a picture
     m_work.renderer->replay().cancel();
     if (!m_work.renderer->has_drawn())  // shows the current history instead of nothing
         m_work.redraw.add(
@@ -487,7 +482,8 @@ void FrameLoop::update_previews(double wall_seconds) {
         m_work.renderer->replay().is_running())
         return;
     constexpr double fast_frame_seconds = 0.004;
-    const bool is_idle = !m_loader.is_loading() && !m_work.document->history().is_in_gesture() &&
+    const bool is_idle = !m_loader.is_loading() && !m_work.cues &&
+                         !m_work.document->history().is_in_gesture() &&
                          (!m_work.player.transport().is_playing() ||
                           m_work.renderer->times().frame_seconds() < fast_frame_seconds);
     m_previews.update({*m_work.document, m_work.player, m_work.media, *m_work.renderer,

@@ -2,6 +2,7 @@
 
 #include "lab/drawing/drawing_board.h"
 #include "lab/frame/comparison_view.h"
+#include "lab/frame/frame_values.h"
 #include "lab/frame/heavy_pass_notice.h"
 #include "lab/frame/nan_guard.h"
 #include "lab/frame/pass_control.h"
@@ -80,7 +81,7 @@ private:
     void limit_frame(double wall_seconds);
     void start_replay();
     void redraw();
-    void modulate_values(double seconds);
+    void set_values(const PlayedFrame& frame, FrameDraw draw = FrameDraw::whole);
     void replace_drawn_look();
     void restart_samples();
     void update_previews(double wall_seconds);

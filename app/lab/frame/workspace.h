@@ -27,6 +27,8 @@ struct Workspace {
     std::unique_ptr<Renderer> renderer = {};  // null until a look has drawn
     LookPictures pictures = {};
     PendingRedraw redraw = {};
+    std::shared_ptr<const CuePlan> cues = {};  // that play; null: none
+    std::optional<Tempo> clock_tempo = {};     // of a MIDI clock, instead of the document's
 
     explicit Workspace(Library opened) : library(std::move(opened)) {}
     Workspace(const Workspace&) = delete;

@@ -199,8 +199,12 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
     std::error_code error;
     if (!argument.starts_with("afterglow:") && !fs::exists(argument, error)) {
         std::vector<std::string> names;
-        for (const PresetEntry& entry : library.presets(look))
+        for (const PresetEntry& entry : library.presets(look)) {
             names.push_back(entry.name);
+            auto preset = load_preset(entry.file);  // by its displayed name
+            if (preset && to_lower(preset->name) == to_lower(argument))
+                return request_of_preset(std::move(*preset), entry.file, library);
+        }
         return fail({{},
                      0,
                      fmt::format("'{}' has no preset or file called '{}'{}", look, argument,

@@ -29,7 +29,7 @@ Values values_of(const OpenRequest& request);
 /// or line. Errors name the missing item and the nearest match.
 Result<OpenRequest> resolve(const std::string& argument, const Library& library);
 
-/// A preset of the look by name, file, PNG or line.
+/// A preset of the look by file name, displayed name, file, PNG or line.
 Result<OpenRequest> resolve_preset(const std::string& argument, const std::string& look,
                                    const Library& library);
 

@@ -12,6 +12,7 @@
 #include "lab/menus/signal_menu.h"
 #include "lab/menus/source_menu.h"
 #include "lab/menus/stack_menu.h"
+#include "lab/menus/tempo_menu.h"
 #include "lab/menus/window_menu.h"
 #include "lab/playback/player.h"
 #include "lab/previews/previews.h"
@@ -239,6 +240,7 @@ void add_further(const LabParts& lab, const WindowState& window, Sections& all) 
     all.push_back(sheet_section(sheet.request(), cells, selected));
     add_sections(all, parameter_list_sections(document, window));
     all.push_back(drawing_section(lab.drawing.board()));
+    all.push_back(tempo_section(lab.sequencer.tempo().tempo()));
 }
 }  // namespace
 

@@ -159,7 +159,13 @@ MenuSection modulation_section(const Document& document, const Parameter& parame
         if (current->kind == ModulationKind::lfo)
             offer(fmt::format("LFO shape: {}", shape.label), next, current->shape == shape.value);
     }
-    for (const ModulationFigure& figure : figures_of(current->kind))
+    for (const bool is_in_beats : {false, true}) {
+        Modulation next = *current;
+        next.is_in_beats = is_in_beats;
+        offer(is_in_beats ? "Modulation: Times in beats" : "Modulation: Times in seconds", next,
+              current->is_in_beats == is_in_beats);
+    }
+    for (const ModulationFigure& figure : figures_of(*current))
         section.entries.push_back(
             {.name = fmt::format("Modulation: {}…", figure.label),
              .number =

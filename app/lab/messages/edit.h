@@ -26,6 +26,7 @@ class Previews;
 class RemoteControl;
 class RenderSize;
 class Renderer;
+class Sequencer;
 struct WindowState;
 
 /// Pointers to the parts that an edit may change. Null: there is none, such as the document while
@@ -34,7 +35,8 @@ using MutableParts =
     std::tuple<AudioControl*, Automation*, BackgroundJobs*, ComparisonView*, ContentCommands*,
                Document*, DrawingTool*, ExternalPrograms*, FrameLoop*, Lab*, LookCommands*,
                MediaInput*, Messages*, ParameterSettingsStore*, PassControl*, Player*,
-               PresetCommands*, Previews*, RemoteControl*, RenderSize*, Renderer*, WindowState*>;
+               PresetCommands*, Previews*, RemoteControl*, RenderSize*, Renderer*, Sequencer*,
+               WindowState*>;
 
 /// A change of some parts: a function that takes references to them, such as
 /// [](Player& player) { player.pause(); }.

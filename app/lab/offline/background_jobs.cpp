@@ -28,20 +28,22 @@ void BackgroundJobs::fire_impulse(const Pin& pin) {
             });
 }
 
-void BackgroundJobs::export_frames(const ExportSettings& settings) {
+void BackgroundJobs::export_frames(const ExportSettings& settings,
+                                   std::shared_ptr<const CuePlan> cues) {
     if (m_document)
-        m_exports.add(settings.file, [document = *m_document, picture = m_size.extent(),
-                                      settings](JobProgress& work) {
-            return export_document(document, picture, settings, work);
+        m_exports.add(settings.file, [cued = CuedDocument{*m_document, std::move(cues)},
+                                      picture = m_size.extent(), settings](JobProgress& work) {
+            return export_document(cued, picture, settings, work);
         });
 }
 
-void BackgroundJobs::export_still(const StillSettings& settings) {
+void BackgroundJobs::export_still(const StillSettings& settings,
+                                  std::shared_ptr<const CuePlan> cues) {
     if (m_document)
-        m_exports.add(settings.file,
-                      [document = *m_document, settings, roots = m_roots](JobProgress& work) {
-                          return ::export_still(document, settings, roots, work);
-                      });
+        m_exports.add(settings.file, [cued = CuedDocument{*m_document, std::move(cues)}, settings,
+                                      roots = m_roots](JobProgress& work) {
+            return ::export_still(cued, settings, roots, work);
+        });
 }
 
 void BackgroundJobs::save_still(RawPicture picture, const StillSettings& settings) {

@@ -28,10 +28,10 @@ public:
     void fire_impulse(const Pin& pin);
     void cancel_impulse() { m_impulse.cancel(); }
     const BackgroundWork<ImpulseResponse>& impulse() const { return m_impulse; }
-    /// Adds a film or an image sequence to the queue.
-    void export_frames(const ExportSettings& settings);
+    /// Adds a film or an image sequence to the queue. `cues` that play, null: none.
+    void export_frames(const ExportSettings& settings, std::shared_ptr<const CuePlan> cues);
     /// Adds a picture in another size or at another time to the queue.
-    void export_still(const StillSettings& settings);
+    void export_still(const StillSettings& settings, std::shared_ptr<const CuePlan> cues);
     /// Encodes a picture that was read, without waiting for the exports.
     void save_still(RawPicture picture, const StillSettings& settings);
     ExportQueue& exports() { return m_exports; }

@@ -158,6 +158,8 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
         reader.refuse(
             ExportField::start,
             fmt::format("The sound ends at {:.4g} s. Type an earlier start.", facts.sound_seconds));
+    if (form.loops && facts.plays_cues)
+        reader.refuse(ExportField::length, "Cues don't repeat. Clear Play cues to loop.");
     check_file(form, plan, facts, reader);
     estimate(plan, facts);
     return plan;

@@ -19,6 +19,7 @@ struct ExportFacts {
     Spec signal = {};                 // completed
     double sound_seconds = 0.0;       // 0: no sound
     double frame_milliseconds = 0.0;  // of the passes at the render size; 0: unknown
+    bool plays_cues = false;
 };
 
 /// A field of the form, for its error.

@@ -72,16 +72,20 @@ Result<void> check_export(const Document& document, const ExportSettings& settin
     return check_file(settings);
 }
 
-Result<ExportResult> export_document(const Document& document, Extent size,
+Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
                                      const ExportSettings& settings, JobProgress& work) {
+    const Document& document = cued.document;
     if (auto good = check_export(document, settings); !good)
         return fail(good.error());
+    if (settings.loops && cued.cues)
+        return fail({{}, 0, "can't loop: cues don't repeat. Switch off Play cues to loop."});
     Document changed = document;  // the window may not have applied its constants yet
     if (auto done = apply_constants(changed); !done)
         return fail(done.error());
     if (!settings.size.is_empty())
         size = settings.size;
-    auto offline = Offline::create({std::move(changed), {}}, size, settings.fps);
+    auto offline =
+        Offline::create({.document = std::move(changed), .cues = cued.plan()}, size, settings.fps);
     if (!offline)
         return fail(offline.error());
     const auto part = settings.loops ? loop_to_export(*offline, size, settings, work)

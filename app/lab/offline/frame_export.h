@@ -3,9 +3,11 @@
 #include "base/job_progress.h"
 #include "io/video/film_codec.h"
 #include "lab/document/document.h"
+#include "model/tuning/cue_plan.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 
 /// The default duration of a film without sound.
 inline constexpr double film_seconds_without_sound = 10.0;
@@ -31,11 +33,20 @@ struct ExportResult {
     Diagnostics warnings;
 };
 
+/// A document to draw, and its cues.
+struct CuedDocument {
+    Document document;
+    std::shared_ptr<const CuePlan> cues = {};  // null: none
+
+    CuePlan plan() const { return cues ? *cues : CuePlan{}; }
+};
+
 /// Fails if the document can't be exported to this file: live input, a file type that is not known,
 /// a codec that does not fit, a folder that can't be written. Draws nothing.
 Result<void> check_export(const Document& document, const ExportSettings& settings);
 
-/// Draws a document from a fresh start in its own GL context, like the command render. Fails if it
-/// cannot be drawn or written, or when cancelled. Then no film remains, and only complete pictures.
-Result<ExportResult> export_document(const Document& document, Extent size,
+/// Draws a document with its cues from a fresh start in its own GL context, like the command
+/// render. Fails if it cannot be drawn or written, or when cancelled. Then no film remains, and
+/// only complete pictures.
+Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
                                      const ExportSettings& settings, JobProgress& work);

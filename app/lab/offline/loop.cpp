@@ -42,7 +42,9 @@ Repetition repetition_of(const Document& document, const PlayedSignal& signal) {
             repetition.error = fmt::format(
                 "the LFO of '{}' has random steps, which never repeat. Choose another shape.",
                 name);
-        repetition.add(modulation.rate);
+        repetition.add(modulation.is_in_beats
+                           ? 1.0 / (modulation.period * document.state().tempo.seconds_per_beat())
+                           : modulation.rate);
     }
     return repetition;
 }

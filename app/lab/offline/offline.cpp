@@ -11,8 +11,10 @@
 #include "lab/media/look_media.h"
 #include "lab/offline/non_finite_text.h"
 #include "lab/playback/signal_file.h"
+#include "lab/rendering/cued_frame.h"
 #include "lab/storage/media.h"
 #include "lab/storage/shader_cache.h"
+#include "model/picture/black.h"
 #include "model/picture/placing.h"
 #include "model/plan/parameter_use.h"
 #include "signals/signal_table.h"
@@ -30,7 +32,8 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, PreparedLook prepared, P
       m_player(std::make_unique<Player>(nullptr, prepared.sender_seconds)),
       m_size(size),
       m_fps(fps),
-      m_automation(std::move(prepared.automation)) {}
+      m_script{AutomationReader(std::move(prepared.automation)), std::move(prepared.cues),
+               std::move(prepared.joined)} {}
 
 Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) {
     auto context = gpu::create_headless_context();
@@ -71,7 +74,9 @@ Result<void> Offline::load_signal() {
     if (executor().look().driven_by != Driver::signal)
         return {};
     SignalFile sound{.file = file_of(signal), .sound = {}};
-    if (!sound.file.empty()) {
+    if (m_script.joined) {
+        sound.sound = std::exchange(m_script.joined, nullptr);
+    } else if (!sound.file.empty()) {
         auto loaded = load_signal_media(sound.file, nullptr, &m_problems);
         if (!loaded)
             return fail(loaded.error());
@@ -168,8 +173,9 @@ Result<void> Offline::follow_constants() {
 }
 
 bool Offline::is_animated(const Parameter& parameter) const {
-    return m_automation.has(parameter.name) ||
-           m_document.state().modulations.contains(parameter.name);
+    return m_script.automation.has(parameter.name) ||
+           m_document.state().modulations.contains(parameter.name) ||
+           m_script.cues.changes(parameter.name);
 }
 
 Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
@@ -238,7 +244,7 @@ Result<void> Offline::start_again(Document document) {
         return done;
     if (auto done = follow_constants(); !done)
         return done;
-    m_automation.start_again();
+    m_script.automation.start_again();
     take_values();
     m_executors.picture().clear_history();
     if (auto done = resize_again(); !done)
@@ -258,7 +264,7 @@ Result<void> Offline::start_again(Document document) {
 
 // The values also go into the document, because pictures are saved with it as a preset.
 void Offline::apply_automation(double seconds) {
-    const Values changed = m_automation.take(seconds);
+    const Values changed = m_script.automation.take(seconds);
     if (changed.empty())
         return;
     set_values(m_document, changed, "Automation");
@@ -312,17 +318,33 @@ Result<void> Offline::resize_again() {
 
 void Offline::modulate_values(const PlayedFrame& frame) {
     const Values& values = m_document.values();
-    modulate(m_executors, {values, values, m_document.state().modulations}, frame.span.end,
-             m_player->signal().loudness().get());
+    const DocumentState& state = m_document.state();
+    const CuedFrame cued(&m_script.cues, frame.span, played_part(m_player->signal()));
+    if (cued.restarts())
+        m_executors.picture().clear_history();
+    cued.note_blackout(m_executors);
+    modulate(m_executors,
+             {values, values, state.modulations, state.tempo, cued.plan(), cued.position()},
+             frame.span.end, m_player->signal().loudness().get());
+}
+
+// Only the picture, not the passes before it.
+bool Offline::is_black(int pass) const {
+    return m_executors.inputs().is_black &&
+           pass + 1 == static_cast<int>(executor().look().passes.size());
 }
 
 Picture Offline::picture(int pass) const {
     Picture picture = gpu::read_picture(executor().target(pass));
     picture.encoding = encoding_of(executor().look(), pass);
+    if (is_black(pass))
+        blacken(picture);
     return picture;
 }
 
 void Offline::read(int pass, RawPicture& raw) const {
     gpu::read_raw(executor().target(pass), raw);
     raw.encoding = encoding_of(executor().look(), pass);
+    if (is_black(pass))
+        blacken(raw);
 }

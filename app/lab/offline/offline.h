@@ -85,6 +85,7 @@ private:
     Result<void> show_source(double seconds);
     Result<void> resize_again();
     void modulate_values(const PlayedFrame& frame);
+    bool is_black(int pass) const;
     Beam beam_of(const PlayedFrame& frame) const;
     Offline(std::unique_ptr<gpu::Context> context, PreparedLook prepared, Programs programs,
             Extent size, double fps);
@@ -100,7 +101,12 @@ private:
     std::optional<Source> m_source;
     SharedPicture m_shown;
     ChosenImages m_chosen_images;
-    AutomationReader m_automation;
+    /// What the command brings besides the document.
+    struct Script {
+        AutomationReader automation;
+        CuePlan cues;
+        std::shared_ptr<const Sound> joined;  // until it is the player's; null: the signal's file
+    } m_script;
     std::optional<Programs> m_generic;  // the generic programs while specialised ones are used
     bool m_source_is_carried = false;   // unseen frames also depend on it
     Diagnostics m_problems;

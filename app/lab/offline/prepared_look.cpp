@@ -11,6 +11,8 @@
 #include "lab/document/naming.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/users_content.h"
+#include "lab/library/cue_plans.h"
+#include "lab/playback/joined_sound.h"
 #include "lab/storage/media.h"
 #include "lab/storage/shader_cache.h"
 #include "model/plan/plan_memory.h"
@@ -134,6 +136,32 @@ std::optional<Diagnostic> problem_with_outside(const PreparedLook& prepared,
 }
 }  // namespace
 
+namespace {
+// The settings of the first sound are those of all.
+Result<void> join_sounds(const RenderRequest& request, PreparedLook& prepared) {
+    if (request.joined.empty())
+        return {};
+    std::vector<fs::path> files{file_of(prepared.document.state().signal)};
+    for (const std::string& text : request.joined) {
+        const auto signal = parse_signal(text);
+        if (!signal)
+            return fail(signal.error());
+        if (signal->kind != "audio" || signal->settings.size() != 1)
+            return fail({{},
+                         0,
+                         fmt::format("can't join '{}': expected audio:FILE. Give settings with the "
+                                     "first sound only.",
+                                     text)});
+        files.push_back(file_of(*signal));
+    }
+    auto sound = load_joined_sound(files, &prepared.warnings);
+    if (!sound)
+        return fail(sound.error());
+    prepared.joined = std::make_shared<const Sound>(std::move(*sound));
+    return {};
+}
+}  // namespace
+
 Result<PreparedLook> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
@@ -160,11 +188,21 @@ Result<PreparedLook> prepare(const RenderRequest& request, const Library& librar
         return fail(done.error());
     if (auto done = apply_drive(request, prepared.document); !done)
         return fail(done.error());
+    if (auto done = join_sounds(request, prepared); !done)
+        return fail(done.error());
+    if (request.bpm > 0.0)
+        prepared.document.amend([&](DocumentState& state) { state.tempo.bpm = request.bpm; });
     if (!request.automation.empty()) {
         auto automation = load_automation(request.automation, prepared.document.look());
         if (!automation)
             return fail(automation.error());
         prepared.automation = std::move(*automation);
+    }
+    if (!request.cues.empty()) {
+        auto cues = load_cue_plan(request.cues, prepared.document.look(), library);
+        if (!cues)
+            return fail(cues.error());
+        prepared.cues = std::move(*cues);
     }
     return prepared;
 }

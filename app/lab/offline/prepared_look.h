@@ -5,7 +5,9 @@
 #include "lab/document/document.h"
 #include "lab/library/open.h"
 #include "lab/media/preset_content.h"
+#include "model/devices/sound.h"
 #include "model/tuning/automation.h"
+#include "model/tuning/cue_plan.h"
 
 #include <cstdint>
 #include <limits>
@@ -22,7 +24,10 @@ struct RenderRequest {
     std::vector<std::pair<std::string, std::string>> values = {};  // name or key, text
     std::string signal = {};  // "": the preset's, else the look's
     std::string source = {};
-    std::string automation = {};  // automation file; "": no automation
+    std::vector<std::string> joined = {};  // further sounds, played after that of `signal`
+    std::string automation = {};           // automation file; "": no automation
+    std::string cues = {};                 // cue file; "": no cues
+    double bpm = 0.0;                      // tempo; 0: the preset's, else the default
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
@@ -34,6 +39,8 @@ struct PreparedLook {
     Document document;
     Diagnostics warnings = {};
     AutomationPoints automation = {};
+    CuePlan cues = {};
+    std::shared_ptr<const Sound> joined = {};      // instead of the signal's file; null: its file
     std::shared_ptr<ByteStore> shader_cache = {};  // null: not cached
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.

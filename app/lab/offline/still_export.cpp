@@ -65,9 +65,10 @@ Result<void> save_still(const RawPicture& picture, const Document& document,
                  : fail({settings.file, 0, bytes.error().front().message});
 }
 
-Result<ExportResult> export_still(const Document& document, const StillSettings& settings,
+Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings& settings,
                                   const Roots& roots, JobProgress& work) {
     constexpr double fps = 60.0;
+    const Document& document = cued.document;
     if (auto good = check_still(settings.file); !good)
         return fail(good.error());
     Document changed = document;  // the window may not have applied its constants yet
@@ -76,8 +77,9 @@ Result<ExportResult> export_still(const Document& document, const StillSettings&
     const double settling = std::max(document.look().settle_frames, 1) / fps;
     const double start = std::max(0.0, settings.seconds - settling);
     const auto frames = std::max<std::int64_t>(1, std::llround((settings.seconds - start) * fps));
-    auto offline = Offline::create({.document = std::move(changed), .start_seconds = start},
-                                   settings.size, fps);
+    auto offline = Offline::create(
+        {.document = std::move(changed), .cues = cued.plan(), .start_seconds = start},
+        settings.size, fps);
     if (!offline)
         return fail(offline.error());
     for (std::int64_t drawn = 0; drawn < frames; ++drawn) {

@@ -35,7 +35,7 @@ Result<void> check_still(const std::filesystem::path& file);
 Result<void> save_still(const RawPicture& picture, const Document& document,
                         const StillSettings& settings, const RecentMedia& recent);
 
-/// Draws the document at a time and in a size, in its own GL context, and saves it. The look starts
-/// empty some frames earlier, so that it has settled by then.
-Result<ExportResult> export_still(const Document& document, const StillSettings& settings,
+/// Draws the document with its cues at a time and in a size, in its own GL context, and saves it.
+/// The look starts empty some frames earlier, so that it has settled by then.
+Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings& settings,
                                   const Roots& roots, JobProgress& work);

@@ -49,8 +49,9 @@ Result<void> AudioDevices::play_beam(std::unique_ptr<Signal> signal, bool is_kno
 }
 
 Result<void> AudioDevices::play_sound(const SoundTrack& track, const Transport& transport) {
-    const bool is_new =
-        track.sound != m_track.sound || track.start_seconds != m_track.start_seconds;
+    const bool is_new = track.sound != m_track.sound ||
+                        track.start_seconds != m_track.start_seconds ||
+                        track.end_seconds != m_track.end_seconds;
     m_track = track;
     if (m_machine && track.sound && !m_output && !m_playout) {
         auto output = m_machine->open_output(m_settings);
@@ -63,7 +64,7 @@ Result<void> AudioDevices::play_sound(const SoundTrack& track, const Transport& 
     if (!m_output)
         return {};
     if (is_new)
-        m_output->play(track.sound, track.start_seconds);
+        m_output->play(track.sound, track.start_seconds, track.end_seconds);
     if (!track.sound)
         return {};
     m_output->set_loop(track.loops);

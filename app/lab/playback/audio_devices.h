@@ -13,6 +13,7 @@ struct SoundTrack {
     std::shared_ptr<const Sound> sound = {};  // shared with the audio thread; null: silence
     double start_seconds = 0.0;               // in the sound, at time 0
     bool loops = false;
+    double end_seconds = 0.0;  // in the sound; 0: its end
 };
 
 /// The audio devices of the player: their settings, and the open output for the sound or for the

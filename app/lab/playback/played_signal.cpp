@@ -111,8 +111,11 @@ void PlayedSignal::measure() {
     std::shared_ptr<const SampleStream> sound;
     if (m_sound.sound) {
         const SoundTrack played = track();
-        const auto first = std::llround(played.start_seconds * played.sound->rate);
-        m_sound_stream = stream_of(played.sound, {first, played.loops});
+        const auto frame_at = [&](double seconds) {
+            return std::llround(seconds * played.sound->rate);
+        };
+        m_sound_stream = stream_of(played.sound, {frame_at(played.start_seconds), played.loops,
+                                                  frame_at(played.end_seconds)});
         sound = m_sound_stream;
     } else if (m_live_input.is_open()) {
         sound = stream_of(m_live_input.sound(), m_live_input.first_frame());
@@ -141,7 +144,11 @@ Beam PlayedSignal::trace(const TimeSpan& span) const {
 
 double PlayedSignal::sound_seconds() const {
     const SoundTrack played = track();
-    return played.sound ? std::max(0.0, played.sound->seconds() - played.start_seconds) : 0.0;
+    if (!played.sound)
+        return 0.0;
+    const double sound = played.sound->seconds();
+    const double end = played.end_seconds > 0.0 ? std::min(played.end_seconds, sound) : sound;
+    return std::max(0.0, end - played.start_seconds);
 }
 
 SoundTrack PlayedSignal::track() const {
@@ -149,5 +156,6 @@ SoundTrack PlayedSignal::track() const {
         return {};
     return {.sound = m_sound.sound,
             .start_seconds = std::get<double>(m_spec.settings.at("start")),
-            .loops = m_spec.settings.at("loop") == Spec::Setting("on")};
+            .loops = m_spec.settings.at("loop") == Spec::Setting("on"),
+            .end_seconds = std::get<double>(m_spec.settings.at("end"))};
 }

@@ -60,8 +60,8 @@ public:
 private:
     PlayedFrame add_frame(double end);
 
-    static constexpr std::size_t frames_remembered = 1024;
-    static constexpr double longest_frame_limit = 0.25;  // s
+    static constexpr std::size_t frames_remembered = 1 << 18;  // over an hour at 60 fps
+    static constexpr double longest_frame_limit = 0.25;        // s
 
     bool m_is_playing = true;
     bool m_is_stepping = false;

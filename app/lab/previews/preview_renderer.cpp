@@ -89,7 +89,8 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
     // Errors are ignored, because a missing film picture affects all compared pictures.
     static_cast<void>(subject.media.source().show_past_in(
         frame.span.end, {m_executors, subject.picture, m_source}));
-    modulate(m_executors, {m_values, m_other_values, subject.document.state().modulations},
+    const DocumentState& state = subject.document.state();
+    modulate(m_executors, {m_values, m_other_values, state.modulations, state.tempo},
              frame.span.end, subject.player.signal().loudness().get());
     const Beam beam = subject.player.signal().trace(frame.span);
     if (is_last)

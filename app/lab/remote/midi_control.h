@@ -31,6 +31,8 @@ public:
     std::vector<std::string> devices() const { return m_inputs->names(); }
     /// Becomes readable when messages are available; never changes.
     int descriptor() const { return m_inputs->descriptor(); }
+    /// The clock of the devices; null: not supported.
+    const MidiClockInput* clock() const { return m_inputs->clock(); }
 
     /// Binds the next moved controller to `goal`; nullopt: stops learning.
     void learn(std::optional<MidiTarget> goal);

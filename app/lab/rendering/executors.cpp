@@ -89,14 +89,16 @@ void draw_unseen(Executors& executors, const PlayedFrame& played, const Beam& be
 
 void modulate(Executors& executors, const ModulatedValues& values, double seconds,
               const Loudness* loudness) {
-    if (values.modulations.empty())
+    if (values.modulations.empty() && !values.cues)
         return;
     const Look& look = executors.picture().look();
-    const auto at_frame = [&](const Values& stored) {
-        return modulated(look, stored, values.modulations, seconds, loudness);
+    const auto at_frame = [&](const CuedState& state) {
+        return modulated(look, state.values, state.modulations, seconds, loudness, values.tempo);
     };
+    const CuedState stored{values.picture, values.modulations};
     if (!executors.is_variant_alone())
-        executors.picture().set_values(at_frame(values.picture));
+        executors.picture().set_values(
+            at_frame(values.cues ? values.cues->state_at(look, stored, values.position) : stored));
     if (Executor* variant = executors.variant())
-        variant->set_values(at_frame(values.variant));
+        variant->set_values(at_frame({values.variant, values.modulations}));
 }

@@ -2,6 +2,7 @@
 
 #include "graph/executor/executor.h"
 #include "lab/rendering/frame_inputs.h"
+#include "model/tuning/cue_plan.h"
 
 #include <functional>
 #include <memory>
@@ -65,9 +66,12 @@ struct ModulatedValues {
     const Values& picture;
     const Values& variant;
     const Modulations& modulations;
+    Tempo tempo = {};
+    const CuePlan* cues = nullptr;  // of the picture; null: none
+    double position = 0.0;          // of the cues
 };
-/// Sets the values of the frame that ends at `seconds`. Without modulations nothing changes. A null
-/// loudness is silence.
+/// Sets the values of the frame that ends at `seconds`. Without modulations and cues nothing
+/// changes. A null loudness is silence.
 void modulate(Executors& executors, const ModulatedValues& values, double seconds,
               const Loudness* loudness);
 

@@ -18,6 +18,7 @@ struct FrameInputs {
     // The time per frame for samples of accumulating passes; 0: no limit. The rest is left to the
     // next frames.
     double sample_budget_seconds = 0.0;
+    bool is_black = false;  // the picture is shown and exported as black; its passes are drawn
 };
 
 /// `inputs` and `beam` must outlive the result.

@@ -20,11 +20,24 @@ public:
     }
     /// Including earlier frames.
     void add_replay() { add({{}, true}); }
+    /// Including all earlier frames of the player's past.
+    void add_full_replay() {
+        add_replay();
+        m_replays_all = true;
+    }
+    bool replays_all() const { return m_redraw && m_replays_all; }
     bool is_empty() const { return !m_redraw; }
     bool needs_replay() const { return m_redraw && m_redraw->needs_replay; }
-    void clear() { m_redraw.reset(); }
-    Redraw take() { return *std::exchange(m_redraw, std::nullopt); }
+    void clear() {
+        m_redraw.reset();
+        m_replays_all = false;
+    }
+    Redraw take() {
+        m_replays_all = false;
+        return *std::exchange(m_redraw, std::nullopt);
+    }
 
 private:
     std::optional<Redraw> m_redraw;
+    bool m_replays_all = false;
 };

@@ -5,6 +5,10 @@
 
 #include <cmath>
 
+namespace {
+constexpr Levels all_black{1e30, 2e30};  // above all stored numbers
+}
+
 Result<MainView> MainView::make() {
     auto compared = ComparedPictures::make();
     if (!compared)
@@ -65,7 +69,8 @@ void MainView::count_flashes(const Subject& subject) {
 // Independent of the panels; the whole picture at the largest integer zoom that fits.
 void MainView::draw_output(const Subject& subject) {
     const WindowState& window = subject.window;
-    const Extent extent = window.output.is_black ? Extent{} : window.views.sizes.output;
+    const bool is_black = window.output.is_black || subject.renderer.executors().inputs().is_black;
+    const Extent extent = is_black ? Extent{} : window.views.sizes.output;
     if (extent.is_empty())
         return m_context->output.reset();
     const Executor& executor = subject.renderer.executor();
@@ -103,12 +108,15 @@ DisplayedTexture MainView::displayed(const Subject& subject) const {
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     const int shown = subject.frames.passes().picture_pass();
     const Pass& pass = executor.look().passes[static_cast<std::size_t>(shown)];
+    const bool is_black = subject.renderer.executors().inputs().is_black;
     return {&executor.target(shown),
             pass.name,
             shown,
             executor.target(last).extent(),
             subject.window.views.picture,
-            {.encoding = encoding_of(executor.look(), shown), .is_over_checker = pass.has_alpha}};
+            {.levels = is_black ? all_black : Levels{},
+             .encoding = encoding_of(executor.look(), shown),
+             .is_over_checker = pass.has_alpha && !is_black}};
 }
 
 // Updates the reference of the texture. A picture from a file can only be compared with the

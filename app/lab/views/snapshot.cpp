@@ -6,6 +6,7 @@
 #include "lab/messages/messages.h"
 #include "lab/rendering/renderer.h"
 #include "lab/views/inspector_view.h"
+#include "model/picture/black.h"
 
 #include <fmt/format.h>
 
@@ -18,6 +19,8 @@ std::optional<RawPicture> snapshot(const Renderer& renderer, int pass, Messages&
     RawPicture picture;
     gpu::read_raw(executor.target(pass), picture);
     picture.encoding = encoding_of(executor.look(), pass);
+    if (renderer.executors().inputs().is_black)
+        blacken(picture);
     return picture;
 }
 

@@ -21,6 +21,8 @@ struct Dialog {
         load_drawing,
         save_drawing,
         save_automation,
+        open_cues,
+        save_cues,
         save_slangp,
         save_preset_as,
         rename_preset,

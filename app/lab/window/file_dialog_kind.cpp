@@ -82,6 +82,19 @@ const std::array file_dialogs{
                    .is_saving = true,
                    .content = "Automation files",
                    .extensions = [] { return Extensions{".txt"}; }},
+    FileDialogKind{.kind = DialogKind::open_cues,
+                   .title = "Open a cue file",
+                   .folder_key = "cues",
+                   .first_folder = UserFolder::documents,
+                   .content = "Cue files",
+                   .extensions = [] { return Extensions{".txt"}; }},
+    FileDialogKind{.kind = DialogKind::save_cues,
+                   .title = "Save cue file (for afterglow render --cues)",
+                   .folder_key = "cues",
+                   .first_folder = UserFolder::documents,
+                   .is_saving = true,
+                   .content = "Cue files",
+                   .extensions = [] { return Extensions{".txt"}; }},
     FileDialogKind{.kind = DialogKind::save_slangp,
                    .title = "Save changed parameters as .slangp (references the original)",
                    .folder_key = "slangp",
@@ -147,6 +160,8 @@ std::string proposed_stem(const Dialog& dialog, const Document* document) {
             return "drawing";
         case DialogKind::save_automation:
             return "automation";
+        case DialogKind::save_cues:
+            return "cues";
         case DialogKind::save_slangp:
             return file_stem(document ? document->look().name : std::string()) + "-mine";
         default:

@@ -22,6 +22,8 @@ inline constexpr PanelId sheet = "sheet";
 inline constexpr PanelId waveform = "waveform";
 inline constexpr PanelId presets = "presets";
 inline constexpr PanelId remote = "remote";
+inline constexpr PanelId timeline = "timeline";
+inline constexpr PanelId playlist = "playlist";
 }  // namespace panel_id
 
 /// An area of the window for panels, of which it shows one.

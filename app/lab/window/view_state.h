@@ -2,6 +2,7 @@
 
 #include "lab/window/pass_view.h"
 #include "lab/window/source_search.h"
+#include "lab/window/timeline_view.h"
 
 /// Sizes of the picture views in device pixels.
 struct ViewSizes {
@@ -30,6 +31,7 @@ struct ViewState {
     PendingFits pending;
     SourceSearch source;  // in the compiled source
     ViewSizes sizes;
+    TimelineView timeline;
 
     /// The view of the picture, or of the pass that replaces it.
     PictureView& large() { return shows_pass_large ? inspected.view : picture; }

@@ -27,6 +27,13 @@ bool follows(const Pass& pass, const std::string& name) {
 }
 }  // namespace
 
+bool drives_size(const Look& look, const Parameter& parameter) {
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        if (affects_target_size(look, i, parameter))
+            return true;
+    return false;
+}
+
 bool affects_target_size(const Look& look, std::size_t pass, const Parameter& parameter) {
     const Pass& user = look.passes[pass];
     const std::string& name = parameter.name;

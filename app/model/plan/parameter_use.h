@@ -10,6 +10,9 @@ bool is_used_by(const Look& look, std::size_t pass, const Parameter& parameter);
 /// its previous pictures.
 bool affects_target_size(const Look& look, std::size_t pass, const Parameter& parameter);
 
+/// The same for any pass.
+bool drives_size(const Look& look, const Parameter& parameter);
+
 /// Whether it affects which passes are drawn onto another pass's target.
 bool affects_aliasing(const Look& look, const Parameter& parameter);
 

@@ -19,6 +19,7 @@ struct Preset {
     Values values;             // values that differ from the defaults, including orphans
     std::vector<std::string> bypass = {};  // keys of a stack's looks that are not drawn
     Modulations modulations = {};          // including orphans
+    std::optional<Tempo> tempo = {};       // of modulations in beats; nullopt: the current one
 
     bool operator==(const Preset&) const = default;
 };

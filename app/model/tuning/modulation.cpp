@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -23,15 +24,57 @@ ModulationFigure depth_figure() {
             .limit = {-4.0, 4.0}};
 }
 
-ModulationFigure release_figure(const Range& range, double longest) {
-    return {.key = "release",
-            .label = "Release",
+constexpr double longest_envelope = 2.0;  // s
+constexpr double longest_decay = 0.5;     // s; a beat is stored for two seconds
+
+ModulationFigure time_figure(const char* key, const char* label, const char* help,
+                             double Modulation::*number, const Range& range, double longest) {
+    return {.key = key,
+            .label = label,
             .unit = "s",
-            .help = "Time to fall to 37 %.",
-            .number = &Modulation::release,
+            .help = help,
+            .number = number,
             .range = range,
             .limit = {0.001, longest},
             .scale = Scale::logarithmic};
+}
+
+constexpr const char* attack_help = "Time to rise by 63 % of the difference.";
+constexpr const char* release_help = "Time to fall to 37 %.";
+
+// The same in beats.
+ModulationFigure beats_figure(const char* key, const char* label, const char* help,
+                              double Modulation::*number) {
+    constexpr double shortest = 1.0 / 64.0;
+    constexpr double longest = 32.0;
+    return {.key = key,
+            .label = label,
+            .unit = "beats",
+            .help = help,
+            .number = number,
+            .range = {shortest, 4.0, 0.0},
+            .limit = {0.001, longest},
+            .scale = Scale::logarithmic};
+}
+
+ModulationFigure phase_figure() {
+    return {.key = "phase",
+            .label = "Phase",
+            .unit = "turns",
+            .help = "Phase at time 0, or at the downbeat. One turn is a full cycle.",
+            .number = &Modulation::phase,
+            .range = {0.0, 1.0, 0.0},
+            .limit = {0.0, 1.0}};
+}
+
+ModulationFigure threshold_figure() {
+    return {.key = "threshold",
+            .label = "Threshold",
+            .unit = "×",
+            .help = "Bass energy that counts as a beat, relative to the mean of the last second.",
+            .number = &Modulation::threshold,
+            .range = {1.0, 8.0, 0.0},
+            .limit = {0.1, 1000.0}};
 }
 
 Figures lfo_figures() {
@@ -43,40 +86,47 @@ Figures lfo_figures() {
              .range = {0.02, 20.0, 0.0},
              .limit = {0.001, 1000.0},
              .scale = Scale::logarithmic},
-            {.key = "phase",
-             .label = "Phase",
-             .unit = "turns",
-             .help = "Phase at time 0. One turn is a full cycle.",
-             .number = &Modulation::phase,
-             .range = {0.0, 1.0, 0.0},
-             .limit = {0.0, 1.0}},
+            phase_figure(),
+            depth_figure()};
+}
+
+Figures lfo_figures_in_beats() {
+    return {{.key = "period",
+             .label = "Period",
+             .unit = "beats",
+             .help = "Length of a cycle in beats of the tempo. A beat is a quarter note.",
+             .number = &Modulation::period,
+             .range = {0.25, 32.0, 0.0},
+             .limit = {1.0 / 64.0, 1024.0},
+             .scale = Scale::logarithmic},
+            phase_figure(),
             depth_figure()};
 }
 
 Figures envelope_figures() {
-    constexpr double longest = 2.0;
-    return {{.key = "attack",
-             .label = "Attack",
-             .unit = "s",
-             .help = "Time to rise by 63 % of the difference.",
-             .number = &Modulation::attack,
-             .range = {0.001, 1.0, 0.0},
-             .limit = {0.001, longest},
-             .scale = Scale::logarithmic},
-            release_figure({0.01, longest, 0.0}, longest),
+    return {time_figure("attack", "Attack", attack_help, &Modulation::attack, {0.001, 1.0, 0.0},
+                        longest_envelope),
+            time_figure("release", "Release", release_help, &Modulation::release,
+                        {0.01, longest_envelope, 0.0}, longest_envelope),
+            depth_figure()};
+}
+
+Figures envelope_figures_in_beats() {
+    return {beats_figure("attack", "Attack", attack_help, &Modulation::attack_beats),
+            beats_figure("release", "Release", release_help, &Modulation::release_beats),
             depth_figure()};
 }
 
 Figures beat_figures() {
-    constexpr double longest = 0.5;  // a beat is stored for two seconds
-    return {{.key = "threshold",
-             .label = "Threshold",
-             .unit = "×",
-             .help = "Bass energy that counts as a beat, relative to the mean of the last second.",
-             .number = &Modulation::threshold,
-             .range = {1.0, 8.0, 0.0},
-             .limit = {0.1, 1000.0}},
-            release_figure({0.02, longest, 0.0}, longest),
+    return {threshold_figure(),
+            time_figure("release", "Release", release_help, &Modulation::release,
+                        {0.02, longest_decay, 0.0}, longest_decay),
+            depth_figure()};
+}
+
+Figures beat_figures_in_beats() {
+    return {threshold_figure(),
+            beats_figure("release", "Release", release_help, &Modulation::release_beats),
             depth_figure()};
 }
 
@@ -90,44 +140,65 @@ double share_of_turn(double turns) {
     return turns - std::floor(turns);
 }
 
-bool drives_size(const Look& look, const Parameter& parameter) {
-    for (std::size_t i = 0; i < look.passes.size(); ++i)
-        if (affects_target_size(look, i, parameter))
-            return true;
-    return false;
-}
-
 // From the name without a scope, so that it is the same in every stack.
 std::uint64_t seed_of(const std::string& name) {
     return digest_of(name.substr(name.rfind('/') + 1));
 }
 
+// In seconds, at most `longest`.
+double time_of(double beats, const Tempo& tempo, double longest) {
+    return std::clamp(beats * tempo.seconds_per_beat(), 0.001, longest);
+}
+
+// The same modulation with times in seconds.
+Modulation in_seconds(const Modulation& modulation, const Tempo& tempo) {
+    Modulation seconds = modulation;
+    if (!modulation.is_in_beats)
+        return seconds;
+    const bool is_beat = modulation.kind == ModulationKind::beat;
+    seconds.attack = time_of(modulation.attack_beats, tempo, longest_envelope);
+    seconds.release =
+        time_of(modulation.release_beats, tempo, is_beat ? longest_decay : longest_envelope);
+    return seconds;
+}
+
 double amount_of(const Modulation& modulation, const std::string& name, double seconds,
-                 const Loudness* loudness) {
+                 const Loudness* loudness, const Tempo& tempo) {
     if (modulation.kind == ModulationKind::lfo)
-        return lfo_at(modulation, seconds, seed_of(name));
+        return lfo_at(modulation, seconds, seed_of(name), tempo);
     if (!loudness)
         return 0.0;
+    const Modulation timed = in_seconds(modulation, tempo);
     if (modulation.kind == ModulationKind::envelope)
-        return loudness->envelope(seconds, modulation.attack, modulation.release);
+        return loudness->envelope(seconds, timed.attack, timed.release);
     const auto since = loudness->seconds_since_beat(seconds, modulation.threshold);
-    return since ? std::exp(-*since / modulation.release) : 0.0;
+    return since ? std::exp(-*since / timed.release) : 0.0;
 }
 }  // namespace
 
-const std::vector<ModulationFigure>& figures_of(ModulationKind kind) {
-    static const Figures lfo = lfo_figures();
-    static const Figures envelope = envelope_figures();
-    static const Figures beat = beat_figures();
+const std::vector<ModulationFigure>& figures_of(ModulationKind kind, bool is_in_beats) {
+    static const std::array<Figures, 2> lfo{lfo_figures(), lfo_figures_in_beats()};
+    static const std::array<Figures, 2> envelope{envelope_figures(), envelope_figures_in_beats()};
+    static const std::array<Figures, 2> beat{beat_figures(), beat_figures_in_beats()};
+    const std::size_t unit = is_in_beats ? 1 : 0;
     switch (kind) {
         case ModulationKind::envelope:
-            return envelope;
+            return envelope[unit];
         case ModulationKind::beat:
-            return beat;
+            return beat[unit];
         case ModulationKind::lfo:
             break;
     }
-    return lfo;
+    return lfo[unit];
+}
+
+std::vector<NoteLength> note_lengths(double beats_per_bar) {
+    std::vector<NoteLength> lengths{{0.25, "1/16"}, {0.5, "1/8"}, {1.0, "1/4"}, {2.0, "1/2"}};
+    for (const int bars : {1, 2, 4, 8})
+        lengths.push_back(
+            {bars * beats_per_bar, fmt::format("{} bar{}", bars, bars > 1 ? "s" : "")});
+    std::ranges::stable_sort(lengths, {}, &NoteLength::beats);
+    return lengths;
 }
 
 const std::vector<ModulationName<ModulationKind>>& modulation_kinds() {
@@ -148,11 +219,16 @@ const std::vector<ModulationName<LfoShape>>& lfo_shapes() {
     return names;
 }
 
+bool uses_tempo(const Modulations& modulations) {
+    return std::ranges::any_of(modulations,
+                               [](const auto& entry) { return entry.second.is_in_beats; });
+}
+
 std::string summary_of(const Modulation& modulation) {
     std::string text = name_of(modulation_kinds(), modulation.kind).label;
     if (modulation.kind == ModulationKind::lfo)
         text += ", " + to_lower(name_of(lfo_shapes(), modulation.shape).label);
-    for (const ModulationFigure& figure : figures_of(modulation.kind)) {
+    for (const ModulationFigure& figure : figures_of(modulation)) {
         const bool is_close = figure.unit.empty() || figure.unit == "×";
         text +=
             fmt::format(", {} {}{}{}", to_lower(figure.label),
@@ -164,9 +240,10 @@ std::string summary_of(const Modulation& modulation) {
 Modulation normalised(const Modulation& modulation) {
     Modulation tidy;
     tidy.kind = modulation.kind;
+    tidy.is_in_beats = modulation.is_in_beats;
     if (tidy.kind == ModulationKind::lfo)
         tidy.shape = modulation.shape;
-    for (const ModulationFigure& figure : figures_of(tidy.kind)) {
+    for (const ModulationFigure& figure : figures_of(tidy)) {
         const double number = modulation.*figure.number;
         if (std::isfinite(number))
             tidy.*figure.number = std::clamp(number, figure.limit.low, figure.limit.high);
@@ -203,8 +280,11 @@ std::string why_unmodulated(const Look& look, const Parameter& parameter) {
     return "";
 }
 
-double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) {
-    const double turns = modulation.rate * seconds + modulation.phase;
+double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed,
+              const Tempo& tempo) {
+    const double cycles = modulation.is_in_beats ? tempo.beats_at(seconds) / modulation.period
+                                                 : modulation.rate * seconds;
+    const double turns = cycles + modulation.phase;
     const double share = share_of_turn(turns);
     switch (modulation.shape) {
         case LfoShape::sine:
@@ -224,12 +304,12 @@ double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed) 
 }
 
 Values modulated(const Look& look, Values values, const Modulations& modulations, double seconds,
-                 const Loudness* loudness) {
+                 const Loudness* loudness, const Tempo& tempo) {
     for (const auto& [name, modulation] : modulations) {
         const Parameter* parameter = find_parameter(look, name);
         if (!parameter || !why_unmodulated(look, *parameter).empty())
             continue;
-        const double by = modulation.depth * amount_of(modulation, name, seconds, loudness);
+        const double by = modulation.depth * amount_of(modulation, name, seconds, loudness, tempo);
         Value value = value_of(*parameter, values);
         for (std::size_t i = 0; i < value.numbers.size(); ++i) {
             const Range& range = range_of(*parameter, i);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "model/look/look.h"
+#include "model/tuning/tempo.h"
 
 #include <map>
 #include <optional>
@@ -23,6 +24,11 @@ struct Modulation {
     double attack = 0.01;    // s, time constants
     double release = 0.3;    // s
     double threshold = 2.0;  // energy of a beat, relative to the mean
+    // In beats of the tempo instead of Hz and seconds.
+    bool is_in_beats = false;
+    double period = 4.0;  // beats, of an LFO
+    double attack_beats = 0.0625;
+    double release_beats = 0.5;
 
     bool operator==(const Modulation&) const = default;
 };
@@ -41,7 +47,18 @@ struct ModulationFigure {
     Limit limit;
     Scale scale = Scale::linear;
 };
-const std::vector<ModulationFigure>& figures_of(ModulationKind kind);
+const std::vector<ModulationFigure>& figures_of(ModulationKind kind, bool is_in_beats = false);
+inline const std::vector<ModulationFigure>& figures_of(const Modulation& modulation) {
+    return figures_of(modulation.kind, modulation.is_in_beats);
+}
+
+/// A musical length with its label: "1/16" to "8 bars".
+struct NoteLength {
+    double beats = 1.0;
+    std::string label;
+};
+/// From the shortest to the longest.
+std::vector<NoteLength> note_lengths(double beats_per_bar);
 
 /// An option with its key in files and its label.
 template <class T>
@@ -52,6 +69,9 @@ struct ModulationName {
 };
 const std::vector<ModulationName<ModulationKind>>& modulation_kinds();
 const std::vector<ModulationName<LfoShape>>& lfo_shapes();
+
+/// Whether a modulation depends on the tempo.
+bool uses_tempo(const Modulations& modulations);
 
 /// "LFO, sine, rate 0.5 Hz, depth 0.25".
 std::string summary_of(const Modulation& modulation);
@@ -77,9 +97,11 @@ public:
 
 /// The value of an LFO, -1..1. It starts at its phase at time 0. `seed` distinguishes LFOs with
 /// random steps.
-double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed);
+double lfo_at(const Modulation& modulation, double seconds, std::uint64_t seed,
+              const Tempo& tempo = {});
 
 /// The values at this time. A modulated value is value + depth * range * (-1..1 for an LFO, 0..1
-/// for others), for all components, within its hard limit. Null loudness: silence.
+/// for others), for all components, within its hard limit. Null loudness: silence. Times in beats
+/// that are longer than the limit in seconds are limited.
 Values modulated(const Look& look, Values values, const Modulations& modulations, double seconds,
-                 const Loudness* loudness);
+                 const Loudness* loudness, const Tempo& tempo = {});

@@ -8,9 +8,9 @@ namespace {
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
 bool goes_all_round(const Parameter& parameter) {
-    constexpr double slack = 1e-3;  // ends are written with few digits
+    constexpr double tolerance = 1e-3;  // ends are written with few digits
     return parameter.control == Control::angle &&
-           parameter.range.high - parameter.range.low >= full_turn - slack;
+           parameter.range.high - parameter.range.low >= full_turn - tolerance;
 }
 
 bool changes_at_half(const Parameter& parameter) {
@@ -45,6 +45,12 @@ Value between(const Parameter& parameter, const Value& from, const Value& to, do
     return clamped(parameter, std::move(value));
 }
 }  // namespace
+
+Value morphed_value(const Parameter& parameter, const Value& from, const Value& to, double share) {
+    if (from == to || share >= 1.0)
+        return to;
+    return between(parameter, from, to, std::max(share, 0.0));
+}
 
 Values morphed(const Look& look, const Values& from, const Values& to, double share) {
     if (share >= 1.0)

@@ -107,7 +107,16 @@ Result<std::unique_ptr<Signal>> make_audio(const Settings& settings, const Signa
                      fmt::format("audio: 'start' is {} s, but the sound is only {} s long",
                                  format_number(settings.number("start")),
                                  format_number(sound->seconds()))});
-    const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on")};
+    const double end = std::round(settings.number("end") * sound->rate);
+    if (end > 0.0 && end <= start)
+        return fail({{},
+                     0,
+                     fmt::format("audio: 'end' is {} s, but 'start' is {} s. Use a later end, or 0 "
+                                 "for the end of the sound.",
+                                 format_number(settings.number("end")),
+                                 format_number(settings.number("start")))});
+    const SoundPart part{static_cast<std::int64_t>(start), settings.is("loop", "on"),
+                         static_cast<std::int64_t>(end)};
     const auto open = [&](const StreamChannels& channels) {
         return stream_of(sound, part, channels);
     };
@@ -175,6 +184,13 @@ std::vector<SettingInfo> file_settings() {
              .label = "Start",
              .unit = "s",
              .help = "Position in the sound at time 0. Loops also restart here.",
+             .low = 0,
+             .high = 600,
+             .limit = {0, 86400}},
+            {.key = "end",
+             .label = "End",
+             .unit = "s",
+             .help = "Position in the sound where it ends or loops. 0: the end of the file.",
              .low = 0,
              .high = 600,
              .limit = {0, 86400}}};

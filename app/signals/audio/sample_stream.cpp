@@ -26,7 +26,7 @@ public:
         : m_sound(std::move(sound)),
           m_part(part),
           m_picker(channels, m_sound->channels),
-          m_length(static_cast<std::int64_t>(m_sound->frame_count()) - part.first) {}
+          m_length(part.length_in(static_cast<std::int64_t>(m_sound->frame_count()))) {}
 
     int rate() const override { return m_sound->rate; }
     std::int64_t length() const override { return m_length; }

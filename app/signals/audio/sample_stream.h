@@ -4,6 +4,7 @@
 #include "model/devices/sound.h"
 #include "signals/signal/stereo_sample.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -31,6 +32,12 @@ public:
 struct SoundPart {
     std::int64_t first = 0;  // sample frame of its start
     bool loops = false;
+    std::int64_t end = 0;  // the sample frame after its last one; 0: the end of the sound
+
+    /// The number of its frames in a sound of this length.
+    std::int64_t length_in(std::int64_t frames) const {
+        return (end > 0 ? std::min(end, frames) : frames) - first;
+    }
 };
 
 /// The channels read as left and right, from 1; 0: silence. A number above the last channel means

@@ -1,11 +1,14 @@
 #include "ui/actions/playback_actions.h"
 
 #include "lab/document/automation.h"
+#include "lab/sequencer/sequencer.h"
+#include "lab/sequencer/sound_region.h"
 #include "ui/actions/file_actions.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/rates_dialog.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
+#include "ui/playback/timeline.h"
 
 #include <cmath>
 
@@ -19,6 +22,19 @@ void step(const Scene&, Edits& edits) {
         player.pause();
         player.step();
     });
+}
+void step_back(const Scene&, Edits& edits) {
+    edits.change([](Sequencer& sequencer) { sequencer.scrubber().step_back(); });
+}
+template <int seconds>
+void seek_by(const Scene& scene, Edits& edits) {
+    seek_by_seconds(seconds, scene, edits);
+}
+bool has_loop_region(const Scene& scene) {
+    return has_region(scene.lab.player.signal());
+}
+void play_whole_sound(const Scene&, Edits& edits) {
+    edits.change([](Document& document, Player& player) { remove_region(document, player); });
 }
 void restart(const Scene&, Edits& edits) {
     edits.change([](FrameLoop& frames) { frames.restart(); });
@@ -61,7 +77,17 @@ std::vector<Action> playback_actions::list() {
     return {
         {ActionId::play_pause, Menu::playback, "Play or pause", {' '}, false, play_pause},
         {ActionId::step, Menu::playback, "Step one frame", {'.'}, false, step},
+        {ActionId::step_back, Menu::playback, "Step one frame back", {','}, false, step_back},
+        {ActionId::seek_forward, Menu::playback, "Forward 5 seconds", {}, false, seek_by<5>},
+        {ActionId::seek_back, Menu::playback, "Back 5 seconds", {}, false, seek_by<-5>},
         {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
+        {ActionId::whole_sound,
+         Menu::playback,
+         "Remove loop region",
+         {},
+         false,
+         play_whole_sound,
+         has_loop_region},
         {ActionId::slower, Menu::playback, "Halve speed", {'['}, true, change_speed<-1>},
         {ActionId::faster, Menu::playback, "Double speed", {']'}, false, change_speed<1>},
         {ActionId::normal_speed, Menu::playback, "Normal speed", {'\\'}, false, set_normal_speed},

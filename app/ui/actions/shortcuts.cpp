@@ -19,7 +19,8 @@
 namespace {
 // Keys that repeat while held.
 bool repeats(int key) {
-    return key == '.' || key == 'Z' || (key >= gpu::key::right && key <= gpu::key::up);
+    return key == '.' || key == ',' || key == 'Z' ||
+           (key >= gpu::key::right && key <= gpu::key::up);
 }
 
 // Keys of the control with the focus.
@@ -33,6 +34,18 @@ bool is_pressed(const Chord& chord) {
     const ImGuiIO& io = ImGui::GetIO();
     return chord.key != 0 && io.KeyCtrl == chord.control && io.KeyShift == chord.shift &&
            !io.KeyAlt && ImGui::IsKeyPressed(chord.key, repeats(chord.key));
+}
+
+bool is_seek_key(const Chord& chord) {
+    return chord.key == gpu::key::left || chord.key == gpu::key::right;
+}
+
+// Over a timeline, the arrow keys seek instead of changing the selected parameter.
+void run_seek_keys(const Scene& scene, Edits& edits) {
+    if (is_pressed({gpu::key::right}))
+        run(ActionId::seek_forward, scene, edits);
+    if (is_pressed({gpu::key::left}))
+        run(ActionId::seek_back, scene, edits);
 }
 
 void end_line(Edits& edits) {
@@ -113,7 +126,13 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
                             ImGui::IsKeyPressed(gpu::key::pad_enter, false);
     if (is_entered && has_plain_keys && scene.lab.drawing.board().open_line())
         end_line(edits);
+    const bool are_seeking =
+        scene.window.views.timeline.is_hovered && has_plain_keys && !keyboard.has_focus;
+    if (are_seeking)
+        run_seek_keys(scene, edits);
     for (const Action& action : scene.actions.rows()) {
+        if (are_seeking && is_seek_key(action.chord))
+            continue;
         // An active text field handles copy, paste, undo and letters. Other Ctrl shortcuts always
         // work.
         const bool is_text_field_s = !action.chord.control || action.id == ActionId::copy_line ||
@@ -123,8 +142,7 @@ void run_shortcuts(const Scene& scene, Edits& edits) {
                               (keyboard.has_focus && moves_focus(action.chord)) ||
                               (!action.chord.control &&
                                (keyboard.is_in_menus || is_key_of_look(action.chord.key, scene)));
-        if (!action.is_hidden && is_pressed(action.chord) && !is_taken &&
-            is_enabled(action, scene))
+        if (!action.is_hidden && is_pressed(action.chord) && !is_taken && is_enabled(action, scene))
             act_with_undo_notice(action, scene, edits);
     }
     static constexpr Chord other_redo{'Y', true};

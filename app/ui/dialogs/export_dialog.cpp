@@ -4,6 +4,7 @@
 #include "lab/offline/background_jobs.h"
 #include "lab/offline/export_plan.h"
 #include "lab/rendering/named_size.h"
+#include "lab/sequencer/sequencer.h"
 #include "lab/storage/local_date.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/dialog_rows.h"
@@ -24,7 +25,8 @@ ExportFacts facts_of(const Scene& scene) {
             .render_size = scene.lab.size.extent(),
             .signal = scene.lab.player.signal().spec(),
             .sound_seconds = scene.lab.player.signal().sound_seconds(),
-            .frame_milliseconds = renderer ? renderer->times().passes().current_total() : 0.0};
+            .frame_milliseconds = renderer ? renderer->times().passes().current_total() : 0.0,
+            .plays_cues = scene.lab.sequencer.cues().plan() != nullptr};
 }
 
 /// The rows of the dialog. They change a copy of the form.
@@ -238,8 +240,9 @@ void start(const ExportPlan& plan, Edits& edits) {
         window.exporting.folder = folder;
         window.file_dialogs.folders["video"] = folder;
     });
-    edits.change(
-        [settings = plan.settings](BackgroundJobs& jobs) { jobs.export_frames(settings); });
+    edits.change([settings = plan.settings](const Sequencer& sequencer, BackgroundJobs& jobs) {
+        jobs.export_frames(settings, sequencer.cues().plan());
+    });
 }
 }  // namespace
 

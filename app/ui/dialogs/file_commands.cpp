@@ -5,6 +5,7 @@
 #include "lab/commands/preset_commands.h"
 #include "lab/document/automation.h"
 #include "lab/drawing/drawing_tool.h"
+#include "lab/sequencer/sequencer.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
 
@@ -38,6 +39,12 @@ void finish_file_dialog(const fs::path& file, const Scene& scene, Edits& edits) 
             return finish_dialog(edits, [file](DrawingTool& drawing) { drawing.save(file); });
         case Kind::save_automation:
             return finish_dialog(edits, [file](Automation& automation) { automation.save(file); });
+        case Kind::open_cues:
+            return finish_dialog(edits,
+                                 [file](Sequencer& sequencer) { sequencer.cues().open(file); });
+        case Kind::save_cues:
+            return finish_dialog(edits,
+                                 [file](Sequencer& sequencer) { sequencer.cues().save_as(file); });
         case Kind::save_slangp:
             return finish_dialog(
                 edits, [file](PresetCommands& presets) { presets.sharing().save_slang(file); });

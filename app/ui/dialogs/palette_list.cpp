@@ -37,6 +37,23 @@ constexpr const char* no_unsaved = "no unsaved changes";
 constexpr const char* no_parameter = "no parameter is selected (use the Up and Down keys)";
 }  // namespace
 
+const char* why_no_sequence(ActionId id) {
+    switch (id) {
+        case ActionId::whole_sound:
+            return "there is no loop region";
+        case ActionId::play_cues:
+        case ActionId::save_cues_as:
+        case ActionId::close_cues:
+            return "no cues are open";
+        case ActionId::save_cues:
+            return "the cues have no changes";
+        case ActionId::add_preset_cue:
+            return "no preset is open";
+        default:
+            return "not available now";
+    }
+}
+
 const char* disabled_reason(const Action& action, const Scene& scene) {
     if (!action.is_enabled || action.is_enabled(scene))
         return "";
@@ -93,7 +110,7 @@ const char* disabled_reason(const Action& action, const Scene& scene) {
         case ActionId::passes_as_written:
             return "pass settings match look.json";
         default:
-            return "not available now";
+            return why_no_sequence(action.id);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "lab/document/output_name.h"
 #include "lab/offline/background_jobs.h"
 #include "lab/offline/export_plan.h"
+#include "lab/sequencer/sequencer.h"
 #include "lab/storage/local_date.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
@@ -78,7 +79,9 @@ void save(const StillSettings& settings, bool is_drawn_again, Edits& edits) {
         window.file_dialogs.folders["picture"] = folder;
     });
     if (is_drawn_again)
-        return edits.change([settings](BackgroundJobs& jobs) { jobs.export_still(settings); });
+        return edits.change([settings](const Sequencer& sequencer, BackgroundJobs& jobs) {
+            jobs.export_still(settings, sequencer.cues().plan());
+        });
     edits.change([settings](const Renderer& renderer, const PassControl& passes,
                             BackgroundJobs& jobs, Messages& messages) {
         if (auto picture = snapshot(renderer, passes.picture_pass(), messages))

@@ -12,6 +12,8 @@
 #include "ui/passes/pass_text.h"
 #include "ui/passes/waveform_panel.h"
 #include "ui/picture/pins_panel.h"
+#include "ui/playback/playlist_panel.h"
+#include "ui/playback/timeline.h"
 #include "ui/status/remote_panel.h"
 #include "ui/status/timings_panel.h"
 #include "ui/widgets/problem_list.h"
@@ -73,6 +75,8 @@ constexpr std::array table{
           .leaves_full_screen = true,
           .needs_look = true},
     Panel{panel_id::remote, "Rejected remote messages", {}, draw_remote_panel, "Remote"},
+    Panel{panel_id::timeline, "Timeline", {'T', false, true}, draw_timeline_panel, "Timeline"},
+    Panel{panel_id::playlist, "Playlist", {}, draw_playlist_panel, "Playlist"},
 };
 }  // namespace
 

@@ -6,6 +6,9 @@
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/widgets.h"
 
+#include <array>
+#include <cmath>
+
 namespace {
 // Changes the modulation. With `continues_step` the change joins the current undo step.
 void turn(const ParameterEntry& entry, const std::optional<Modulation>& next, bool continues_step,
@@ -81,6 +84,45 @@ void draw_shapes(const ParameterEntry& entry, const FormColumns& columns, Edits&
     edits.mark("modulation_shape");
 }
 
+// Hz and seconds, or beats of the tempo.
+void draw_unit(const ParameterEntry& entry, const FormColumns& columns, Edits& edits) {
+    constexpr std::array labels{"Seconds", "Beats"};
+    int chosen = entry.modulation->is_in_beats ? 1 : 0;
+    form_label("Unit", columns, false);
+    tooltip("Unit of the times. Beats follow the tempo of the timeline.");
+    form_control(columns);
+    if (form_list("##unit", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number())) {
+        Modulation next = *entry.modulation;
+        next.is_in_beats = chosen == 1;
+        turn(entry, next, false, edits);
+    }
+    edits.mark("modulation_unit");
+}
+
+// The period of an LFO as a note length. Other lengths can be typed below.
+void draw_notes(const ParameterEntry& entry, double beats_per_bar, const FormColumns& columns,
+                Edits& edits) {
+    std::vector<const char*> labels;
+    const std::vector<NoteLength> lengths = note_lengths(beats_per_bar);
+    int chosen = -1;
+    for (const NoteLength& length : lengths) {
+        if (std::abs(length.beats - entry.modulation->period) < 1e-9)
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(length.label.c_str());
+    }
+    form_label("Length", columns, false);
+    tooltip("Length of a cycle as a note or in bars.");
+    form_control(columns);
+    if (form_list("##note", labels.data(), static_cast<int>(labels.size()), chosen,
+                  columns.control_and_number())) {
+        Modulation next = *entry.modulation;
+        next.period = lengths[static_cast<std::size_t>(chosen)].beats;
+        turn(entry, next, false, edits);
+    }
+    edits.mark("modulation_note");
+}
+
 void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
                  const FormColumns& columns, const Fonts& fonts, Edits& edits) {
     const ScopedId id(figure.key);
@@ -106,7 +148,8 @@ void draw_figure(const ParameterEntry& entry, const ModulationFigure& figure,
 }
 }  // namespace
 
-void draw_modulation_editor(const ParameterEntry& entry, const Fonts& fonts, Edits& edits) {
+void draw_modulation_editor(const ParameterEntry& entry, double beats_per_bar, const Fonts& fonts,
+                            Edits& edits) {
     if (!why_unmodulated(entry.look, entry.parameter).empty())
         return;
     ImGui::Separator();
@@ -116,7 +159,10 @@ void draw_modulation_editor(const ParameterEntry& entry, const Fonts& fonts, Edi
     if (entry.modulation) {
         if (entry.modulation->kind == ModulationKind::lfo)
             draw_shapes(entry, columns, edits);
-        for (const ModulationFigure& figure : figures_of(entry.modulation->kind))
+        draw_unit(entry, columns, edits);
+        if (entry.modulation->kind == ModulationKind::lfo && entry.modulation->is_in_beats)
+            draw_notes(entry, beats_per_bar, columns, edits);
+        for (const ModulationFigure& figure : figures_of(*entry.modulation))
             draw_figure(entry, figure, columns, fonts, edits);
     }
     dim_text(help_about(entry.modulation));

@@ -4,6 +4,7 @@
 #include "lab/document/parameter_edits.h"
 #include "lab/document/parameter_settings_store.h"
 #include "lab/frame/frame_loop.h"
+#include "lab/sequencer/sequencer.h"
 #include "model/look/decay.h"
 #include "model/look/value_text.h"
 #include "model/picture/aliasing.h"
@@ -220,7 +221,7 @@ void draw_parameter_help(const ParameterEntry& entry, const Scene& scene, Edits&
         return;
     draw_info(entry, fonts);
     draw_slider_ends(entry, fonts, edits);
-    draw_modulation_editor(entry, fonts, edits);
+    draw_modulation_editor(entry, scene.lab.sequencer.tempo().tempo().beats_per_bar, fonts, edits);
     ImGui::Separator();
     draw_step_items(parameter.name, edits);
     draw_sheet_items(entry, edits);

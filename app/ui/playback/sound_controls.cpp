@@ -2,6 +2,8 @@
 
 #include "lab/menus/device_menu.h"
 #include "lab/playback/audio_control.h"
+#include "lab/sequencer/sound_region.h"
+#include "ui/playback/timeline.h"
 #include "ui/widgets/form.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -18,16 +20,13 @@ std::string clock_text(double seconds) {
 }
 
 namespace {
-void draw_seek_bar(double time, double length, const Scene& scene, Edits& edits) {
-    double position = length > 0.0 ? std::fmod(time, length) : 0.0;
-    const SliderInfo info{
-        .low = 0.0, .high = length, .step = 0.01, .unit = "s", .limit = Limit{0.0, length}};
-    const ValueEdit edited = draw_slider("##seek", position, info, form_width());
-    edits.mark("seek");
-    if (edited.is_changed)
-        edits.change([position](Player& player) { player.seek(position); });
+void draw_seek_bar(const Scene& scene, Edits& edits) {
+    draw_timeline("seek", {form_width(), ImGui::GetFontSize() * 4.2f}, scene, edits);
+    const PlayedPart part = *played_part(scene.lab.player.signal());
+    const double position = part.position_at(scene.lab.player.transport().time());
     const ScopedFont font(scene.fonts.numbers);
-    dim_text(fmt::format("{} / {}", clock_text(position), clock_text(length)));
+    dim_text(fmt::format("{} / {}", clock_text(position),
+                         clock_text(scene.lab.player.signal().sound().sound->seconds())));
 }
 
 void draw_volume(const AudioDevices& devices, const Scene& scene, Edits& edits) {
@@ -188,7 +187,7 @@ void draw_sound_controls(bool is_live, const Scene& scene, Edits& edits) {
     const PlayedSignal& signal = player.signal();
     const std::string input = signal.live_input().device_name();
     if (signal.sound().sound)
-        draw_seek_bar(player.transport().time(), signal.sound_seconds(), scene, edits);
+        draw_seek_bar(scene, edits);
     if (signal.sound().sound && player.devices().beam_device().empty())
         draw_volume(player.devices(), scene, edits);
     else if (is_live && !input.empty())

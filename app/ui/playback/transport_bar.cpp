@@ -23,6 +23,10 @@ void draw_buttons(const Scene& scene, Edits& edits) {
         run(ActionId::restart, scene, edits);
     edits.mark("restart");
     ImGui::SameLine(0.0f, 0.0f);
+    if (icon_button("##step_back", Icon::step_back, scene.actions.help(ActionId::step_back)))
+        run(ActionId::step_back, scene, edits);
+    edits.mark("step_back");
+    ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##play", is_playing ? Icon::pause : Icon::play,
                     scene.actions.help(ActionId::play_pause)))
         run(ActionId::play_pause, scene, edits);

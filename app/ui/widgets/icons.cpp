@@ -189,9 +189,14 @@ void draw_transport_icon(Icon icon, IconPen& pen) {
             pen.triangle({0.14f, 0.14f}, {0.14f, 0.86f}, {0.68f, 0.5f});
             pen.box(0.7f, 0.14f, 0.84f, 0.86f);
             break;
-        case Icon::restart:
+        case Icon::step_back:
             pen.triangle({0.86f, 0.14f}, {0.86f, 0.86f}, {0.32f, 0.5f});
             pen.box(0.16f, 0.14f, 0.3f, 0.86f);
+            break;
+        case Icon::restart:  // to the start, over all frames
+            pen.triangle({0.58f, 0.14f}, {0.58f, 0.86f}, {0.22f, 0.5f});
+            pen.triangle({0.94f, 0.14f}, {0.94f, 0.86f}, {0.58f, 0.5f});
+            pen.box(0.08f, 0.14f, 0.2f, 0.86f);
             break;
         case Icon::stop:
             pen.box(0.2f, 0.2f, 0.8f, 0.8f);
@@ -208,6 +213,7 @@ void draw_icon(Icon icon, const ImVec2& at, float size, ImU32 color) {
         case Icon::play:
         case Icon::pause:
         case Icon::step:
+        case Icon::step_back:
         case Icon::restart:
         case Icon::stop:
             draw_transport_icon(icon, pen);

@@ -9,6 +9,7 @@ enum class Icon {
     play,
     pause,
     step,
+    step_back,
     restart,
     reset,
     edit,

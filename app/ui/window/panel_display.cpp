@@ -80,6 +80,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
         changed.probes.pointer.reset();
         changed.probes.scan_position.reset();
         changed.parameters.pointed.reset();
+        changed.views.timeline.is_hovered = false;
     });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.events().take_dropped_files())

@@ -1,0 +1,94 @@
+#include "lab/library/cue_plans.h"
+
+#include "base/file.h"
+#include "formats/preset/modulation_format.h"
+#include "formats/preset/preset_format.h"
+#include "lab/document/naming.h"
+#include "lab/library/open.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace {
+// The goals of all parameters that a cue can change: the preset's values and otherwise defaults.
+Result<CueAction> preset_action(const Cue& cue, const Look& look, const Library& library) {
+    const auto request = resolve_preset(cue.name, look.id, library);
+    if (!request)
+        return fail(request.error());
+    const Preset& preset = *request->preset;
+    if (preset.look != look.id)
+        return fail({{},
+                     0,
+                     fmt::format("'{}' is a preset for '{}', not for '{}'", cue.name, preset.look,
+                                 look.id)});
+    const auto values = fitted_values(look, preset, request->preset_file);
+    if (!values)
+        return fail(values.error());
+    const auto modulations = fitted_modulations(look, preset, request->preset_file);
+    if (!modulations)
+        return fail(modulations.error());
+    CueAction action{.seconds = cue.seconds, .over = cue.over, .modulations = *modulations};
+    for (const Parameter& parameter : look.parameters)
+        if (why_uncued(look, parameter).empty())
+            action.values[parameter.name] = clamped(parameter, value_of(parameter, *values));
+    return action;
+}
+
+Result<CueAction> parameter_action(const Cue& cue, const Look& look) {
+    const auto parameter = resolve_parameter(cue.name, look);
+    if (!parameter)
+        return fail(parameter.error());
+    if (std::string reason = why_uncued(look, **parameter); !reason.empty())
+        return fail({{}, 0, std::move(reason)});
+    auto value = parse_value(**parameter, cue.value);
+    if (!value)
+        return fail(value.error());
+    return CueAction{.seconds = cue.seconds,
+                     .over = cue.over,
+                     .values = {{(*parameter)->name, clamped(**parameter, std::move(*value))}}};
+}
+
+Result<CueAction> action_of(const Cue& cue, const Look& look, const Library& library) {
+    switch (cue.command) {
+        case Cue::Command::preset:
+            return preset_action(cue, look, library);
+        case Cue::Command::parameter:
+            return parameter_action(cue, look);
+        case Cue::Command::restart:
+            return CueAction{.seconds = cue.seconds, .kind = CueAction::Kind::restart};
+        case Cue::Command::blackout:
+            break;
+    }
+    return CueAction{.seconds = cue.seconds, .kind = CueAction::Kind::blackout, .is_on = cue.is_on};
+}
+}  // namespace
+
+Result<CuePlan> plan_cues(const CueSheet& sheet, const std::filesystem::path& file,
+                          const Look& look, const Library& library) {
+    std::vector<CueAction> actions;
+    Diagnostics problems;
+    int number = 0;
+    for (const CueLine& line : sheet.lines()) {
+        ++number;
+        if (!line.cue)
+            continue;
+        auto action = action_of(*line.cue, look, library);
+        if (action)
+            actions.push_back(std::move(*action));
+        else
+            problems.push_back({file, number, action.error().front().message});
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return CuePlan(std::move(actions));
+}
+
+Result<CuePlan> load_cue_plan(const std::filesystem::path& file, const Look& look,
+                              const Library& library) {
+    const auto text = read_text(file);
+    if (!text)
+        return fail(text.error());
+    const auto sheet = parse_cue_sheet(*text, file);
+    return sheet ? plan_cues(*sheet, file, look, library) : fail(sheet.error());
+}

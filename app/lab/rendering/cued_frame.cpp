@@ -1,0 +1,16 @@
+#include "lab/rendering/cued_frame.h"
+
+CuedFrame::CuedFrame(const CuePlan* plan, const TimeSpan& span,
+                     const std::optional<PlayedPart>& part)
+    : m_plan(plan && !plan->is_empty() ? plan : nullptr),
+      m_from(part ? part->position_at(span.start) : span.start),
+      m_to(part ? part->position_at(span.end) : span.end),
+      m_loop_start(part ? part->start : 0.0) {}
+
+bool CuedFrame::restarts() const {
+    return m_plan && m_plan->restarts_within(m_from, m_to, m_loop_start);
+}
+
+void CuedFrame::note_blackout(Executors& executors) const {
+    executors.inputs().is_black = m_plan && m_plan->is_black_at(m_to);
+}
