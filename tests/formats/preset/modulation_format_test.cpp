@@ -104,3 +104,30 @@ TEST_CASE(
     REQUIRE(notes.size() == 1);
     CHECK(notes.front().message.find("Its modulation is kept.") != std::string::npos);
 }
+
+TEST_CASE("a modulation in beats and its tempo survive the preset") {
+    Preset preset = sample_preset();
+    preset.modulations = {{"decay", {.depth = 0.5, .is_in_beats = true, .period = 8.0}},
+                          {"gone",
+                           {.kind = ModulationKind::envelope,
+                            .is_in_beats = true,
+                            .attack_beats = 0.25,
+                            .release_beats = 2.0}}};
+    preset.tempo = Tempo{127.5, 0.25, 3.0};
+    const std::string text = preset_to_json(preset);
+    CHECK(text.find("\"unit\": \"beats\"") != std::string::npos);
+    CHECK(parse_preset(text, "a.json") == preset);
+    const auto line = parse_share_line(share_line(preset));
+    REQUIRE(line.has_value());
+    CHECK(line->tempo == preset.tempo);
+}
+
+TEST_CASE("errors in a tempo and in beats are reported at their lines") {
+    CHECK(modulation_errors("\"tempo\": {\"bpm\": 1000,\n\"beat\": 2}") ==
+          "a.json:2: error: 'bpm' must be between 20 and 400, got 1000\n"
+          "a.json:3: error: unknown key 'beat'\n");
+    CHECK(modulation_errors("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"unit\": \"bars\"}}")
+              .find("unknown value 'bars' for 'unit'") != std::string::npos);
+    CHECK(modulation_errors("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"unit\": \"beats\",\n"
+                            "\"rate\": 2}}") == "a.json:3: error: unknown key 'rate'\n");
+}

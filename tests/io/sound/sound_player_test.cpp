@@ -163,3 +163,14 @@ TEST_CASE("a sound is released when another one plays, also while the device is 
     player.play(nullptr);
     CHECK(first.expired());
 }
+
+TEST_CASE("a part of a sound repeats from its end to its start") {
+    SoundPlayer player(1000);
+    player.play(ramp(1000, 10), 0.002, 0.005);
+    player.set_loop(true);
+    std::array<float, 14> stereo{};
+    player.mix(stereo);
+    const auto all = ramp(1000, 10);
+    for (std::size_t i = 0; i < 7; ++i)
+        CHECK(stereo[2 * i] == doctest::Approx(all->samples[(2 + i % 3) * 2]));
+}

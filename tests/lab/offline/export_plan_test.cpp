@@ -20,13 +20,15 @@ public:
                                      .render_size = {640, 480},
                                      .signal = signal,
                                      .sound_seconds = sound_seconds,
-                                     .frame_milliseconds = 10.0});
+                                     .frame_milliseconds = 10.0,
+                                     .plays_cues = plays_cues});
     }
     std::string problem(ExportField field) const { return plan().problem_of(field); }
 
     ExportForm form;
     Spec signal;
     double sound_seconds = 0.0;
+    bool plays_cues = false;
     std::filesystem::path path(const char* name) const { return m_folder / name; }
 
 private:
@@ -94,6 +96,17 @@ TEST_CASE("a start after the sound and a small picture are refused") {
     planning.form.size = "48x48";
     CHECK(planning.problem(ExportField::size) ==
           "AV1 (10 bit) needs at least 64 x 64 px, got 48 x 48.");
+}
+
+TEST_CASE("a loop is refused while cues play") {
+    Planning planning;
+    planning.plays_cues = true;
+    CHECK(planning.plan().is_good());
+    planning.form.loops = true;
+    CHECK(planning.problem(ExportField::length) ==
+          "Cues don't repeat. Switch off Play cues to loop.");
+    planning.plays_cues = false;
+    CHECK(planning.plan().is_good());
 }
 
 TEST_CASE("lossy sound that is drawn as XY gets a note") {

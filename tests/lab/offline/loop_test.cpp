@@ -1,5 +1,7 @@
 #include "lab/offline/loop.h"
 
+#include "lab/playback/played_signal.h"
+
 #include <doctest/doctest.h>
 
 namespace {
@@ -39,4 +41,14 @@ TEST_CASE("a period that is no whole number of frames is refused with the rates 
     CHECK(refused.error().front().message ==
           "the picture repeats after 3.33333 s, which is not a whole number of frames at 25 fps. "
           "Frame rates that fit: 24, 30, 48, 60, 120.");
+}
+
+TEST_CASE("an LFO in beats repeats with the tempo") {
+    Document document{Look{}};
+    document.amend([](DocumentState& state) {
+        state.tempo.bpm = 96.0;  // 0.625 s per beat
+        state.modulations["brightness"] = {.is_in_beats = true, .period = 8.0};
+    });
+    const PlayedSignal no_signal(BeamInput::Pace::waiting, 0.0);
+    CHECK(common_period(repetition_of(document, no_signal)) == Fraction{5, 1});
 }

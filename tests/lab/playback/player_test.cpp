@@ -318,7 +318,7 @@ public:
     explicit FakeOutput(Loudspeaker& loudspeaker) : m_loudspeaker(loudspeaker) {}
 
     std::string device_name() const override { return "Line out"; }
-    void play(std::shared_ptr<const Sound> sound, double) override {
+    void play(std::shared_ptr<const Sound> sound, double, double) override {
         m_loudspeaker.has_sound = sound != nullptr;
     }
     void play() override {}

@@ -182,3 +182,41 @@ TEST_CASE("a modulation keeps only the fields of its kind, within their limits")
     CHECK(summary_of(lfo(LfoShape::random, 0.5)) ==
           "LFO, random steps, rate 0.5 Hz, phase 0 turns, depth 0.25");
 }
+
+TEST_CASE("an LFO in beats follows the tempo and begins at the downbeat") {
+    Modulation saw = lfo(LfoShape::saw);
+    saw.is_in_beats = true;
+    saw.period = 4.0;
+    const Tempo tempo{150.0, 1.0, 4.0};  // a beat is 0.4 s
+    CHECK(is_near(lfo_at(saw, 1.0, 0, tempo), -1.0));
+    CHECK(is_near(lfo_at(saw, 1.8, 0, tempo), 0.0));
+    CHECK(is_near(lfo_at(saw, 2.2, 0, tempo), 0.5));
+    CHECK(is_near(lfo_at(saw, 0.2, 0, tempo), 0.0));  // half a bar before the downbeat
+    saw.phase = 0.25;
+    CHECK(is_near(lfo_at(saw, 1.0, 0, tempo), -0.5));
+}
+
+TEST_CASE("envelope times in beats are seconds of the tempo, within the limit in seconds") {
+    Modulation envelope{.kind = ModulationKind::envelope, .depth = 0.25, .is_in_beats = true};
+    envelope.attack_beats = 0.5;
+    envelope.release_beats = 1.0;
+    const TestLevels levels;
+    const Look look = moving_look();
+    const auto gain_at = [&](double bpm) {
+        const Values now = modulated(look, {}, {{"gain", envelope}}, 0.5, &levels, {bpm});
+        return value_of(*find_parameter(look, "gain"), now).number();
+    };
+    // TestLevels: seconds * attack / release, times the depth of 0.25 and the range of 4.
+    CHECK(is_near(gain_at(120.0), 1.0 + 0.5 * 0.25 / 0.5));
+    envelope.release_beats = 32.0;  // 16 s, but at most 2 s
+    CHECK(is_near(gain_at(120.0), 1.0 + 0.5 * 0.25 / 2.0));
+}
+
+TEST_CASE("note lengths go from a sixteenth to eight bars") {
+    const auto common = note_lengths(4.0);
+    CHECK(common.front().label == "1/16");
+    CHECK(common.front().beats == 0.25);
+    CHECK(common.back().label == "8 bars");
+    CHECK(common.back().beats == 32.0);
+    CHECK(note_lengths(3.0).back().beats == 24.0);
+}

@@ -191,3 +191,26 @@ TEST_CASE("a missing, empty or too short sound is an error") {
     CHECK(to_string(late.error()) ==
           "error: audio: 'start' is 5 s, but the sound is only 2 s long\n");
 }
+
+TEST_CASE("a sound plays from its start to its end, and loops there") {
+    auto sound = std::make_shared<Sound>(Sound{1000, 1, {}});
+    for (int i = 0; i < 1000; ++i)
+        sound->samples.push_back(static_cast<float>(i) / 1000.0f);
+    const auto signal = signal_of("audio:a.wav,start=0.2,end=0.5,upsample=1", sound);
+    const Beam beam = beam_of(*signal, {0.0, 0.6});
+    REQUIRE(beam.size() == 600);
+    for (std::size_t i = 0; i < beam.size(); ++i)
+        REQUIRE(beam[i].x == sound->samples[200 + i % 300]);
+    const auto once = signal_of("audio:a.wav,start=0.2,end=0.5,upsample=1,loop=off", sound);
+    CHECK(once->seconds() == doctest::Approx(0.3));
+    CHECK(beam_of(*once, {0.0, 0.6}).size() == 300);
+}
+
+TEST_CASE("an end that is not after the start is refused") {
+    const auto made = make_signal(parse_spec("audio:a.wav,start=0.5,end=0.5").value(),
+                                  {.sound = circle(48000, 48000, 100.0)});
+    REQUIRE_FALSE(made.has_value());
+    CHECK(made.error().front().message ==
+          "audio: 'end' is 0.5 s, but 'start' is 0.5 s. Use a later end, or 0 for the end of the "
+          "sound.");
+}

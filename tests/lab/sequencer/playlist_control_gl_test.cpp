@@ -1,0 +1,97 @@
+#include "lab/sequencer/playlist_control.h"
+#include "lab/small_lab.h"
+
+namespace {
+/// A small look with three presets, whose gain is 2, 3 and 4.
+struct ListedLab {
+    ListedLab() {
+        for (const double gain : {2.0, 3.0, 4.0}) {
+            Preset preset;
+            preset.look = "small";
+            preset.name = fmt::format("Gain {}", gain);
+            preset.values = {{"gain", Value(gain)}};
+            REQUIRE(small.lab().work().library.save_preset(preset, preset.name).has_value());
+        }
+        small.update(1);
+        control().set_list({.presets = {"Gain 2", "Gain 3", "Gain 4"},
+                            .every = 1.0,
+                            .unit = Playlist::Unit::seconds,
+                            .morph_seconds = 0.0});
+    }
+    PlaylistControl& control() { return small.lab().sequencer().playlist(); }
+    double gain() {
+        const Document& document = small.document();
+        return document.value(*find_parameter(document.look(), "gain")).number();
+    }
+
+    SmallLab small;
+};
+}  // namespace
+
+TEST_CASE("a playlist advances after its seconds of playback, and repeats") {
+    ListedLab listed;
+    listed.control().set_playing(true);
+    std::vector<double> gains;
+    for (int second = 0; second < 4; ++second) {
+        listed.small.update(30);
+        gains.push_back(listed.gain());
+        listed.small.update(30);
+    }
+    CHECK(gains == std::vector{2.0, 3.0, 4.0, 2.0});
+}
+
+TEST_CASE("in bars it advances on the bars of the tempo") {
+    ListedLab listed;
+    Playlist list = listed.control().list();
+    list.unit = Playlist::Unit::bars;
+    list.every = 1.0;
+    listed.control().set_list(list);
+    listed.small.lab().sequencer().tempo().set_bpm(240.0);  // a bar is 1 s
+    listed.small.player().seek(0.0);
+    listed.small.lab().sequencer().tempo().set_downbeat();
+    listed.small.update(1);
+    listed.control().set_playing(true);
+    listed.small.update(30);
+    CHECK(listed.gain() == 2.0);
+    listed.small.update(60);
+    CHECK(listed.gain() == 3.0);
+}
+
+TEST_CASE("next and previous work while stopped, and a missing preset is skipped") {
+    ListedLab listed;
+    listed.control().step(1);
+    listed.small.update(5);
+    CHECK(listed.gain() == 3.0);
+    Playlist list = listed.control().list();
+    list.presets[2] = "gone";
+    listed.control().set_list(list);
+    listed.control().step(1);
+    listed.small.update(5);
+    CHECK(listed.gain() == 2.0);
+    listed.control().step(-1);
+    listed.small.update(5);
+    CHECK(listed.gain() == 3.0);
+}
+
+TEST_CASE("the list of a look is saved") {
+    ListedLab listed;
+    const Playlist list = listed.control().list();
+    listed.small.start();
+    listed.small.lab().looks().open("small");
+    listed.small.wait_for_frames();
+    CHECK(listed.control().list() == list);
+}
+
+TEST_CASE("a morph of the list takes its time") {
+    ListedLab listed;
+    Playlist list = listed.control().list();
+    list.morph_seconds = 1.0;
+    list.every = 10.0;
+    listed.control().set_list(list);
+    listed.control().set_playing(true);
+    listed.small.update(30);
+    CHECK(listed.gain() > 1.2);
+    CHECK(listed.gain() < 1.8);
+    listed.small.update(45);
+    CHECK(listed.gain() == 2.0);
+}
