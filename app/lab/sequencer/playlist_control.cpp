@@ -22,12 +22,14 @@ void PlaylistControl::load() {
     m_list = {};
     m_step = 0;
     m_is_playing = false;
+    m_is_broken = false;
     std::error_code error;
     if (m_look.empty() || !fs::exists(file(), error))
         return;
     const auto text = read_text(file());
     const auto list = text ? parse_playlist(*text, file()) : fail(text.error());
-    if (m_work.messages.succeeded(list))
+    m_is_broken = !m_work.messages.succeeded(list);
+    if (list)
         m_list = *list;
 }
 
@@ -40,6 +42,9 @@ void PlaylistControl::set_list(Playlist list) {
     m_list = std::move(list);
     if (m_list.presets.empty())
         m_is_playing = false;
+    if (m_is_broken)
+        return m_work.messages.say(
+            {file(), 0, "has errors, so the playlist is not saved. Correct or delete the file."});
     std::error_code error;
     fs::create_directories(file().parent_path(), error);  // a failure is reported below
     m_work.messages.succeeded(write_atomically(file(), playlist_to_json(m_list)));
@@ -60,7 +65,9 @@ bool PlaylistControl::show() {
                             true);
         return false;
     }
-    m_navigation.morph_to(request->preset_file, m_list.morph_seconds);
+    if (!m_work.messages.succeeded(
+            m_navigation.morph_to(request->preset_file, m_list.morph_seconds)))
+        return false;
     m_seconds = 0.0;
     return true;
 }

@@ -14,7 +14,7 @@ public:
         : m_work(work), m_navigation(navigation) {}
 
     const Playlist& list() const { return m_list; }
-    /// Changes and saves the list.
+    /// Changes and saves the list. A file with errors is not overwritten.
     void set_list(Playlist list);
 
     bool is_playing() const { return m_is_playing; }
@@ -43,6 +43,7 @@ private:
     std::string m_look;  // that the list is of
     Playlist m_list;
     bool m_is_playing = false;
+    bool m_is_broken = false;  // the file; it is not overwritten
     std::int64_t m_step = 0;
     std::uint64_t m_seed = 0;  // of the shuffle
     double m_seconds = 0.0;    // of the current preset

@@ -107,12 +107,15 @@ void draw_playlist_adding(const Scene& scene, Edits& edits) {
     edits.mark("playlist_clear");
 }
 
-std::string shown_preset(const std::string& preset) {
+// The displayed name of a preset in the list.
+std::string label_of(const std::string& preset, const Scene& scene) {
+    for (const ListedLook& look : scene.library_view.looks())
+        if (is_listed_as(scene.lab.document->look(), look))
+            for (const ListedLookPreset& listed : look.presets)
+                if (listed.entry.id == preset)
+                    return listed.name;
     const std::filesystem::path path(preset);
-    if (path.is_absolute())
-        return path.stem().string();
-    const std::size_t colon = preset.find(':');
-    return colon == std::string::npos ? preset : preset.substr(colon + 1);
+    return path.is_absolute() ? path.stem().string() : preset;
 }
 
 void draw_playlist_row(std::size_t index, const Scene& scene, Edits& edits) {
@@ -123,7 +126,7 @@ void draw_playlist_row(std::size_t index, const Scene& scene, Edits& edits) {
     const float buttons = 3.0f * ImGui::GetFrameHeight();
     const float width = std::max(ImGui::GetContentRegionAvail().x - buttons, 1.0f);
     const std::string label =
-        fmt::format("{:>3}  {}", index + 1, shown_preset(next.presets[index]));
+        fmt::format("{:>3}  {}", index + 1, label_of(next.presets[index], scene));
     if (ImGui::Selectable(label.c_str(), is_current, 0, {width, ImGui::GetFrameHeight()}))
         edits.change([index](Sequencer& sequencer) { sequencer.playlist().go_to(index); });
     edits.mark(fmt::format("playlist:{}", index + 1));

@@ -1,5 +1,8 @@
+#include "base/file.h"
 #include "lab/sequencer/playlist_control.h"
 #include "lab/small_lab.h"
+
+#include <fstream>
 
 namespace {
 /// A small look with three presets, whose gain is 2, 3 and 4.
@@ -38,6 +41,20 @@ TEST_CASE("a playlist advances after its seconds of playback, and repeats") {
         listed.small.update(30);
     }
     CHECK(gains == std::vector{2.0, 3.0, 4.0, 2.0});
+}
+
+TEST_CASE("a playlist file with errors is reported and not overwritten") {
+    SmallLab small;
+    const std::filesystem::path file = small.folder() / "user/playlists/small.json";
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << "{";
+    PlaylistControl control(small.lab().work(), small.lab().presets().navigation());
+    control.update(Tempo{}, 0.0);  // reads the file
+    Playlist list = control.list();
+    list.presets = {"a"};
+    control.set_list(list);
+    CHECK(small.lab().messages().notice()->text.find("small.json") != std::string::npos);
+    CHECK(read_text(file).value() == "{");
 }
 
 TEST_CASE("in bars it advances on the bars of the tempo") {
