@@ -23,6 +23,7 @@ from moving import Moving
 from owning import Owning
 from person import Person
 from remoting import Remoting
+from sequencing import Sequencing
 from trying import Trying
 from tuning import Tuning
 
@@ -30,7 +31,8 @@ Person.executable = Path(sys.argv[1]).resolve()
 
 
 class WindowTest(Choosing, Collecting, Comparing, Drawing, Driving, Editing, Exporting, Filing, Foreign,
-                 Helping, Keeping, Keyboard, Listing, Looking, Moving, Owning, Remoting, Trying, Tuning):
+                 Helping, Keeping, Keyboard, Listing, Looking, Moving, Owning, Remoting, Sequencing,
+                 Trying, Tuning):
     """All tests with one window, for pictures of the manual."""
 
 

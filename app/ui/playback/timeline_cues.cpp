@@ -233,7 +233,7 @@ void draw_cue_typing(const char* mark, const Scene& scene, Edits& edits) {
 void draw_cue_line(const Scene& scene, Edits& edits) {
     const CueControl& cues = scene.lab.sequencer.cues();
     if (!cues.is_open()) {
-        if (quiet_button("Open cues…"))
+        if (ImGui::Button("Open cues…"))
             run(ActionId::open_cues, scene, edits);
         edits.mark("open_cues");
         return;

@@ -56,7 +56,7 @@ std::string wrapped(const std::string& text, float width) {
 std::string menu_label(std::string_view name) {
     std::string label = printable(name);
     for (std::size_t at = label.find("##"); at != std::string::npos; at = label.find("##"))
-        label.insert(at + 1, " ");
+        label.insert(at + 1, 1, ' ');
     return label;
 }
 
