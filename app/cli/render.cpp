@@ -20,9 +20,7 @@ namespace {
 constexpr std::array render_examples{
     "afterglow render phosphor --preset amber-p3 -o amber.png",
     "afterglow render crt --source screenshot.png --set exposure=1.5 -o crt.png",
-    "afterglow render phosphor --signal audio:song.flac,mode=xy -o song.mp4",
     "afterglow render phosphor --signal audio:song.flac --cues show.txt -o show.mp4",
-    "afterglow render phosphor --signal audio:a.flac --signal audio:b.flac --join -o album.mp4",
     "afterglow render vector-beam --size 640x360 --seconds 1 -o frame_%04d.png",
 };
 

@@ -49,6 +49,7 @@ class Help(ProgramTest):
         self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "before.exr"))
         shutil.copy(self.folder / "before.exr", self.folder / "after.exr")
         self.assert_done(run("signal", "text:HI", "--seconds", "0.1", "-o", self.folder / "song.flac"))
+        self.write("show.txt", "0 blackout on\n0.05 blackout off\n")
         for name in ("mine.json", "yours.json"):
             self.assert_done(run("preset", "crt", "-o", self.folder / name))
         shutil.copytree(SOURCE / "shaders/crt", self.folder / "my-look")

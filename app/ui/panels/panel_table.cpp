@@ -23,6 +23,7 @@
 
 namespace {
 constexpr float picture_height = 250.0f;
+constexpr float timeline_height = 190.0f;
 
 // The session stores the position of a bottom panel, so new ones are added last.
 constexpr std::array table{
@@ -75,8 +76,18 @@ constexpr std::array table{
           .leaves_full_screen = true,
           .needs_look = true},
     Panel{panel_id::remote, "Rejected remote messages", {}, draw_remote_panel, "Remote"},
-    Panel{panel_id::timeline, "Timeline", {'T', false, true}, draw_timeline_panel, "Timeline"},
-    Panel{panel_id::playlist, "Playlist", {}, draw_playlist_panel, "Playlist"},
+    Panel{.id = panel_id::timeline,
+          .title = "Timeline",
+          .chord = {'T', false, true},
+          .draw = draw_timeline_panel,
+          .tab = "Timeline",
+          .min_height = timeline_height},
+    Panel{.id = panel_id::playlist,
+          .title = "Playlist",
+          .chord = {},
+          .draw = draw_playlist_panel,
+          .tab = "Playlist",
+          .min_height = timeline_height},
 };
 }  // namespace
 

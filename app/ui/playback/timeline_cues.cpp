@@ -44,7 +44,7 @@ std::string marker_label(const Cue& cue) {
         case Cue::Command::blackout:
             break;
     }
-    return cue.is_on ? "black" : "light";
+    return cue.is_on ? "blackout on" : "blackout off";
 }
 
 const Diagnostic* problem_of(std::size_t line, const Scene& scene) {
@@ -120,25 +120,47 @@ void finish_typing(const CueTyping& typing, Edits& edits) {
 }
 }  // namespace
 
+namespace {
+struct Marker {
+    double time = 0.0;
+    std::string label;
+    bool has_problem = false;
+};
+
+// Cues at the same place share a marker.
+std::vector<Marker> markers(const TimelineAxis& axis, const Scene& scene) {
+    std::vector<Marker> all;
+    for_each_cue(scene, [&](std::size_t line, const Cue& cue) {
+        all.push_back({shown_time(axis, line, cue, scene), marker_label(cue),
+                       problem_of(line, scene) != nullptr});
+    });
+    std::ranges::stable_sort(all, {}, &Marker::time);
+    std::vector<Marker> merged;
+    for (Marker& marker : all) {
+        if (merged.empty() || axis.x(marker.time) > axis.x(merged.back().time) + 0.5f) {
+            merged.push_back(std::move(marker));
+            continue;
+        }
+        merged.back().label += ", " + marker.label;
+        merged.back().has_problem |= marker.has_problem;
+    }
+    return merged;
+}
+}  // namespace
+
 void draw_cues(const TimelineAxis& axis, const Scene& scene) {
     if (axis.cues <= 0.0f)
         return;
     draw_black_parts(axis, scene);
-    std::vector<float> places;
-    for_each_cue(scene, [&](std::size_t line, const Cue& cue) {
-        places.push_back(axis.x(shown_time(axis, line, cue, scene)));
-    });
-    std::ranges::sort(places);
-    for_each_cue(scene, [&](std::size_t line, const Cue& cue) {
-        const double time = shown_time(axis, line, cue, scene);
-        const auto next = std::ranges::upper_bound(places, axis.x(time) + 0.5f);
-        const float end = next == places.end() ? axis.high.x : *next;
-        const bool is_active = scene.lab.sequencer.cues().is_playing();
-        const theme::Color& color = problem_of(line, scene) ? theme::problem
-                                    : is_active             ? theme::accent
-                                                            : theme::dim;
-        draw_marker(axis, time, marker_label(cue), color, end - axis.x(time));
-    });
+    const bool is_active = scene.lab.sequencer.cues().is_playing();
+    const std::vector<Marker> all = markers(axis, scene);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const float end = i + 1 < all.size() ? axis.x(all[i + 1].time) : axis.high.x;
+        const theme::Color& color = all[i].has_problem ? theme::problem
+                                    : is_active        ? theme::accent
+                                                       : theme::dim;
+        draw_marker(axis, all[i].time, all[i].label, color, end - axis.x(all[i].time));
+    }
 }
 
 std::optional<std::size_t> cue_under(const TimelineAxis& axis, const ImVec2& pointer,

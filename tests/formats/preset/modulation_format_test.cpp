@@ -125,7 +125,7 @@ TEST_CASE("a modulation in beats and its tempo survive the preset") {
 TEST_CASE("errors in a tempo and in beats are reported at their lines") {
     CHECK(modulation_errors("\"tempo\": {\"bpm\": 1000,\n\"beat\": 2}") ==
           "a.json:2: error: 'bpm' must be between 20 and 400, got 1000\n"
-          "a.json:3: error: unknown key 'beat'\n");
+          "a.json:3: error: unknown key 'beat' (did you mean 'beats_per_bar'?)\n");
     CHECK(modulation_errors("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"unit\": \"bars\"}}")
               .find("unknown value 'bars' for 'unit'") != std::string::npos);
     CHECK(modulation_errors("\"modulation\": {\"a\": {\"kind\": \"lfo\", \"unit\": \"beats\",\n"
