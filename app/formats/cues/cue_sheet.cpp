@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace {
 constexpr std::size_t max_cue_lines = 10'000;
@@ -205,7 +206,7 @@ std::string cue_time_text(double seconds) {
 }
 
 std::string cue_text(const Cue& cue) {
-    const std::string start =
+    std::string start =
         cue_time_text(cue.seconds) + " " + cue_commands()[static_cast<std::size_t>(cue.command)];
     switch (cue.command) {
         case Cue::Command::preset:

@@ -13,7 +13,7 @@ struct ListThumbnails {
     PresetThumbnails presets;
     StashThumbnails kept;
     LookThumbnails looks;
-    bool has_time = false;  // frames leave time to draw pictures of looks and presets
+    bool has_time = false;    // frames leave time to draw pictures of looks and presets
     FileThumbnail file = {};  // selected in the file dialog
 
     /// Call it after Views::update().

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace {
 using Command = Cue::Command;
 
@@ -54,11 +56,9 @@ TEST_CASE("a cue file has a command at each time") {
 }
 
 TEST_CASE("a file is written back as it was") {
-    for (const char* text : {cue_show, "", "# no cue", "0:01 restart",
-                             "0:01 restart\r\n\r\n# end\r\n", "0:01 restart\r\n0:02 restart\n# end",
-                             "\xEF\xBB\xBF"
-                             "0:01 restart\n",
-                             "\n\n\n"})
+    for (const char* text :
+         {cue_show, "", "# no cue", "0:01 restart", "0:01 restart\r\n\r\n# end\r\n",
+          "0:01 restart\r\n0:02 restart\n# end", "\uFEFF0:01 restart\n", "\n\n\n"})
         CHECK(sheet_of(text).text() == text);
 }
 
