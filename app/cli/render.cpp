@@ -179,7 +179,7 @@ Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& p
     }
     if (to_lower(file.extension().string()) == ".exr")
         return save_stored(offline, pass, file);
-    return save_picture_with_preset(offline.picture(pass), offline.document(), file, recent);
+    return save_picture_with_preset(offline.picture(pass), offline.drawn_document(), file, recent);
 }
 
 /// Finds one period and saves its frames.
@@ -328,8 +328,14 @@ int render_each(const RenderArguments& arguments, const DataFolders& data) {
         outputs.push_back(output_for(arguments.output, sound_name(signal)));
         if (std::ranges::count(outputs, outputs.back()) > 1)
             throw UsageError(
-                fmt::format("--output: two sounds would be written to '{}'", outputs.back()));
+                fmt::format("--output: two sounds would write '{}'. Rename one of the sounds.",
+                            outputs.back()));
+        if (const std::string name = sound_name(signal); name.find('%') != std::string::npos)
+            throw UsageError(fmt::format(
+                "--output: '%' in '{}' would be a frame number. Rename the sound.", name));
     }
+    if (!arguments.all_passes.empty())
+        throw UsageError("--all-passes: not for several sounds. Render one sound at a time.");
     int code = exit_done;
     for (std::size_t i = 0; i < signals.size(); ++i) {
         RenderArguments one = arguments;

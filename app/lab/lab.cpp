@@ -75,6 +75,7 @@ bool Lab::is_moving() const {
 void Lab::take(BuiltLook built) {
     if (built.kind != JobKind::look)
         return m_frames.replace_constants(std::move(built));
+    m_sequencer.cues().look_changed();
     if (built.is_reload && m_work.document && m_work.renderer)
         m_frames.replace(built);
     else
@@ -90,8 +91,8 @@ void Lab::open_document(BuiltLook& built) {
     const bool had_changes = document && is_modified(*document);
     const bool loses_changes = had_changes && has_unlocked_changes(*document);
     const Content content = document ? content_of(*document) : m_content.initial();
-    const Tempo tempo = document ? document->state().tempo : Tempo{};
-    const CueText cues = document ? document->state().cues : CueText{};
+    const Tempo tempo = document ? document->state().tempo : m_sequencer.initial_tempo();
+    const CueText cues = document ? document->state().cues : m_sequencer.initial_cues();
     std::optional<Session> left;
     std::optional<Picture> left_picture;
     if (!is_same && had_changes) {
@@ -171,7 +172,8 @@ void Lab::watch_extra_files() {
     add(preset_file(*m_work.document));
     if (const fs::path file = driving_file(*m_work.document); file.is_absolute())
         add(file);
-    add(m_work.document->state().cues.file);
+    for (const fs::path& file : m_sequencer.cues().files())
+        add(file);
     m_loader.files().watch_extra(std::move(files));
 }
 

@@ -235,9 +235,12 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
     if (const PlayedSignal& signal = lab.player().signal(); !signal.live_input().is_open())
         (void)lab.player().mute_input(true);  // the user has not enabled it yet
     const Content current = lab.document() ? content_of(*lab.document()) : Content{};
-    const auto restore_rest = [&lab, session, then, current] {
+    const CueText cues = lab.document() ? lab.document()->state().cues : CueText{};
+    const auto restore_rest = [&lab, session, then, current, cues] {
         Document& document = *lab.work().document;
         restore_document(document, session);
+        if (!cues.is_empty())  // they stay when unsaved changes are restored, as with another look
+            document.amend([&](DocumentState& state) { state.cues = cues; }, AmendedStates::all);
         keep_locked(current, document);
         if (session.is_playing)
             lab.player().seek(session.time);

@@ -18,7 +18,7 @@ const std::vector<std::string>& cue_commands() {
     return names;
 }
 
-constexpr const char* cue_time_form = "a time such as 1:23.5 or 83.5";
+constexpr const char* cue_time_form = "a time up to 24:00:00, such as 1:23.5 or 83.5";
 
 bool is_cue_blank(char letter) {
     return letter == ' ' || letter == '\t' || letter == '\r';
@@ -83,19 +83,21 @@ using CueWords = std::span<const CueWord>;
 Result<double> cue_duration(CueWords words, std::string_view name) {
     if (words.empty())
         return 0.0;
-    if (words.size() > 2 || words.front().text != name)
-        return cue_problem(
-            fmt::format("expected '{} SECONDS' or nothing, got '{}'", name, words.front().text));
+    if (words.size() > 2 || words.front().text != name) {
+        const CueWord& wrong = words.front().text == name ? words[2] : words.front();
+        return cue_problem(fmt::format("expected '{} SECONDS' or the end of the line, got '{}'",
+                                       name, wrong.text));
+    }
     const auto seconds = words.size() == 2 ? parse_number(words[1].text) : std::nullopt;
     if (!seconds || *seconds < 0.0 || *seconds > longest_change)
-        return cue_problem(fmt::format("expected a number of seconds after '{}'{}", name,
+        return cue_problem(fmt::format("expected seconds from 0 to 86400 after '{}'{}", name,
                                        words.size() == 2 ? ", got '" + words[1].text + "'" : ""));
     return *seconds;
 }
 
 Result<Cue> parse_preset_cue(Cue cue, CueWords words) {
     if (words.empty() || words.front().text.empty())
-        return cue_problem("expected the name of a preset, such as preset \"Amber P3\"");
+        return cue_problem("expected a preset name, such as preset \"Amber P3\"");
     cue.name = words.front().text;
     const auto over = cue_duration(words.subspan(1), "morph");
     if (!over)
@@ -148,7 +150,8 @@ Result<Cue> parse_command(Cue cue, const CueWord& name, CueWords rest) {
             break;
     }
     if (!rest.empty())
-        return cue_problem(fmt::format("'restart' takes nothing, got '{}'", rest.front().text));
+        return cue_problem(
+            fmt::format("'restart' takes no arguments, got '{}'", rest.front().text));
     return cue;
 }
 
@@ -226,7 +229,7 @@ std::string cue_text(const Cue& cue) {
 Result<Cue> parse_cue(std::string_view line) {
     const auto words = cue_words(line);
     if (!words)
-        return cue_problem("a quote (\") is not closed");
+        return cue_problem("missing closing quote (\")");
     if (words->empty())
         return cue_problem(fmt::format("expected {}", cue_time_form));
     return cue_of(*words);

@@ -44,7 +44,7 @@ private:
 /// missing names. At most 10,000 lines.
 Result<CueSheet> parse_cue_sheet(std::string_view text, const std::filesystem::path& file);
 
-/// A single cue: the line of a file without a comment. Error: as above, without a line.
+/// Parses one line of a cue file. A comment at its end is ignored. Errors have no line number.
 Result<Cue> parse_cue(std::string_view line);
 
 /// "1:23.5 preset "Amber P3" morph 2".

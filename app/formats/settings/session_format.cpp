@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <span>
 
 namespace {
 constexpr FileFormat session_file{"afterglow-session", 1};
@@ -38,18 +39,44 @@ nlohmann::ordered_json json_of(const SessionState& state) {
         json["keeps_source"] = true;
     if (state.chose_content)
         json["chose_content"] = true;
-    if (!state.cues.is_empty()) {
+    if (!state.cues.file.empty())
         json["cue_file"] = state.cues.file;
+    if (!state.cues.text.empty())
         json["cues"] = state.cues.text;
+    return json;
+}
+
+// Most states have the cues of the current one, which are written only once.
+nlohmann::ordered_json json_of(const SessionState& state, const CueText& current) {
+    nlohmann::ordered_json json = json_of(state);
+    if (!current.is_empty() && state.cues == current) {
+        json.erase("cue_file");
+        json.erase("cues");
+        json["has_current_cues"] = true;
     }
     return json;
 }
 
-nlohmann::ordered_json json_of(const std::vector<SessionState>& states, std::size_t first) {
+nlohmann::ordered_json json_of(std::span<const SessionState> states, const CueText& current) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (std::size_t i = first; i < states.size(); ++i)
-        list.push_back(json_of(states[i]));
+    for (const SessionState& state : states)
+        list.push_back(json_of(state, current));
     return list;
+}
+
+// The number of steps to keep, counted from `begin`: a session that is too large could not be read.
+template <class Iterator>
+std::size_t kept_steps(Iterator begin, Iterator end, const CueText& current) {
+    constexpr std::size_t most_cue_bytes = std::size_t{1} << 20;
+    std::size_t bytes = 0;
+    std::size_t count = 0;
+    for (; begin != end && count < max_steps; ++begin, ++count) {
+        if (begin->cues != current)
+            bytes += begin->cues.text.size();
+        if (bytes > most_cue_bytes)
+            break;
+    }
+    return count;
 }
 
 nlohmann::ordered_json json_of(const ParameterSetting& setting) {
@@ -190,8 +217,9 @@ private:
             for (const JsonValue& entry : looks->children)
                 session.looks[entry.key] = entry.text;
         session.preset_file = reader.text("preset_file");
-        session.saved = state(reader.find("saved"));
         session.current = state(reader.find("current"));
+        m_current_cues = session.current.cues;
+        session.saved = state(reader.find("saved"));
         session.past = states(reader.find("past"));
         session.future = states(reader.find("future"));
         session.time = reader.number("time", session.time);
@@ -240,6 +268,8 @@ private:
         state.locks.source = reader.boolean("keeps_source", false);
         state.chose_content = reader.boolean("chose_content", false);
         state.cues = {reader.text("cue_file"), reader.text("cues")};
+        if (reader.boolean("has_current_cues", false))
+            state.cues = m_current_cues;
         reader.report_unknown_keys();
         return state;
     }
@@ -276,11 +306,15 @@ private:
     std::string_view m_text;
     const std::filesystem::path& m_file;
     Diagnostics m_problems;
+    CueText m_current_cues;
 };
 }  // namespace
 
 std::string session_to_json(const Session& session) {
-    const std::size_t first = session.past.size() > max_steps ? session.past.size() - max_steps : 0;
+    const CueText& cues = session.current.cues;
+    const auto& future = session.future;  // the next step is the last one
+    const std::size_t past = kept_steps(session.past.rbegin(), session.past.rend(), cues);
+    const std::size_t redo = kept_steps(future.rbegin(), future.rend(), cues);
     nlohmann::ordered_json window = nlohmann::ordered_json::object();
     for (const auto& [name, number] : session.window)
         window[name] = number;
@@ -289,10 +323,10 @@ std::string session_to_json(const Session& session) {
                       {"look", session.look},
                       {"looks", session.looks},
                       {"preset_file", session.preset_file},
-                      {"saved", json_of(session.saved)},
+                      {"saved", json_of(session.saved, cues)},
                       {"current", json_of(session.current)},
-                      {"past", json_of(session.past, first)},
-                      {"future", json_of(session.future, 0)},
+                      {"past", json_of(std::span(session.past).last(past), cues)},
+                      {"future", json_of(std::span(future).last(redo), cues)},
                       {"time", session.time},
                       {"speed", session.speed},
                       {"level", session.level},

@@ -76,6 +76,9 @@ private:
         std::size_t number = 0;
     };
     static void come(double, std::vector<unsigned char>* message, void* data) {
+        constexpr unsigned char quarter_frame = 0xF1;  // MIDI time code, 100 times per second
+        if (!message->empty() && message->front() == quarter_frame)
+            return;
         const Port& port = *static_cast<Port*>(data);
         if (MidiClockInput::is_clock_message(*message))
             port.owner.m_clock.receive(*message, port.number, MidiClockInput::now());

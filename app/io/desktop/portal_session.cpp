@@ -7,9 +7,9 @@
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <ctime>
 #include <poll.h>
 #include <string_view>
-#include <time.h>
 
 namespace {
 // A dialog that ends in less time was not closed by the user.

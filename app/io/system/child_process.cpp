@@ -11,6 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
@@ -19,7 +20,6 @@
 #include <sys/time.h>
 #include <sys/wait.h>
 #include <thread>
-#include <time.h>
 #include <utility>
 
 extern char** environ;
@@ -141,7 +141,8 @@ private:
     Clock::time_point m_last = Clock::now();
 };
 
-Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command, Files files) {
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& command,
+                                         const Files& files) {
     Inputs fed;
     Inputs read;
     for (int i = 0; i < files.inputs; ++i) {

@@ -25,7 +25,7 @@ public:
 
     /// Starts a program from $PATH. Errors have no file: the program is not installed, or the
     /// system lacks resources.
-    static Result<ChildProcess> start(const std::vector<std::string>& command, Files files);
+    static Result<ChildProcess> start(const std::vector<std::string>& command, const Files& files);
     static Result<ChildProcess> start(const std::vector<std::string>& command) {
         return start(command, Files());
     }

@@ -117,7 +117,7 @@ bool PassCommands::refuse(const std::string& pass) {
 
 std::string PassCommands::proposed_name(const std::string& after) const {
     for (int n = 1;; ++n) {
-        const std::string name = n == 1 ? "effect" : fmt::format("effect-{}", n);
+        std::string name = n == 1 ? "effect" : fmt::format("effect-{}", n);
         if (problem_of_name(after, name).empty() || n > 999)
             return name;
     }
@@ -145,7 +145,7 @@ std::optional<PassCommands::Located> PassCommands::start(const std::string& pass
     if (refuse(pass))
         return std::nullopt;
     update();  // the files first follow an undo
-    const auto located = locate(pass);
+    auto located = locate(pass);
     std::vector<fs::path> files;
     if (!m_work.messages.succeeded(load_manifest(located->manifest, files)))
         return std::nullopt;

@@ -37,6 +37,12 @@ struct OpenedPreset {
     DocumentState saved;              // the preset's state, with its own signal or source
 };
 
+/// What Document::amend() changes.
+enum class AmendedStates {
+    current,
+    all,  // also those of the past and the future
+};
+
 /// The user's open document: the look, its values, the preset they came from, and the undo history.
 /// A value. Edits are functions that end in change(): parameter_edits.h, content_edits.h,
 /// stack_edits.h, opened_preset.h.
@@ -69,8 +75,11 @@ public:
     /// one undo step.
     void set_value(const std::string& name, Value value, bool continues_step = false);
     void finish() { m_undo.finish(); }
-    /// Changes the current state without an undo step.
-    void amend(const std::function<void(DocumentState&)>& change) { m_undo.amend(change); }
+    /// Changes states without an undo step.
+    void amend(const std::function<void(DocumentState&)>& change,
+               AmendedStates states = AmendedStates::current) {
+        states == AmendedStates::current ? m_undo.amend(change) : m_undo.rewrite(change);
+    }
 
     void undo() { travel(-1); }
     void redo() { travel(1); }

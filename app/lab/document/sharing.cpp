@@ -52,9 +52,9 @@ Result<void> write_preset(const Document& document, const std::string& name, con
     return save_preset(file, preset, &document.look());
 }
 
-Result<std::string> png_with_preset(std::string png, const Document& document,
+Result<std::string> png_with_preset(const std::string& png, const Document& document,
                                     const RecentMedia& recent) {
-    return with_preset(std::move(png), portable(complete_preset_of(document), document, {}, recent),
+    return with_preset(png, portable(complete_preset_of(document), document, {}, recent),
                        &document.look());
 }
 
@@ -63,7 +63,7 @@ Result<std::string> png_of(const Picture& picture, const Document& document,
     const bool has_alpha = document.look().passes.back().has_alpha && is_transparent(picture);
     auto png = has_alpha ? encode_png_with_alpha(picture.extent, display_bytes_with_alpha(picture))
                          : encode_png(picture);
-    return png ? png_with_preset(std::move(*png), document, recent) : fail(png.error());
+    return png ? png_with_preset(*png, document, recent) : fail(png.error());
 }
 
 Result<void> save_picture_with_preset(const Picture& picture, const Document& document,

@@ -27,7 +27,7 @@ Result<void> write_preset(const Document& document, const std::string& name,
                           const std::filesystem::path& file, const RecentMedia& recent);
 
 /// The bytes of a PNG with the document as a preset, so that it can be opened.
-Result<std::string> png_with_preset(std::string png, const Document& document,
+Result<std::string> png_with_preset(const std::string& png, const Document& document,
                                     const RecentMedia& recent);
 
 /// The bytes of a PNG with the document as a preset. If the look has alpha (ISF) and any pixel is

@@ -8,12 +8,13 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <utility>
 
 namespace {
 // The goals of all parameters that a cue can change: the preset's values and otherwise defaults.
-Result<CueAction> preset_action(const Cue& cue, const Look& look, const Library& library) {
-    const auto request = resolve_preset(cue.name, look.id, library);
+Result<CueAction> preset_action(const Cue& cue, const Look& look,
+                                const Result<OpenRequest>& request) {
     if (!request)
         return fail(request.error());
     const Preset& preset = *request->preset;
@@ -49,10 +50,36 @@ Result<CueAction> parameter_action(const Cue& cue, const Look& look) {
                      .values = {{(*parameter)->name, clamped(**parameter, std::move(*value))}}};
 }
 
-Result<CueAction> action_of(const Cue& cue, const Look& look, const Library& library) {
+/// The presets of the cues. Each is read once.
+class CuePresets {
+public:
+    CuePresets(const Look& look, const Library& library) : m_look(look), m_library(library) {}
+
+    const Result<OpenRequest>& find(const std::string& name) {
+        const auto found = m_presets.find(name);
+        return found != m_presets.end()
+                   ? found->second
+                   : m_presets.emplace(name, resolve_preset(name, m_look.id, m_library))
+                         .first->second;
+    }
+    std::vector<std::filesystem::path> files() const {
+        std::vector<std::filesystem::path> files;
+        for (const auto& [name, request] : m_presets)
+            if (request)
+                files.push_back(request->preset_file);
+        return files;
+    }
+
+private:
+    const Look& m_look;
+    const Library& m_library;
+    std::map<std::string, Result<OpenRequest>> m_presets;
+};
+
+Result<CueAction> action_of(const Cue& cue, const Look& look, CuePresets& presets) {
     switch (cue.command) {
         case Cue::Command::preset:
-            return preset_action(cue, look, library);
+            return preset_action(cue, look, presets.find(cue.name));
         case Cue::Command::parameter:
             return parameter_action(cue, look);
         case Cue::Command::restart:
@@ -65,7 +92,9 @@ Result<CueAction> action_of(const Cue& cue, const Look& look, const Library& lib
 }  // namespace
 
 Result<CuePlan> plan_cues(const CueSheet& sheet, const std::filesystem::path& file,
-                          const Look& look, const Library& library) {
+                          const Look& look, const Library& library,
+                          std::vector<std::filesystem::path>& presets) {
+    CuePresets read(look, library);
     std::vector<CueAction> actions;
     Diagnostics problems;
     int number = 0;
@@ -73,12 +102,15 @@ Result<CuePlan> plan_cues(const CueSheet& sheet, const std::filesystem::path& fi
         ++number;
         if (!line.cue)
             continue;
-        auto action = action_of(*line.cue, look, library);
+        auto action = action_of(*line.cue, look, read);
         if (action)
             actions.push_back(std::move(*action));
         else
-            problems.push_back({file, number, action.error().front().message});
+            for (const Diagnostic& problem : action.error())  // of the cue, or of its preset's file
+                problems.push_back(
+                    {file, number, problem.file.empty() ? problem.message : to_string(problem)});
     }
+    presets = read.files();
     if (!problems.empty())
         return fail(std::move(problems));
     return CuePlan(std::move(actions));
@@ -90,5 +122,6 @@ Result<CuePlan> load_cue_plan(const std::filesystem::path& file, const Look& loo
     if (!text)
         return fail(text.error());
     const auto sheet = parse_cue_sheet(*text, file);
-    return sheet ? plan_cues(*sheet, file, look, library) : fail(sheet.error());
+    std::vector<std::filesystem::path> presets;
+    return sheet ? plan_cues(*sheet, file, look, library, presets) : fail(sheet.error());
 }

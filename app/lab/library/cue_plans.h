@@ -6,9 +6,11 @@
 
 /// The plan of a cue sheet for a look, with values checked and presets read. Errors, each at its
 /// line: unknown parameters and presets, invalid values. Signal, source and tempo of a preset are
-/// not changed; parameters that can't be used in a cue stay as they are.
+/// not changed; parameters that can't be used in a cue stay as they are. `presets` gets the files
+/// of the presets.
 Result<CuePlan> plan_cues(const CueSheet& sheet, const std::filesystem::path& file,
-                          const Look& look, const Library& library);
+                          const Look& look, const Library& library,
+                          std::vector<std::filesystem::path>& presets);
 /// The same for a file.
 Result<CuePlan> load_cue_plan(const std::filesystem::path& file, const Look& look,
                               const Library& library);

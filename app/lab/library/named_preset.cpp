@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/preset/preset_format.h"
+#include "lab/library/open.h"
 
 #include <fmt/format.h>
 
@@ -72,4 +73,15 @@ Result<fs::path> find_named_preset(const Library& library, const std::string& lo
         {{},
          0,
          fmt::format("'{}' has no preset '{}'{}", look, name, similar_name(library, look, name))});
+}
+
+std::string reference_to_preset(const Library& library, const std::string& look,
+                                const fs::path& file, const std::string& name) {
+    if (const auto found = resolve_preset(name, look, library);
+        !name.empty() && found && found->preset_file == file)
+        return name;
+    for (const PresetEntry& entry : library.presets(look))
+        if (entry.file == file)
+            return entry.id.empty() ? entry.name : entry.id;
+    return file.string();
 }

@@ -15,3 +15,8 @@ std::string normalized_name(std::string_view name);
 /// come first. "" is the look without a preset, named "default". Fails with the most similar name.
 Result<std::filesystem::path> find_named_preset(const Library& library, const std::string& look,
                                                 const std::string& name);
+
+/// The name that resolve_preset() finds a preset of the look by: its displayed name if that is
+/// unambiguous, otherwise its id, or its path if it is not in the library.
+std::string reference_to_preset(const Library& library, const std::string& look,
+                                const std::filesystem::path& file, const std::string& name);

@@ -9,7 +9,7 @@ MenuSection tempo_section(const Tempo& tempo) {
          .number = NumberPrompt{.current = tempo.bpm,
                                 .unit = "BPM",
                                 .limit = {min_bpm, max_bpm},
-                                .help = "Tempo of modulations in beats.",
+                                .help = "Sets modulations in beats and playlists in bars.",
                                 .answer = [](double typed) -> std::vector<Edit> {
                                     return {[typed](Sequencer& sequencer) {
                                         sequencer.tempo().set_bpm(typed);

@@ -46,17 +46,17 @@ void BackgroundJobs::export_still(const StillSettings& settings,
         });
 }
 
-void BackgroundJobs::save_still(RawPicture picture, const StillSettings& settings) {
-    if (m_document)
-        m_stills.add(settings.file,
-                     [document = *m_document, picture = std::move(picture), settings,
-                      roots = m_roots](JobProgress&) -> Result<ExportResult> {
-                         const auto saved =
-                             ::save_still(picture, document, settings, RecentMedia(roots));
-                         if (!saved)
-                             return fail(saved.error());
-                         return ExportResult{settings.file, 0, picture.extent, {}};
-                     });
+void BackgroundJobs::save_still(RawPicture picture, Document document,
+                                const StillSettings& settings) {
+    m_stills.add(settings.file,
+                 [document = std::move(document), picture = std::move(picture), settings,
+                  roots = m_roots](JobProgress&) -> Result<ExportResult> {
+                     const auto saved =
+                         ::save_still(picture, document, settings, RecentMedia(roots));
+                     if (!saved)
+                         return fail(saved.error());
+                     return ExportResult{settings.file, 0, picture.extent, {}};
+                 });
 }
 
 namespace {

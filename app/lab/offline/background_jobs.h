@@ -32,8 +32,8 @@ public:
     void export_frames(const ExportSettings& settings, std::shared_ptr<const CuePlan> cues);
     /// Adds a picture in another size or at another time to the queue.
     void export_still(const StillSettings& settings, std::shared_ptr<const CuePlan> cues);
-    /// Encodes a picture that was read, without waiting for the exports.
-    void save_still(RawPicture picture, const StillSettings& settings);
+    /// Encodes a picture that was read of a document, without waiting for the exports.
+    void save_still(RawPicture picture, Document document, const StillSettings& settings);
     ExportQueue& exports() { return m_exports; }
     const ExportQueue& exports() const { return m_exports; }
     bool is_exporting() const { return m_exports.is_pending() || m_stills.is_pending(); }

@@ -205,7 +205,7 @@ private:
 };
 }  // namespace
 
-Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob job,
+Result<bool> export_loop(const std::string& output, Offline& offline, const ExportJob& job,
                          Diagnostics& warnings) {
     constexpr int max_periods = 4;
     constexpr int tolerance = 1;  // in 1/255
@@ -222,7 +222,7 @@ Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob 
         period.stages = opened->stages;
         FlashLog flashes;
         period.flashes = counts_flashes(offline, job) ? &flashes : nullptr;
-        const auto written = drawing.write(period);
+        auto written = drawing.write(period);
         if (!written || !*written)
             return written;
         difference = drawing.next_period();

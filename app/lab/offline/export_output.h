@@ -30,5 +30,5 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
 /// As export_to() for a loop: the frame after the last one must equal the first within 1/255. If
 /// not, the look has not settled, and the next period is written instead, four in all. The
 /// pictures of a sequence are numbered from 0.
-Result<bool> export_loop(const std::string& output, Offline& offline, ExportJob job,
+Result<bool> export_loop(const std::string& output, Offline& offline, const ExportJob& job,
                          Diagnostics& warnings);

@@ -159,7 +159,7 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
             ExportField::start,
             fmt::format("The sound ends at {:.4g} s. Type an earlier start.", facts.sound_seconds));
     if (form.loops && facts.plays_cues)
-        reader.refuse(ExportField::length, "Cues don't repeat. Clear Play cues to loop.");
+        reader.refuse(ExportField::length, "Cues don't repeat. Turn off Play cues first.");
     check_file(form, plan, facts, reader);
     estimate(plan, facts);
     return plan;

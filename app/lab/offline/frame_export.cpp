@@ -78,7 +78,7 @@ Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
     if (auto good = check_export(document, settings); !good)
         return fail(good.error());
     if (settings.loops && cued.cues)
-        return fail({{}, 0, "can't loop: cues don't repeat. Clear Play cues to loop."});
+        return fail({{}, 0, "can't loop: cues don't repeat. Turn off Play cues first."});
     Document changed = document;  // the window may not have applied its constants yet
     if (auto done = apply_constants(changed); !done)
         return fail(done.error());
@@ -103,7 +103,7 @@ Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
     ExportResult exported{settings.file, part->count(), size, {}};
     const auto done =
         settings.loops
-            ? export_loop(settings.file.string(), *offline, std::move(job), exported.warnings)
+            ? export_loop(settings.file.string(), *offline, job, exported.warnings)
             : export_to(settings.file.string(), *offline, std::move(job), exported.warnings);
     if (!done)
         return fail(done.error());

@@ -5,6 +5,7 @@
 #include "gpu/objects/readback.h"
 #include "graph/programs/specialized_look.h"
 #include "lab/document/content_edits.h"
+#include "lab/document/cued_values.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
 #include "lab/media/image_budget.h"
@@ -237,7 +238,8 @@ Result<void> Offline::end_specialized() {
     return m_executors.picture().set_runs({});
 }
 
-Result<void> Offline::start_again(Document document) {
+Result<void> Offline::start_again(Document document, std::optional<double> fps) {
+    m_fps = fps.value_or(m_fps);
     const DocumentState before = m_document.state();
     m_document = std::move(document);
     if (auto done = end_specialized(); !done)
@@ -311,6 +313,12 @@ void Offline::advance_unseen() {
     ::draw_unseen(m_executors, frame, beam_of(frame));
 }
 
+Document Offline::drawn_document() const {
+    Document document = m_document;
+    apply_cues(document, m_script.cues, m_script.position);
+    return document;
+}
+
 Result<void> Offline::resize_again() {
     const FrameSettings& settings = executor().graph().settings();
     return m_executors.picture().resize(settings.viewport, settings.source);
@@ -323,6 +331,7 @@ void Offline::modulate_values(const PlayedFrame& frame) {
     if (cued.restarts())
         m_executors.picture().clear_history();
     cued.note_blackout(m_executors);
+    m_script.position = cued.position();
     modulate(m_executors,
              {values, values, state.modulations, state.tempo, cued.plan(), cued.position()},
              frame.span.end, m_player->signal().loudness().get());
@@ -335,6 +344,8 @@ bool Offline::is_black(int pass) const {
 }
 
 Picture Offline::picture(int pass) const {
+    if (pass < 0)
+        pass = static_cast<int>(executor().look().passes.size()) - 1;
     Picture picture = gpu::read_picture(executor().target(pass));
     picture.encoding = encoding_of(executor().look(), pass);
     if (is_black(pass))

@@ -38,7 +38,8 @@ public:
     }
     /// Restarts at the first frame with another document of the same look. Cheaper than create(),
     /// because context and programs stay. Fails like create().
-    Result<void> start_again(Document document);
+    /// `fps`: a new frame rate.
+    Result<void> start_again(Document document, std::optional<double> fps = {});
     /// Switches to specialised programs, for drawing many frames. Automated and modulated
     /// parameters stay uniforms. Passes that affect neither the picture nor the passes in
     /// `displayed` are omitted. Frames are cheaper, after compiling. If the driver refuses the
@@ -53,23 +54,20 @@ public:
     void override_beam(std::function<Beam(const PlayedFrame&)> beam) { m_beam = std::move(beam); }
     /// Replaces the document's source from now on.
     Result<void> override_source(const Picture& picture);
-    /// Sets the frame rate; call start_again() afterwards.
-    void set_fps(double fps) { m_fps = fps; }
     const Executor& executor() const { return m_executors.picture(); }
     const Document& document() const { return m_document; }
+    /// The document with the values of its cues in the last frame.
+    Document drawn_document() const;
     const PlayedSignal& signal() const { return m_player->signal(); }
     const gpu::Context& context() const { return *m_context; }
     /// Called by create(). With several instances, call it before using another one.
     void make_current() { m_context->make_current(); }
     /// The problems of the source and of another program's beam. Call it once, at the end.
     Diagnostics take_problems();
-    /// The picture of a pass, row 0 at the top, in the encoding of its values.
-    Picture picture(int pass) const;
+    /// The picture of a pass, row 0 at the top, in the encoding of its values. -1: the last pass.
+    Picture picture(int pass = -1) const;
     /// The same in the target's stored format, for another thread.
     void read(int pass, RawPicture& raw) const;
-    Picture picture() const {
-        return picture(static_cast<int>(executor().look().passes.size()) - 1);
-    }
 
 private:
     void take_values();
@@ -106,6 +104,7 @@ private:
         AutomationReader automation;
         CuePlan cues;
         std::shared_ptr<const Sound> joined;  // until it is the player's; null: the signal's file
+        double position = 0.0;                // of the last frame, for the cues
     } m_script;
     std::optional<Programs> m_generic;  // the generic programs while specialised ones are used
     bool m_source_is_carried = false;   // unseen frames also depend on it

@@ -152,7 +152,7 @@ Result<void> join_sounds(const RenderRequest& request, PreparedLook& prepared) {
                          fmt::format("can't join '{}': expected audio:FILE. Give settings with the "
                                      "first sound only.",
                                      text)});
-        files.push_back(file_of(*signal));
+        files.emplace_back(file_of(*signal));
     }
     auto sound = load_joined_sound(files, &prepared.warnings);
     if (!sound)

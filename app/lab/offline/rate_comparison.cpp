@@ -76,8 +76,7 @@ Result<RateComparison> compare_rates(const Document& document, Extent picture, J
     double done = 0.0;
     std::vector<Picture>& pictures = comparison.pictures;
     for (const double fps : compared_rates) {
-        offline->set_fps(fps);
-        if (auto begun = offline->start_again(document); !begun)
+        if (auto begun = offline->start_again(document, fps); !begun)
             return fail(begun.error());
         const int frames = frames_in(comparison.seconds, fps);
         for (int frame = 1; frame <= frames; ++frame) {

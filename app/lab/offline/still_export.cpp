@@ -37,7 +37,7 @@ Result<void> save_png_16(const RawPicture& picture, const Document& document,
     auto png = encode_png_16(picture.extent, display_words(picture, FrameAlpha::own), has_alpha);
     if (!png)
         return fail(png.error());
-    const auto whole = png_with_preset(std::move(*png), document, recent);
+    const auto whole = png_with_preset(*png, document, recent);
     return whole ? write_atomically(settings.file, *whole) : fail(whole.error());
 }
 }  // namespace
@@ -90,7 +90,8 @@ Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings&
     }
     RawPicture picture;
     offline->read(static_cast<int>(document.look().passes.size()) - 1, picture);
-    if (auto saved = save_still(picture, offline->document(), settings, RecentMedia(roots)); !saved)
+    if (auto saved = save_still(picture, offline->drawn_document(), settings, RecentMedia(roots));
+        !saved)
         return fail(saved.error());
     if (const Diagnostics problems = offline->take_problems(); has_errors(problems))
         return fail(problems);

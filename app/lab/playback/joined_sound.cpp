@@ -21,16 +21,17 @@ Result<void> append_sound(Sound& sound, const Sound& next) {
         return fail(
             {{},
              0,
-             fmt::format("has {} Hz, but the first sound has {} Hz. Convert it to join them.",
-                         next.rate, sound.rate)});
+             fmt::format(
+                 "the sample rate is {} Hz, but {} Hz in the first sound. Convert one of them.",
+                 next.rate, sound.rate)});
     if (sound.channels == 1 && next.channels == 2)
         sound = as_stereo(sound);
     const Sound fitted = sound.channels == 2 && next.channels == 1 ? as_stereo(next) : next;
     if (fitted.channels != sound.channels)
         return fail({{},
                      0,
-                     fmt::format("has {} channels, but the first sound has {}. Convert it to join "
-                                 "them.",
+                     fmt::format("the sound has {} channels, but the first sound has {}. Convert "
+                                 "one of them.",
                                  next.channels, sound.channels)});
     if (sound.samples.size() + fitted.samples.size() > max_sound_samples)
         return fail({{}, 0, "is too long to join. Render the sounds separately."});

@@ -26,4 +26,5 @@ private:
     double m_from;
     double m_to;
     double m_loop_start;
+    double m_loop_end;
 };

@@ -2,10 +2,13 @@
 
 #include "base/file.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/opened_preset.h"
 #include "lab/library/cue_plans.h"
+#include "lab/library/named_preset.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -44,9 +47,10 @@ void CueControl::open(const fs::path& file) {
     if (!m_work.document)
         return m_work.messages.say("Open a look first. Cues change its parameters.", true);
     m_saved = {fs::absolute(file).string(), *text};
-    m_is_playing = true;
-    change(m_saved, "Open cues");
+    set_playing(true);
     m_work.messages.say(fmt::format("Opened cues \"{}\"", file.filename().string()));
+    change(m_saved, "Open cues");
+    update();
 }
 
 void CueControl::close() {
@@ -68,12 +72,27 @@ void CueControl::write(const fs::path& file) {
     const std::string text = current().text;
     if (!m_work.messages.succeeded(write_atomically(file, text)))
         return;
+    const std::string before = current().file;
     m_saved = {file.string(), text};
-    m_work.document->amend([&](DocumentState& state) { state.cues = m_saved; });
+    // Also in the past: saving after an undo must not write the former file.
+    m_work.document->amend(
+        [&](DocumentState& state) {
+            if (!state.cues.is_empty() && state.cues.file == before)
+                state.cues.file = m_saved.file;
+        },
+        AmendedStates::all);
     m_work.messages.say(fmt::format("Saved cues \"{}\"", file.filename().string()));
 }
 
+std::vector<fs::path> CueControl::files() const {
+    std::vector<fs::path> files = m_presets;
+    if (const CueText text = current(); !text.file.empty())
+        files.emplace_back(text.file);
+    return files;
+}
+
 void CueControl::file_changed(const fs::path& file) {
+    m_is_stale |= std::ranges::find(m_presets, file) != m_presets.end();
     if (!is_open() || file != fs::path(current().file))
         return;
     const auto text = read_text(file);
@@ -82,11 +101,18 @@ void CueControl::file_changed(const fs::path& file) {
     const bool has_edits = has_changes();
     m_saved.text = *text;
     if (has_edits)
-        return m_work.messages.say(
-            fmt::format("\"{}\" changed on disk. Your unsaved cues were kept.",
-                        file.filename().string()),
-            true);
+        return m_work.messages.say(fmt::format("\"{}\" changed on disk. Your unsaved cues are "
+                                               "kept. Save to overwrite it, or open it again.",
+                                               file.filename().string()),
+                                   true);
     change(m_saved, "Cues changed on disk");
+}
+
+std::string CueControl::open_preset() const {
+    if (!m_work.document || preset_file(*m_work.document).empty())
+        return {};
+    return reference_to_preset(m_work.library, m_work.document->look().id,
+                               preset_file(*m_work.document), preset_name(*m_work.document));
 }
 
 void CueControl::add(const Cue& cue) {
@@ -140,31 +166,46 @@ void CueControl::set_playing(bool is_playing) {
     if (m_is_playing == is_playing)
         return;
     m_is_playing = is_playing;
-    m_look.clear();  // reads again
+    m_is_stale = true;
 }
 
 void CueControl::update() {
     if (!m_work.document || m_work.document->has_pending_stack())
         return;
-    const CueText text = current();
-    const std::string look = text.is_empty() ? "" : look_digest(m_work.document->look());
-    if (text == m_read && look == m_look)
+    const CueText& text = m_work.document->state().cues;
+    if (!m_is_stale && text == m_read)
         return;
+    m_is_stale = false;
     m_read = text;
-    m_look = look;
+    compare_with_file();
     read();
+}
+
+// After the restart of the program or an undo, the text may be of a file that was not read yet.
+void CueControl::compare_with_file() {
+    if (m_read.file == m_saved.file || m_read.file.empty())
+        return;
+    const auto text = read_text(m_read.file);
+    m_saved = {m_read.file, text ? *text : std::string()};
+    if (text && *text != m_read.text)
+        m_work.messages.say(
+            fmt::format("The cues differ from \"{}\". Save to overwrite it, or open it again.",
+                        fs::path(m_read.file).filename().string()),
+            true);
 }
 
 void CueControl::read() {
     const fs::path file = m_read.file.empty() ? fs::path("cues") : fs::path(m_read.file);
     const bool had_cues = m_work.cues != nullptr;
+    const Diagnostics before = std::exchange(m_problems, {});
     m_work.cues.reset();
     m_sheet.reset();
-    m_problems.clear();
+    m_presets.clear();
     if (!m_read.is_empty()) {
         auto sheet = parse_cue_sheet(m_read.text, file);
-        auto plan = sheet ? plan_cues(*sheet, file, m_work.document->look(), m_work.library)
-                          : Result<CuePlan>(fail(sheet.error()));
+        auto plan =
+            sheet ? plan_cues(*sheet, file, m_work.document->look(), m_work.library, m_presets)
+                  : Result<CuePlan>(fail(sheet.error()));
         if (sheet)
             m_sheet = std::move(*sheet);
         if (!plan)
@@ -172,6 +213,8 @@ void CueControl::read() {
         else if (m_is_playing && !plan->is_empty())
             m_work.cues = std::make_shared<const CuePlan>(std::move(*plan));
     }
+    if (!m_problems.empty() && m_problems != before)
+        m_work.messages.say(m_problems.front());
     if (had_cues || m_work.cues)
         m_frames.reapply();  // values without cues, or with other ones
 }

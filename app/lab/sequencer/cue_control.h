@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 /// The cues in the window: reads, plays, edits and saves a cue file. Its text is part of the
 /// document's state, so edits have undo and the session keeps them. The cues stay with the next
@@ -22,8 +23,15 @@ public:
     /// Writes the text. Only edited lines differ from the file that was read.
     void save();
     void save_as(const std::filesystem::path& file);
-    /// Call when a file changed on disk. Unsaved edits stay.
+    /// The files that the cues come from: the cue file and its presets.
+    std::vector<std::filesystem::path> files() const;
+    /// Call when one of files() changed on disk. Unsaved edits stay.
     void file_changed(const std::filesystem::path& file);
+    /// Call when the look or a pass of it was replaced.
+    void look_changed() { m_is_stale = true; }
+
+    /// How a cue names the open preset; "": none is open.
+    std::string open_preset() const;
 
     /// Each edit is one undo step. `line` from 1.
     void add(const Cue& cue);
@@ -32,7 +40,7 @@ public:
     void retype(std::size_t line, const std::string& text);
     void remove(std::size_t line);
 
-    /// Whether the cues change the picture.
+    /// Whether cues are applied while any are open.
     bool is_playing() const { return m_is_playing; }
     void set_playing(bool is_playing);
 
@@ -56,13 +64,15 @@ private:
     void change(CueText next, const char* step);
     void change(const CueSheet& next, const char* step);
     void write(const std::filesystem::path& file);
+    void compare_with_file();
     void read();
 
     Workspace& m_work;
     FrameLoop& m_frames;
-    CueText m_read;      // that sheet and problems are of
-    std::string m_look;  // digest of the look that they are for
-    CueText m_saved;     // as in the file
+    CueText m_read;           // source of m_sheet and m_problems
+    bool m_is_stale = false;  // the look or a preset has changed since
+    std::vector<std::filesystem::path> m_presets;
+    CueText m_saved;  // as in the file
     std::optional<CueSheet> m_sheet;
     Diagnostics m_problems;
     bool m_is_playing = true;

@@ -3,8 +3,11 @@
 #include "base/file.h"
 #include "formats/settings/playlist_format.h"
 #include "io/files/atomic_file.h"
+#include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
+#include "lab/library/named_preset.h"
 #include "lab/library/open.h"
+#include "lab/sequencer/sequencer.h"
 
 #include <fmt/format.h>
 
@@ -38,16 +41,45 @@ void PlaylistControl::set_list(Playlist list) {
         return;
     if (list.presets.size() > max_playlist_presets)
         return m_work.messages.say(
-            fmt::format("A playlist has at most {} presets", max_playlist_presets), true);
+            fmt::format("A playlist can have at most {} presets. Remove some first.",
+                        max_playlist_presets),
+            true);
     m_list = std::move(list);
     if (m_list.presets.empty())
         m_is_playing = false;
     if (m_is_broken)
         return m_work.messages.say(
-            {file(), 0, "has errors, so the playlist is not saved. Correct or delete the file."});
+            {file(), 0, "can't save the playlist: the file has errors. Correct or delete it."});
     std::error_code error;
     fs::create_directories(file().parent_path(), error);  // a failure is reported below
     m_work.messages.succeeded(write_atomically(file(), playlist_to_json(m_list)));
+}
+
+void PlaylistControl::add_open_preset() {
+    if (!m_work.document || preset_file(*m_work.document).empty())
+        return;
+    Playlist next = m_list;
+    next.presets.push_back(reference_to_preset(
+        m_work.library, m_look, preset_file(*m_work.document), preset_name(*m_work.document)));
+    set_list(std::move(next));
+}
+
+void PlaylistControl::add_all() {
+    Playlist next = m_list;
+    const std::vector<std::string> names = m_navigation.names();
+    next.presets.insert(next.presets.end(), names.begin(), names.end());
+    set_list(std::move(next));
+}
+
+void PlaylistControl::clear() {
+    Playlist next = m_list;
+    next.presets.clear();
+    const Playlist before = m_list;
+    set_list(std::move(next));
+    m_work.messages.offer("Cleared the playlist",
+                          {.name = "Undo", .commands = {[before](Sequencer& sequencer) {
+                                               sequencer.playlist().set_list(before);
+                                           }}});
 }
 
 std::size_t PlaylistControl::index() const {
@@ -60,9 +92,15 @@ std::size_t PlaylistControl::index() const {
 bool PlaylistControl::show() {
     const std::string& name = m_list.presets[index()];
     const auto request = resolve_preset(name, m_look, m_work.library);
-    if (!request || request->preset_file.empty()) {
-        m_work.messages.say(fmt::format("Playlist: \"{}\" is not a preset of this look", name),
-                            true);
+    if (!request) {
+        m_work.messages.say(request.error().front());
+        return false;
+    }
+    if (request->preset_file.empty()) {
+        m_work.messages.say(
+            fmt::format("Playlist: this look has no preset \"{}\". Remove it from the playlist.",
+                        name),
+            true);
         return false;
     }
     if (!m_work.messages.succeeded(
@@ -128,8 +166,8 @@ void PlaylistControl::update(const Tempo& tempo, double wall_seconds) {
     if (m_work.player.transport().is_playing())
         m_seconds += wall_seconds;
     const double slot = std::floor(slots(tempo));
-    // A seek backwards is not an advance.
-    const bool is_due = m_list.unit == Playlist::Unit::bars ? slot > m_slot : slot >= 1.0;
+    // A seek, or a change of the tempo or of the list, is not an advance.
+    const bool is_due = m_list.unit == Playlist::Unit::bars ? slot == m_slot + 1.0 : slot >= 1.0;
     m_slot = slot;
     if (!m_is_playing || !is_due)
         return;

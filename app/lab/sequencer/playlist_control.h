@@ -16,6 +16,11 @@ public:
     const Playlist& list() const { return m_list; }
     /// Changes and saves the list. A file with errors is not overwritten.
     void set_list(Playlist list);
+    void add_open_preset();
+    /// Adds all presets of the look, in the order of lists.
+    void add_all();
+    /// A notice offers to undo it.
+    void clear();
 
     bool is_playing() const { return m_is_playing; }
     /// Starts with the current preset of the list, or stops.

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-/// Moves in time: one frame back, or to any time while a bar is dragged.
+/// Steps one frame back, and scrubs while a bar is dragged.
 class Scrubber {
 public:
     explicit Scrubber(Workspace& work) : m_work(work) {}

@@ -8,11 +8,10 @@
 #include "lab/sequencer/sound_overview.h"
 #include "lab/sequencer/tempo_control.h"
 
-/// What happens over time in the window: waveform of the sound, moves in time, tempo, playlist and
-/// cues.
+/// The timeline of the window: waveform of the sound, scrubbing, tempo, playlist and cues.
 class Sequencer {
 public:
-    /// `remote` brings the MIDI clock.
+    /// `remote` provides the MIDI clock.
     Sequencer(Workspace& work, FrameLoop& frames, PresetNavigation& presets,
               const RemoteControl& remote)
         : m_work(work), m_remote(remote), m_playlist(work, presets), m_cues(work, frames) {}
@@ -27,6 +26,17 @@ public:
     const PlaylistControl& playlist() const { return m_playlist; }
     CueControl& cues() { return m_cues; }
     const CueControl& cues() const { return m_cues; }
+
+    /// The open document with the values of its cues at the present position.
+    Document drawn_document() const;
+
+    /// Tempo and cues that the first document gets, from the session.
+    void set_initial(const Tempo& tempo, const CueText& cues) {
+        m_initial_tempo = tempo;
+        m_initial_cues = cues;
+    }
+    const Tempo& initial_tempo() const { return m_initial_tempo; }
+    const CueText& initial_cues() const { return m_initial_cues; }
 
     /// Call once per update, before the frame is drawn.
     void update(double wall_seconds);
@@ -45,4 +55,6 @@ private:
     TempoControl m_tempo{m_work};
     PlaylistControl m_playlist;
     CueControl m_cues;
+    Tempo m_initial_tempo;
+    CueText m_initial_cues;
 };

@@ -18,5 +18,5 @@ void SoundOverview::update() {
     m_work.update();
     const auto& outcome = m_work.outcome();
     if (!m_peaks && outcome && *outcome && **outcome && &(**outcome)->sound() == m_sound.get())
-        m_peaks = std::make_unique<const SoundPeaks>(***outcome);
+        m_peaks = **outcome;
 }

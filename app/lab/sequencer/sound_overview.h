@@ -20,6 +20,6 @@ public:
 
 private:
     std::shared_ptr<const Sound> m_sound;  // shared with the signal that draws it
-    std::unique_ptr<const SoundPeaks> m_peaks;
+    std::shared_ptr<const SoundPeaks> m_peaks;
     BackgroundWork<std::shared_ptr<SoundPeaks>> m_work;
 };

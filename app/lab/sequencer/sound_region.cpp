@@ -28,7 +28,8 @@ void change_part(Document& document, Player& player, const PlayedPart& next, dou
     set_setting(spec, "end", end);
     if (next.loops)
         spec.settings.erase("loop");  // "on" is the default
-    set_signal(document, std::move(spec), false, end > 0.0 ? "Loop region" : "Whole sound");
+    set_signal(document, std::move(spec), false,
+               end > 0.0 ? "Set loop region" : "Remove loop region");
     const bool is_within = position >= next.start && position < next.end;
     player.seek(is_within ? next.time_at(position) : 0.0);
 }

@@ -12,23 +12,26 @@ Tempo TempoControl::tempo() const {
 void TempoControl::change(const Tempo& next, const char* step, bool continues_step) {
     if (!m_work.document)
         return;
+    if (follows_midi())
+        return m_work.messages.say("The MIDI clock sets the tempo. Stop it to set the tempo here.",
+                                   true);
     DocumentState state = m_work.document->state();
     state.tempo = normalised(next);
     m_work.document->change(std::move(state), step, continues_step);
 }
 
-void TempoControl::set_bpm(double bpm, bool continues_step) {
-    change(with_bpm(tempo(), bpm, m_work.player.transport().time()), "Tempo", continues_step);
+void TempoControl::set_bpm(double bpm) {
+    change(with_bpm(tempo(), bpm, m_work.player.transport().time()), "Set tempo", false);
 }
 
 void TempoControl::set_beats_per_bar(double beats) {
     Tempo next = tempo();
     next.beats_per_bar = beats;
-    change(next, "Beats per bar", false);
+    change(next, "Set beats per bar", false);
 }
 
 void TempoControl::set_downbeat() {
-    change(with_downbeat(tempo(), m_work.player.transport().time()), "Downbeat", false);
+    change(with_downbeat(tempo(), m_work.player.transport().time()), "Set downbeat", false);
 }
 
 void TempoControl::tap(double wall_seconds) {

@@ -5,7 +5,7 @@
 #include "model/tuning/tap_tempo.h"
 
 /// The tempo in the window: typed, tapped, or of a MIDI clock. Typed and tapped tempos belong to
-/// the document, with undo. A MIDI clock replaces them while it is present.
+/// the document, with undo. A MIDI clock replaces them. When it ends, its last tempo stays.
 class TempoControl {
 public:
     explicit TempoControl(Workspace& work) : m_work(work) {}
@@ -14,9 +14,8 @@ public:
     Tempo tempo() const;
     bool follows_midi() const { return m_work.clock_tempo.has_value(); }
 
-    /// The beat continues without a jump. With `continues_step` all calls up to finish() of the
-    /// document are one undo step.
-    void set_bpm(double bpm, bool continues_step = false);
+    /// The beat continues without a jump.
+    void set_bpm(double bpm);
     void set_beats_per_bar(double beats);
     /// A bar begins now.
     void set_downbeat();

@@ -51,7 +51,7 @@ public:
     void pan(double length, double share);
     void show_all() { m_range.reset(); }
     void show(double length, const TimelineRange& range);
-    /// Turns the page when the playing position leaves the visible range.
+    /// Scrolls to the playing position when it leaves the visible range.
     void follow(double length, double position);
 
     std::optional<TimelineDrag> drag = {};

@@ -11,7 +11,7 @@ constexpr std::uint8_t continue_byte = 0xFB;
 constexpr std::uint8_t stop_byte = 0xFC;
 constexpr std::uint8_t first_real_time = 0xF8;
 constexpr std::uint8_t first_status = 0x80;
-constexpr double clock_patience = 0.5;  // s; at 20 bpm a tick takes 0.125 s
+constexpr double clock_timeout = 0.5;  // s; at 20 bpm a tick takes 0.125 s
 constexpr std::size_t fit_window = 96;
 constexpr std::size_t fewest_ticks = 12;
 }  // namespace
@@ -63,14 +63,14 @@ void MidiClock::place(double position) {
 }
 
 void MidiClock::tick(double seconds) {
-    const bool is_lost = !m_ticks.empty() && seconds - m_ticks.back().seconds > clock_patience;
+    const bool is_lost = !m_ticks.empty() && seconds - m_ticks.back().seconds > clock_timeout;
     if (is_lost)
         m_ticks.clear();
     if (m_is_running && m_begins) {
         m_start = m_count - m_position;
         m_begins = false;
     }
-    // After a jump of the tempo, several ticks in a row are far from the line; it then begins anew.
+    // Four ticks in a row, all early or all late, are a tempo change: the fit restarts with them.
     constexpr std::size_t checked = 4;
     const auto fitted = line();
     m_ticks.push_back({m_count++, seconds});
@@ -91,7 +91,7 @@ void MidiClock::tick(double seconds) {
 }
 
 bool MidiClock::is_present(double now_seconds) const {
-    return !m_ticks.empty() && now_seconds - m_ticks.back().seconds < clock_patience;
+    return !m_ticks.empty() && now_seconds - m_ticks.back().seconds < clock_timeout;
 }
 
 // Least squares, relative to the last tick for precision.

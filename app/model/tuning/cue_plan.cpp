@@ -22,11 +22,13 @@ double cue_share(const CueAction& action, double position) {
 
 CuePlan::CuePlan(std::vector<CueAction> actions) : m_actions(std::move(actions)) {
     std::ranges::stable_sort(m_actions, {}, &CueAction::seconds);
+    for (const CueAction& action : m_actions)
+        for (const auto& [name, value] : action.values)
+            m_changed.insert(name);
 }
 
 bool CuePlan::changes(const std::string& parameter) const {
-    return std::ranges::any_of(
-        m_actions, [&](const CueAction& action) { return action.values.contains(parameter); });
+    return m_changed.contains(parameter);
 }
 
 // The last of the first `count` cues that changes the parameter defines it. While it changes, it
@@ -77,14 +79,16 @@ bool CuePlan::is_black_at(double position) const {
     return is_black;
 }
 
-bool CuePlan::restarts_within(double from, double to, double loop_start) const {
+bool CuePlan::restarts_within(double from, double to, double loop_start, double loop_end) const {
     return std::ranges::any_of(m_actions, [&](const CueAction& action) {
         if (action.kind != CueAction::Kind::restart)
             return false;
         const bool is_after = !cue_has_begun(action, from);
         const bool is_before = cue_has_begun(action, to);
-        return to >= from ? is_after && is_before
-                          : is_after || (is_before && action.seconds + cue_slack >= loop_start);
+        if (to >= from)
+            return is_after && is_before;
+        return (is_after && action.seconds < loop_end) ||
+               (is_before && action.seconds + cue_slack >= loop_start);
     });
 }
 

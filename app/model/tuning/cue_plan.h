@@ -4,6 +4,7 @@
 #include "model/tuning/modulation.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,14 +42,15 @@ public:
     CuedState state_at(const Look& look, const CuedState& without, double position) const;
     bool is_black_at(double position) const;
     /// Whether a frame that covers the positions after `from` up to `to` restarts the picture. `to`
-    /// < `from`: a loop, from its end to `loop_start`.
-    bool restarts_within(double from, double to, double loop_start) const;
+    /// < `from`: the loop of `loop_start` to `loop_end` has begun again.
+    bool restarts_within(double from, double to, double loop_start, double loop_end) const;
 
 private:
     Value value_at(const Parameter& parameter, const Value& without, double position,
                    std::size_t count) const;
 
     std::vector<CueAction> m_actions;
+    std::set<std::string> m_changed;  // parameters
 };
 
 /// Why a cue can't change this parameter, as a sentence; "" if it can. Cues change values within a

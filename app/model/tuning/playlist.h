@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Presets of a look that follow each other by themselves.
+/// Presets of a look, played one after another.
 struct Playlist {
     enum class Unit { bars, seconds };
 
@@ -21,7 +21,8 @@ constexpr double max_playlist_every = 10'000.0;
 constexpr double max_playlist_morph = 600.0;  // s
 constexpr std::size_t max_playlist_presets = 1000;
 
-/// The index of the preset at a step of the list, of `count` > 0; steps can be negative. Shuffled,
-/// each round has every preset once in another order, and no preset follows itself.
+/// The index of the preset at a step of the list, of `count` > 0; steps can be negative. A shuffled
+/// round has every preset once, and no preset follows itself. Fewer than three presets are not
+/// shuffled.
 std::size_t playlist_index(std::int64_t step, std::size_t count, bool is_shuffled,
                            std::uint64_t seed);

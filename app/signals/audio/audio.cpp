@@ -190,7 +190,7 @@ std::vector<SettingInfo> file_settings() {
             {.key = "end",
              .label = "End",
              .unit = "s",
-             .help = "Position in the sound where it ends or loops. 0: the end of the file.",
+             .help = "Position in the sound where playback ends or loops. 0: the end of the file.",
              .low = 0,
              .high = 600,
              .limit = {0, 86400}}};

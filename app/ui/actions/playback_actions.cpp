@@ -33,7 +33,7 @@ void seek_by(const Scene& scene, Edits& edits) {
 bool has_loop_region(const Scene& scene) {
     return has_region(scene.lab.player.signal());
 }
-void play_whole_sound(const Scene&, Edits& edits) {
+void remove_loop_region(const Scene&, Edits& edits) {
     edits.change([](Document& document, Player& player) { remove_region(document, player); });
 }
 void restart(const Scene&, Edits& edits) {
@@ -81,12 +81,12 @@ std::vector<Action> playback_actions::list() {
         {ActionId::seek_forward, Menu::playback, "Forward 5 seconds", {}, false, seek_by<5>},
         {ActionId::seek_back, Menu::playback, "Back 5 seconds", {}, false, seek_by<-5>},
         {ActionId::restart, Menu::playback, "Restart", {'R'}, false, restart},
-        {ActionId::whole_sound,
+        {ActionId::remove_loop_region,
          Menu::playback,
          "Remove loop region",
          {},
          false,
-         play_whole_sound,
+         remove_loop_region,
          has_loop_region},
         {ActionId::slower, Menu::playback, "Halve speed", {'['}, true, change_speed<-1>},
         {ActionId::faster, Menu::playback, "Double speed", {']'}, false, change_speed<1>},

@@ -73,7 +73,7 @@ void add_preset_cue(const Scene& scene, Edits& edits) {
     const TimelineAxis axis = timeline_axis({}, {}, scene);
     const Cue cue{.seconds = axis.time_at(scene.lab.player.transport().time()),
                   .command = Cue::Command::preset,
-                  .name = preset_name(*scene.lab.document)};
+                  .name = scene.lab.sequencer.cues().open_preset()};
     edits.change([cue](Sequencer& sequencer) { sequencer.cues().add(cue); });
 }
 
@@ -110,5 +110,5 @@ std::vector<Action> sequencer_actions::list() {
             row(ActionId::save_cues_as, "Save cues as…", save_cues_as, has_cues),
             row(ActionId::close_cues, "Close cues", close_cues, has_cues),
             cues,
-            row(ActionId::add_preset_cue, "Add cue of preset", add_preset_cue, has_preset)};
+            row(ActionId::add_preset_cue, "Add preset cue", add_preset_cue, has_preset)};
 }

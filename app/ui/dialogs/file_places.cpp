@@ -108,8 +108,11 @@ std::optional<fs::path> draw_folder_path(const fs::path& folder, float width, Ed
         const ScopedId id(static_cast<int>(i));
         if (i + 1 < parts.size()) {
             ImGui::SameLine(0.0f, gap * 0.25f);
-            dim_text("/");
-            ImGui::SameLine(0.0f, gap * 0.25f);
+            const bool follows_root = i + 1 < count && parts[i + 1].label == "/";
+            if (!follows_root) {
+                dim_text("/");
+                ImGui::SameLine(0.0f, gap * 0.25f);
+            }
         }
         const std::string label = elided_to_width(parts[i].label, width * 0.6f);
         if (quiet_button(label))

@@ -37,16 +37,16 @@ constexpr const char* no_unsaved = "no unsaved changes";
 constexpr const char* no_parameter = "no parameter is selected (use the Up and Down keys)";
 }  // namespace
 
-const char* why_no_sequence(ActionId id) {
+const char* sequencer_disabled_reason(ActionId id) {
     switch (id) {
-        case ActionId::whole_sound:
-            return "there is no loop region";
+        case ActionId::remove_loop_region:
+            return "no loop region is set (drag in the ruler of the timeline)";
         case ActionId::play_cues:
         case ActionId::save_cues_as:
         case ActionId::close_cues:
-            return "no cues are open";
+            return "no cues are open (use Open cues…)";
         case ActionId::save_cues:
-            return "the cues have no changes";
+            return no_unsaved;
         case ActionId::add_preset_cue:
             return "no preset is open";
         default:
@@ -110,7 +110,7 @@ const char* disabled_reason(const Action& action, const Scene& scene) {
         case ActionId::passes_as_written:
             return "pass settings match look.json";
         default:
-            return why_no_sequence(action.id);
+            return sequencer_disabled_reason(action.id);
     }
 }
 

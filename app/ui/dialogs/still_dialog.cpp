@@ -83,9 +83,9 @@ void save(const StillSettings& settings, bool is_drawn_again, Edits& edits) {
             jobs.export_still(settings, sequencer.cues().plan());
         });
     edits.change([settings](const Renderer& renderer, const PassControl& passes,
-                            BackgroundJobs& jobs, Messages& messages) {
+                            const Sequencer& sequencer, BackgroundJobs& jobs, Messages& messages) {
         if (auto picture = snapshot(renderer, passes.picture_pass(), messages))
-            jobs.save_still(std::move(*picture), settings);
+            jobs.save_still(std::move(*picture), sequencer.drawn_document(), settings);
     });
 }
 }  // namespace

@@ -113,7 +113,7 @@ enum class ActionId {
     step_back,
     seek_forward,
     seek_back,
-    whole_sound,
+    remove_loop_region,
     tap_tempo,
     set_downbeat,
     play_playlist,

@@ -109,7 +109,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::seek_forward, "seek_forward"},
     {ActionId::seek_back, "seek_back"},
     {ActionId::restart, "restart"},
-    {ActionId::whole_sound, "remove_loop_region"},
+    {ActionId::remove_loop_region, "remove_loop_region"},
     {ActionId::slower, "half_speed"},
     {ActionId::faster, "double_speed"},
     {ActionId::normal_speed, "normal_speed"},

@@ -131,7 +131,7 @@ void draw_midi_settings(const Scene& scene, Edits& edits) {
     RemoteSettings settings = scene.lab.remote.settings();
     ImGui::TextWrapped(
         "Control parameters by MIDI knobs and faders, and actions by pads, keys and program "
-        "changes. Right-click a parameter, a menu item or a line of the palette (Ctrl+P) and "
+        "changes. Right-click a parameter, a menu item or a palette entry and "
         "choose MIDI learn.");
     ImGui::Spacing();
     settings.listens_to_midi = midi.is_listening();

@@ -71,39 +71,20 @@ void draw_playlist_settings(const Scene& scene, Edits& edits) {
 }
 
 void draw_playlist_adding(const Scene& scene, Edits& edits) {
-    Playlist next = scene.lab.sequencer.playlist().list();
-    const Document& document = *scene.lab.document;
-    const std::filesystem::path& file = preset_file(document);
-    std::vector<PresetEntry> all;
-    for (const ListedLook& look : scene.library_view.looks())
-        if (is_listed_as(document.look(), look))
-            for (const ListedLookPreset& preset : look.presets)
-                all.push_back(preset.entry);
-    const auto id_of = [](const PresetEntry& entry) {
-        return entry.id.empty() ? entry.name : entry.id;
-    };
     {
-        const ScopedDisabled disabled(file.empty());
-        if (ImGui::Button("Add open preset")) {
-            const auto found = std::ranges::find(all, file, &PresetEntry::file);
-            next.presets.push_back(found == all.end() ? file.string() : id_of(*found));
-            set_playlist(next, edits);
-        }
+        const ScopedDisabled disabled(preset_file(*scene.lab.document).empty());
+        if (ImGui::Button("Add open preset"))
+            edits.change([](Sequencer& sequencer) { sequencer.playlist().add_open_preset(); });
         edits.mark("playlist_add");
     }
     ImGui::SameLine();
-    if (ImGui::Button("Add all")) {
-        for (const PresetEntry& entry : all)
-            next.presets.push_back(id_of(entry));
-        set_playlist(next, edits);
-    }
+    if (ImGui::Button("Add all"))
+        edits.change([](Sequencer& sequencer) { sequencer.playlist().add_all(); });
     edits.mark("playlist_add_all");
     ImGui::SameLine();
-    const ScopedDisabled disabled(next.presets.empty());
-    if (ImGui::Button("Clear")) {
-        next.presets.clear();
-        set_playlist(next, edits);
-    }
+    const ScopedDisabled disabled(scene.lab.sequencer.playlist().list().presets.empty());
+    if (ImGui::Button("Clear"))
+        edits.change([](Sequencer& sequencer) { sequencer.playlist().clear(); });
     edits.mark("playlist_clear");
 }
 
@@ -120,17 +101,18 @@ std::string label_of(const std::string& preset, const Scene& scene) {
 
 void draw_playlist_row(std::size_t index, const Scene& scene, Edits& edits) {
     const PlaylistControl& control = scene.lab.sequencer.playlist();
-    Playlist next = control.list();
+    const Playlist& list = control.list();
     const ScopedId id(static_cast<int>(index));
     const bool is_current = control.is_playing() && control.index() == index;
     const float buttons = 3.0f * ImGui::GetFrameHeight();
     const float width = std::max(ImGui::GetContentRegionAvail().x - buttons, 1.0f);
     const std::string label =
-        fmt::format("{:>3}  {}", index + 1, label_of(next.presets[index], scene));
+        fmt::format("{:>3}  {}", index + 1, label_of(list.presets[index], scene));
     if (ImGui::Selectable(label.c_str(), is_current, 0, {width, ImGui::GetFrameHeight()}))
         edits.change([index](Sequencer& sequencer) { sequencer.playlist().go_to(index); });
     edits.mark(fmt::format("playlist:{}", index + 1));
     const auto move = [&](std::size_t to) {
+        Playlist next = list;
         std::swap(next.presets[index], next.presets[to]);
         set_playlist(next, edits);
     };
@@ -139,10 +121,11 @@ void draw_playlist_row(std::size_t index, const Scene& scene, Edits& edits) {
         move(index - 1);
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##down", Icon::down, "Move down", theme::dim) &&
-        index + 1 < next.presets.size())
+        index + 1 < list.presets.size())
         move(index + 1);
     ImGui::SameLine(0.0f, 0.0f);
     if (icon_button("##remove", Icon::close, "Remove from playlist", theme::dim)) {
+        Playlist next = list;
         next.presets.erase(next.presets.begin() + static_cast<std::ptrdiff_t>(index));
         set_playlist(next, edits);
     }

@@ -25,7 +25,9 @@ void change_timeline(std::function<void(TimelineView&)> change, Edits& edits) {
 }
 
 void scrub_to(const TimelineAxis& axis, double time, Edits& edits) {
-    edits.change([clock = axis.clock_at(std::clamp(time, 0.0, axis.length))](Sequencer& sequencer) {
+    // Without a sound, time goes on after the end of the axis.
+    const double last = axis.part ? axis.length : std::max(axis.length, time);
+    edits.change([clock = axis.clock_at(std::clamp(time, 0.0, last))](Sequencer& sequencer) {
         sequencer.scrubber().scrub(clock);
     });
 }
@@ -115,7 +117,7 @@ void draw_timeline_menu(const TimelineAxis& axis, const Scene& scene, Edits& edi
         return;
     const bool has_part = has_region(scene.lab.player.signal());
     if (ImGui::MenuItem("Remove loop region", nullptr, false, has_part))
-        run(ActionId::whole_sound, scene, edits);
+        run(ActionId::remove_loop_region, scene, edits);
     if (ImGui::MenuItem("Zoom to loop region", nullptr, false, has_part))
         change_timeline(
             [length = axis.length, part = *axis.part](TimelineView& view) {
@@ -154,7 +156,7 @@ void handle_timeline_pointer(const TimelineAxis& axis, const Scene& scene, Edits
     const bool is_in_ruler = axis.is_in_ruler(ImGui::GetIO().MousePos.y);
     if (is_hovered && is_in_ruler && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
         has_region(scene.lab.player.signal()))
-        return run(ActionId::whole_sound, scene, edits);
+        return run(ActionId::remove_loop_region, scene, edits);
     if (ImGui::IsItemActivated())
         press_timeline(axis, scene, edits);
     else if (drag && ImGui::IsItemActive())
@@ -209,8 +211,9 @@ void draw_tempo(const Scene& scene, Edits& edits) {
         if (edited.is_changed)
             edits.change([bpm](Sequencer& sequencer) { sequencer.tempo().set_bpm(bpm); });
     }
-    tooltip(control.follows_midi() ? "Tempo of the MIDI clock."
-                                   : "Tempo of modulations in beats. Click to type it.");
+    tooltip(control.follows_midi()
+                ? "Tempo of the MIDI clock."
+                : "Tempo of modulations in beats and playlists in bars. Click to type a number.");
     ImGui::SameLine();
     if (ImGui::Button("Tap"))
         run(ActionId::tap_tempo, scene, edits);

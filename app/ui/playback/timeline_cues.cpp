@@ -53,8 +53,8 @@ const Diagnostic* problem_of(std::size_t line, const Scene& scene) {
     return found == problems.end() ? nullptr : &*found;
 }
 
-// From a blackout to the next light.
-void draw_black_parts(const TimelineAxis& axis, const Scene& scene) {
+// Each from 'blackout on' to the next 'blackout' cue.
+void draw_blackouts(const TimelineAxis& axis, const Scene& scene) {
     std::vector<std::pair<double, bool>> switches;
     for_each_cue(scene, [&](std::size_t, const Cue& cue) {
         if (cue.command == Cue::Command::blackout)
@@ -95,7 +95,7 @@ void type_cue(std::size_t line, std::string text, const TimelineAxis& axis, Edit
 
 // A new cue of the open preset at the pointer.
 void type_new_cue(double seconds, const TimelineAxis& axis, const Scene& scene, Edits& edits) {
-    const std::string preset = scene.lab.document ? preset_name(*scene.lab.document) : "";
+    const std::string preset = scene.lab.sequencer.cues().open_preset();
     type_cue(0,
              preset.empty() ? cue_time_text(seconds) + " preset \"\""
                             : cue_text({.seconds = seconds, .name = preset}),
@@ -151,7 +151,7 @@ std::vector<Marker> markers(const TimelineAxis& axis, const Scene& scene) {
 void draw_cues(const TimelineAxis& axis, const Scene& scene) {
     if (axis.cues <= 0.0f)
         return;
-    draw_black_parts(axis, scene);
+    draw_blackouts(axis, scene);
     const bool is_active = scene.lab.sequencer.cues().is_playing();
     const std::vector<Marker> all = markers(axis, scene);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -264,7 +264,7 @@ void draw_cue_line(const Scene& scene, Edits& edits) {
     if (ImGui::Checkbox("Play cues", &is_playing))
         run(ActionId::play_cues, scene, edits);
     edits.mark("play_cues");
-    tooltip("Cues set presets and parameters at their times. Off: your own values.");
+    tooltip("Apply the cues during playback. Turn off to use your own values.");
     ImGui::SameLine();
     const ScopedDisabled disabled(!cues.has_changes());
     if (ImGui::Button("Save cues"))
@@ -275,7 +275,7 @@ void draw_cue_line(const Scene& scene, Edits& edits) {
     std::string text =
         file.empty() ? "not saved yet" : std::filesystem::path(file).filename().string();
     if (!file.empty() && cues.has_changes())
-        text += " (changed)";
+        text += " (unsaved changes)";
     const bool has_problem = !cues.problems().empty();
     if (has_problem)
         text = to_string(cues.problems().front());

@@ -50,6 +50,8 @@ void open_first(const ApplicationOptions& options, const Session& session, Lab& 
     start.state.first_steps.is_shown = session.look.empty();
     lab.parameters().set_all(session.parameter_settings);
     lab.content().set_initial(content_of(session));
+    lab.sequencer().set_initial(session.current.preset.tempo.value_or(Tempo{}),
+                                session.current.cues);
     (void)lab.player().mute_input(true);  // until the user chooses a live input
     lab.frames().comparison().set_all_slots(session.slots);
     lab.presets().navigation().stars() = (session.preset_stars);
@@ -213,7 +215,8 @@ void Application::apply(const Edits& edits) {
         m_window.set_clipboard(std::exchange(m_state.copied, {}));
     if (edits.requests().copies_picture && m_lab.document() && m_lab.renderer())
         m_clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
-                         *m_lab.document(), m_lab.work().media.recent(), m_lab.messages());
+                         m_lab.sequencer().drawn_document(), m_lab.work().media.recent(),
+                         m_lab.messages());
     m_is_quitting = m_is_quitting || edits.requests().quits;
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());

@@ -79,7 +79,8 @@ bool InputQueue::fits(const gpu::InputEvent& event, const Seen& seen) const {
                        if (only_prints(key.key, m_modifiers))
                            return !seen.is_transitioning && !seen.has_command &&
                                   (seen.is_typing || !is_seen);
-                       return !is_seen && !seen.has_text;
+                       // The first command may close a dialog, and the second is for what is below.
+                       return !is_seen && !seen.has_text && !(key.is_down && seen.has_command);
                    },
                    [&](const gpu::TextEvent&) {
                        return seen.buttons.empty() && !seen.has_command && !seen.is_transitioning;

@@ -127,19 +127,19 @@ TEST_CASE("all errors are reported with their lines") {
                     "0:01 parameter decay\n"
                     "0:01 blackout maybe\n"
                     "0:01 restart now\n") ==
-          "show.txt:1: error: expected a time such as 1:23.5 or 83.5, got '1:2x'\n"
-          "show.txt:2: error: expected a time such as 1:23.5 or 83.5, got '1:75'\n"
+          "show.txt:1: error: expected a time up to 24:00:00, such as 1:23.5 or 83.5, got '1:2x'\n"
+          "show.txt:2: error: expected a time up to 24:00:00, such as 1:23.5 or 83.5, got '1:75'\n"
           "show.txt:3: error: unknown command 'prest' (did you mean 'preset'?); use one of: "
           "preset, parameter, restart, blackout\n"
           "show.txt:4: error: expected a command after the time: preset, parameter, restart, "
           "blackout\n"
-          "show.txt:5: error: expected the name of a preset, such as preset \"Amber P3\"\n"
-          "show.txt:7: error: expected 'morph SECONDS' or nothing, got 'over'\n"
-          "show.txt:8: error: expected a number of seconds after 'morph', got 'x'\n"
-          "show.txt:9: error: a quote (\") is not closed\n"
+          "show.txt:5: error: expected a preset name, such as preset \"Amber P3\"\n"
+          "show.txt:7: error: expected 'morph SECONDS' or the end of the line, got 'over'\n"
+          "show.txt:8: error: expected seconds from 0 to 86400 after 'morph', got 'x'\n"
+          "show.txt:9: error: missing closing quote (\")\n"
           "show.txt:10: error: expected a parameter and its value, such as parameter decay 0.9\n"
           "show.txt:11: error: expected 'blackout on' or 'blackout off'\n"
-          "show.txt:12: error: 'restart' takes nothing, got 'now'\n");
+          "show.txt:12: error: 'restart' takes no arguments, got 'now'\n");
 }
 
 TEST_CASE("times have hours, minutes and seconds") {

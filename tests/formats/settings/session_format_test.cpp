@@ -76,6 +76,28 @@ TEST_CASE("only the latest 200 undo steps are kept") {
     CHECK(read->past.front().step == "step 300");
 }
 
+TEST_CASE("cues are written once for all states that have them, and other ones up to 1 MiB") {
+    Session long_show = session();
+    const CueText cues{"/shows/a.txt", std::string(200'000, '#')};
+    long_show.current.cues = long_show.saved.cues = cues;
+    long_show.past.clear();
+    for (int i = 0; i < 100; ++i)
+        long_show.past.push_back(state("Decay", 0.01 * i));
+    for (SessionState& step : long_show.past)
+        step.cues = cues;
+    const std::string json = session_to_json(long_show);
+    CHECK(json.size() < 300'000);
+    auto read = parse_session(json, "session.json");
+    REQUIRE(read.has_value());
+    CHECK(*read == long_show);
+    for (std::size_t i = 0; i < 100; ++i)
+        long_show.past[i].cues.text[0] = static_cast<char>('!' + i % 10);
+    read = parse_session(session_to_json(long_show), "session.json");
+    REQUIRE(read.has_value());
+    CHECK(read->past.size() == 5);  // of 200,000 bytes each
+    CHECK(read->past.back() == long_show.past.back());
+}
+
 TEST_CASE("a truncated, foreign or newer session is rejected") {
     const std::string whole = session_to_json(session());
     for (std::size_t length = 0; length + 2 < whole.size(); length += 7)

@@ -103,7 +103,7 @@ TEST_CASE("a loop is refused while cues play") {
     planning.plays_cues = true;
     CHECK(planning.plan().is_good());
     planning.form.loops = true;
-    CHECK(planning.problem(ExportField::length) == "Cues don't repeat. Clear Play cues to loop.");
+    CHECK(planning.problem(ExportField::length) == "Cues don't repeat. Turn off Play cues first.");
     planning.plays_cues = false;
     CHECK(planning.plan().is_good());
 }

@@ -24,7 +24,7 @@ TEST_CASE("sounds with other rates or channels are refused") {
     const auto rate = append_sound(sound, {48000, 2, {0.1f, 0.2f}});
     REQUIRE_FALSE(rate.has_value());
     CHECK(rate.error().front().message ==
-          "has 48000 Hz, but the first sound has 1000 Hz. Convert it to join them.");
+          "the sample rate is 48000 Hz, but 1000 Hz in the first sound. Convert one of them.");
     CHECK_FALSE(append_sound(sound, {1000, 6, std::vector<float>(6)}).has_value());
     CHECK(sound.samples.size() == 2);
 }

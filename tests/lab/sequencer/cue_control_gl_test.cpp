@@ -62,6 +62,10 @@ TEST_CASE("cues in the window and in a render give the same frames") {
         CHECK(offline->picture().pixels[0] == doctest::Approx(shown).epsilon(1e-5));
     }
     CHECK(black == 6);  // frames 42 to 47
+    // A picture that is saved now opens with the values of the preset's cue.
+    CHECK(offline->document().values().empty());
+    CHECK(offline->drawn_document().values().at("gain") == Value(6.0));
+    CHECK(cued.small.lab().sequencer().drawn_document().values().at("gain") == Value(6.0));
 }
 
 TEST_CASE("frames follow the cues") {
@@ -126,4 +130,57 @@ TEST_CASE("a file that changed on disk is read again, but unsaved edits stay") {
     REQUIRE(write_atomically(cued.file, std::string("0:05 restart\n")).has_value());
     cued.cues().file_changed(cued.file);
     CHECK(cued.text() == "0:02 restart\n");
+}
+
+TEST_CASE("a saved copy is the file of all undo steps") {
+    CuedLab cued;
+    const std::filesystem::path copy = cued.small.folder() / "copy.txt";
+    cued.cues().move(2, 0.5);
+    cued.cues().save_as(copy);
+    cued.small.lab().edit([](Document& document) { document.undo(); });
+    cued.small.update(1);
+    CHECK(cued.cues().has_changes());
+    cued.cues().save();
+    CHECK(read_text(copy) == std::string(small_show));
+    CHECK_FALSE(cued.cues().has_changes());
+}
+
+TEST_CASE("cues of a session are compared with their file") {
+    CuedLab cued;
+    const CueText kept{cued.file.string(), "0:02 restart\n"};
+    CueControl restarted(cued.small.lab().work(), cued.small.lab().frames());
+    cued.small.lab().work().document->amend([&](DocumentState& state) { state.cues = kept; });
+    restarted.update();
+    CHECK(restarted.has_changes());
+    CHECK(cued.small.lab().messages().notice()->text.find("show.txt") != std::string::npos);
+    cued.small.lab().work().document->amend([&](DocumentState& state) {
+        state.cues = {kept.file, small_show};
+    });
+    CueControl unchanged(cued.small.lab().work(), cued.small.lab().frames());
+    unchanged.update();
+    CHECK_FALSE(unchanged.has_changes());
+}
+
+TEST_CASE("opening the same file again plays it") {
+    CuedLab cued;
+    cued.cues().set_playing(false);
+    cued.small.update(1);
+    CHECK(cued.small.lab().work().cues == nullptr);
+    cued.cues().open(cued.file);
+    CHECK(cued.small.lab().work().cues != nullptr);
+}
+
+TEST_CASE("a preset that was saved again changes its cue") {
+    CuedLab cued("0:00 preset bright\n");
+    cued.step();
+    CHECK(cued.small.shown() == doctest::Approx(2 * 0.5 * 6.0));
+    const std::vector<std::filesystem::path> files = cued.cues().files();
+    REQUIRE(files.size() == 2);
+    Preset preset = *load_preset(files.front());
+    preset.values["gain"] = Value(4.0);
+    REQUIRE(write_atomically(files.front(), preset_to_json(preset)).has_value());
+    cued.cues().file_changed(files.front());
+    cued.small.update(1);
+    cued.step();
+    CHECK(cued.small.lab().sequencer().drawn_document().values().at("gain") == Value(4.0));
 }

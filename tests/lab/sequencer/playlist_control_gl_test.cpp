@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "lab/lab_parts.h"
 #include "lab/sequencer/playlist_control.h"
 #include "lab/small_lab.h"
 
@@ -57,7 +58,7 @@ TEST_CASE("a playlist file with errors is reported and not overwritten") {
     CHECK(read_text(file).value() == "{");
 }
 
-TEST_CASE("in bars it advances on the bars of the tempo") {
+TEST_CASE("a playlist in bars advances with the bars of the tempo") {
     ListedLab listed;
     Playlist list = listed.control().list();
     list.unit = Playlist::Unit::bars;
@@ -72,6 +73,22 @@ TEST_CASE("in bars it advances on the bars of the tempo") {
     CHECK(listed.gain() == 2.0);
     listed.small.update(60);
     CHECK(listed.gain() == 3.0);
+    listed.small.lab().sequencer().tempo().set_bpm(60.0);
+    listed.small.lab().sequencer().tempo().set_bpm(240.0);
+    listed.small.player().seek(20.2);  // many bars later, which is not an advance
+    listed.small.update(10);
+    CHECK(listed.gain() == 3.0);
+}
+
+TEST_CASE("a cleared playlist returns with the notice's Undo") {
+    ListedLab listed;
+    const Playlist list = listed.control().list();
+    listed.control().clear();
+    CHECK(listed.control().list().presets.empty());
+    REQUIRE(listed.small.lab().messages().notice()->buttons.size() == 1);
+    for (const Edit& undo : listed.small.lab().messages().notice()->buttons.front().commands)
+        undo(mutable_parts(listed.small.lab(), nullptr));
+    CHECK(listed.control().list() == list);
 }
 
 TEST_CASE("next and previous work while stopped, and a missing preset is skipped") {

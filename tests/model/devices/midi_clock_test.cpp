@@ -47,7 +47,7 @@ TEST_CASE("jitter of five milliseconds changes the tempo by less than 0.2 beats 
     CHECK(sender.clock.beats_at(sender.now) == doctest::Approx(200.0 / 24.0).epsilon(0.002));
 }
 
-TEST_CASE("another tempo is followed within a beat") {
+TEST_CASE("a tempo change is detected within a beat") {
     Sender sender;
     sender.send(0xFA);
     sender.run(240);

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 namespace {
 /// `gain` and `level` are linear, `mode` is a whole number.
 Look cued_look() {
@@ -87,18 +89,21 @@ TEST_CASE("a restart happens in exactly one frame, also over the end of a loop")
     const CuePlan plan({{.seconds = 1.0, .kind = CueAction::Kind::restart}});
     int restarts = 0;
     for (int i = 0; i < 120; ++i)
-        restarts += plan.restarts_within(i / 60.0, (i + 1) / 60.0, 0.0) ? 1 : 0;
+        restarts += plan.restarts_within(i / 60.0, (i + 1) / 60.0, 0.0, 9.0) ? 1 : 0;
     CHECK(restarts == 1);
-    CHECK(plan.restarts_within(0.99, 0.2, 0.1));     // the loop ends after 1 s
-    CHECK(plan.restarts_within(3.99, 1.005, 0.99));  // it starts before 1 s
-    CHECK_FALSE(plan.restarts_within(3.99, 0.5, 0.2));
-    CHECK_FALSE(plan.restarts_within(3.99, 2.0, 1.5));  // the cue is before the loop
+    CHECK(plan.restarts_within(0.99, 0.2, 0.1, 1.01));    // the loop ends after 1 s
+    CHECK(plan.restarts_within(3.99, 1.005, 0.99, 4.0));  // it starts before 1 s
+    CHECK_FALSE(plan.restarts_within(3.99, 0.5, 0.2, 4.0));
+    CHECK_FALSE(plan.restarts_within(3.99, 2.0, 1.5, 4.0));  // the cue is before the loop
+    CHECK_FALSE(plan.restarts_within(0.79, 0.2, 0.1, 0.8));  // it is after the loop
 }
 
 TEST_CASE("thousands of overlapping cues are evaluated without recursion") {
+    // Each begins 1 ms after the previous one, which has covered 1e-5 of its way to 3 by then.
     std::vector<CueAction> actions;
     for (int i = 0; i < 10'000; ++i)
-        actions.push_back(set(i * 0.001, "gain", i % 2, 1e5));
+        actions.push_back(set(i * 0.001, "gain", 3.0, 100.0));
     const CuePlan plan(std::move(actions));
-    CHECK(value_at(plan, 100.0) == doctest::Approx(1.0).epsilon(0.1));
+    const double left = 2.0 * std::pow(1.0 - 1e-5, 9'999);  // when the last one begins, from 1
+    CHECK(value_at(plan, 9.999 + 50.0) == doctest::Approx(3.0 - left / 2).epsilon(1e-6));
 }

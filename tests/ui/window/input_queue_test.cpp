@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 using gpu::ButtonEvent;
@@ -55,6 +56,17 @@ TEST_CASE("keys pressed and released within one frame are each seen") {
     CHECK(presses_seen(queue, 'A') == 3);
     add(queue, {tap(gpu::key::enter), tap(gpu::key::enter)});
     CHECK(presses_seen(queue, gpu::key::enter) == 2);
+}
+
+TEST_CASE("a command key waits until the one before it has taken effect") {
+    InputQueue queue;
+    add(queue, {tap(gpu::key::escape), tap(gpu::key::first_function)});
+    const auto is_first_function = [](const gpu::InputEvent& event) {
+        const auto* key = std::get_if<KeyEvent>(&event);
+        return key && key->key == gpu::key::first_function;
+    };
+    CHECK(std::ranges::none_of(queue.take_frame(false), is_first_function));
+    CHECK(presses_seen(queue, gpu::key::first_function) == 1);
 }
 
 TEST_CASE("a key with Control is seen while Control is down, for any order of release") {
