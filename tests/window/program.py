@@ -111,19 +111,24 @@ class Program:
 
     def scroll_to(self, widget, rows):
         """Scrolls a list by the wheel until a row is within its pane."""
-        def is_visible(state):
-            row, pane = state["widgets"].get(widget), state["widgets"].get(rows)
-            return row and pane and pane[1] + 2 < (row[1] + row[3]) / 2 < pane[3] - 2
+        def shown(state):
+            return {name: place for name, place in state["widgets"].items()
+                    if name.startswith(widget.split(":")[0] + ":")}
 
-        self.wait("the list '%s'" % rows, lambda s: rows in s["widgets"])
-        for button in (4, 5):  # up to the first row, then down
-            for _ in range(30):
-                if is_visible(self.state()):
-                    return
-                left, top, right, bottom = self.state()["widgets"][rows]
-                turn = self.state()["turn"]
-                self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", button)
-                self.wait("the wheel is processed", lambda s: s["turn"] > turn + 2)
+        state = self.wait("the list '%s'" % rows, lambda s: rows in s["widgets"])
+        direction = -1  # up; of a row that is not drawn, only the end of the list shows the direction
+        before = None
+        for _ in range(60):
+            (left, top, right, bottom), row = state["widgets"][rows], state["widgets"].get(widget)
+            if row and top + 2 < (row[1] + row[3]) / 2 < bottom - 2:
+                return
+            if row:
+                direction = -1 if row[1] < top else 1
+            elif shown(state) == before:
+                direction = -direction
+            before = shown(state)
+            self.screen.do("mousemove", (left + right) // 2, (top + bottom) // 2, "click", 4 if direction < 0 else 5)
+            state = self.wait("the wheel is processed", lambda s: s["turn"] > state["turn"] + 2)
 
     def middle(self, widget):
         left, top, right, bottom = self.place(widget)

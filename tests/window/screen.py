@@ -36,8 +36,12 @@ class Screen:
         shutil.rmtree(self.folder, ignore_errors=True)
 
     def do(self, *words):
-        """Runs xdotool."""
-        subprocess.run(["xdotool", *map(str, words)], check=True, stdout=subprocess.DEVNULL,
+        """Runs xdotool. Without its sleep of 100 ms after each click, unless the words say otherwise."""
+        told = [str(word) for word in words]
+        for i in reversed([i for i, word in enumerate(told[:-1]) if word == "click"]):
+            if not told[i + 1].startswith("--"):
+                told[i + 1:i + 1] = ["--delay", "0"]
+        subprocess.run(["xdotool", *told], check=True, stdout=subprocess.DEVNULL,
                        env={**os.environ, "DISPLAY": self.display})
 
     def window(self):
