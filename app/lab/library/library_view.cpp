@@ -122,6 +122,8 @@ void LibraryView::update(const Library& library, const Look* open, double wall_s
         return;
     m_open = argument;
     m_seconds_left = 1.0;
+    if (m_templates.empty())
+        m_templates = look_templates(library.roots().program);
     m_looks.clear();
     for (const LookEntry& entry : library.looks()) {
         const Texts& texts = texts_of(entry.folder / "look.json", true);

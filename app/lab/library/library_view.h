@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/library/library.h"
+#include "lab/library/look_templates.h"
 #include "model/look/look.h"
 
 #include <filesystem>
@@ -41,6 +42,7 @@ public:
     void refresh() { m_seconds_left = 0.0; }
 
     const std::vector<ListedLook>& looks() const { return m_looks; }
+    const std::vector<LookTemplate>& templates() const { return m_templates; }
     /// The name and description in a file. A broken file keeps its last name; an empty name: it was
     /// never readable.
     struct Texts {
@@ -58,5 +60,6 @@ private:
     double m_seconds_left = 0.0;
     std::string m_open;  // argument of the open look
     std::vector<ListedLook> m_looks;
+    std::vector<LookTemplate> m_templates;
     std::map<std::filesystem::path, Texts> m_texts;
 };

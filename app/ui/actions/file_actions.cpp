@@ -47,6 +47,10 @@ void show_in_folder(const Scene& scene, Edits& edits) {
     });
 }
 
+void new_look(const Scene& scene, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::new_look, .text = scene.lab.looks.proposed_id()});
+}
+
 template <int by>
 void step_preset(const Scene& scene, Edits& edits) {
     edits.change([only_starred = scene.window.presets.only_starred](PresetCommands& presets) {
@@ -283,7 +287,7 @@ std::vector<Action> file_actions::list() {
          false,
          restore_unsaved,
          has_stashed_session},
-        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, show<Kind::new_look>},
+        {ActionId::new_look, Menu::file, "New look…", {'N', true}, true, new_look},
         {ActionId::duplicate_look,
          Menu::file,
          "Duplicate look…",

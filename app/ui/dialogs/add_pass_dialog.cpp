@@ -16,12 +16,12 @@ void draw_add_pass_dialog(const Scene& scene, Edits& edits) {
     if (!frame.is_open())
         return;
     dim_text(fmt::format("Name of the pass after \"{}\"", after));
-    const std::string name = draw_name_field(passes.proposed_name(after), scene, edits);
+    const std::string name = draw_name_field(scene, edits);
     const std::string problem = passes.problem_of_name(after, name);
     if (problem.empty())
         wrapped_dim_text(fmt::format("Creates {}.frag and an entry in look.json.", name));
     else
-        draw_name_problem(problem, edits);
+        draw_dialog_problem(problem, edits);
     if (!draw_dialog_buttons("Add", problem.empty(), edits))
         return;
     close_dialog(edits);

@@ -1,5 +1,6 @@
 #include "ui/dialogs/dialog_rows.h"
 
+#include "ui/dialogs/dialog_frame.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -17,13 +18,11 @@ void dialog_row(const char* label) {
     ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + dialog_label_width());
 }
 
-void dialog_problem(const std::string& text, Edits& edits) {
+void dialog_row_problem(const std::string& text, Edits& edits) {
     if (text.empty())
         return;
     ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + dialog_label_width());
-    const ScopedColor color(ImGuiCol_Text, theme::problem);
-    ImGui::TextUnformatted(wrapped(text, ImGui::GetContentRegionAvail().x).c_str());
-    edits.mark("dialog_problem");
+    draw_dialog_problem(text, edits);
 }
 
 std::string dialog_text(const char* id, const std::string& text, const std::string& hint,

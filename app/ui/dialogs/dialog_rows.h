@@ -11,7 +11,7 @@ float dialog_label_width();
 /// Starts a row: its label, then the control is drawn next. The control gets the remaining width.
 void dialog_row(const char* label);
 /// A line below a control, aligned with it: the problem of its field. "": no line.
-void dialog_problem(const std::string& text, Edits& edits);
+void dialog_row_problem(const std::string& text, Edits& edits);
 
 /// A text field. Returns the text, with the input of this frame.
 std::string dialog_text(const char* id, const std::string& text, const std::string& hint,

@@ -11,6 +11,7 @@
 #include "ui/dialogs/help_dialogs.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
+#include "ui/dialogs/name_field.h"
 #include "ui/dialogs/new_look_dialog.h"
 #include "ui/dialogs/palette_dialog.h"
 #include "ui/dialogs/prompt_dialog.h"
@@ -22,7 +23,7 @@
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
-#include <imgui/imgui_stdlib.h>
+#include <imgui/imgui.h>
 
 #include <algorithm>
 
@@ -59,31 +60,6 @@ bool is_other_preset(const Scene& scene, const std::string& name) {
            is_preset(scene, name);
 }
 
-void set_name(const std::string& text, Edits& edits) {
-    edits.arrange([text](WindowState& window) {
-        window.dialog.text = text;
-        window.dialog.problem.clear();
-        window.dialog.is_new = true;  // focuses the field
-    });
-}
-
-// The name, including the input of this frame.
-std::string draw_name(const Scene& scene, Edits& edits) {
-    std::string text = scene.window.dialog.text;
-    if (scene.window.dialog.is_new) {
-        ImGui::SetKeyboardFocusHere();
-        edits.arrange([](WindowState& window) { window.dialog.is_new = false; });
-    }
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputText("##name", &text, ImGuiInputTextFlags_AutoSelectAll))
-        edits.arrange([text](WindowState& window) {
-            window.dialog.text = text;
-            window.dialog.problem.clear();
-        });
-    edits.mark("dialog_name");
-    return text;
-}
-
 void draw_taken(const std::string& name, bool replaces, Edits& edits) {
     const ScopedColor color(ImGuiCol_Text, theme::warning);
     ImGui::TextWrapped(replaces ? "\"%s\" already exists and will be replaced."
@@ -98,13 +74,13 @@ void draw_name_dialog(const Question& question, const Scene& scene, Edits& edits
     if (!frame.is_open())
         return;
     dim_text(question.help);
-    const std::string text = draw_name(scene, edits);
+    const std::string text = draw_name_field(scene, edits);
     if (scene.window.dialog.kind == Dialog::Kind::save_preset_as)
         wrapped_dim_text(
             fmt::format("Saved in {}", display_folder(scene.lab.presets.destination())));
     const NameCheck check = question.check(text);
     if (const auto suggestion = draw_name_advice(check, edits))
-        set_name(*suggestion, edits);
+        replace_name(*suggestion, edits);
     const bool is_taken = check.is_valid && question.is_taken(scene, text);
     const bool replaces = is_taken && question.replace;
     if (is_taken)

@@ -48,7 +48,7 @@ public:
 private:
     float room() const { return ImGui::GetContentRegionAvail().x; }
     float number_width() const { return ImGui::GetFontSize() * 7.0f; }
-    void problem(ExportField field) const { dialog_problem(m_plan.problem_of(field), m_edits); }
+    void problem(ExportField field) const { dialog_row_problem(m_plan.problem_of(field), m_edits); }
 
     void draw_file(bool is_new) {
         const float kind_width = ImGui::GetFontSize() * 9.0f;

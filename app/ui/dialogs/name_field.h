@@ -5,8 +5,8 @@
 
 #include <string>
 
-/// A text field for the name in Dialog::text, with the focus, and the problem of this name below
-/// it. While the dialog is new, the field has `proposed`. Returns the name.
-std::string draw_name_field(const std::string& proposed, const Scene& scene, Edits& edits);
-/// The problem of the name, in one reserved line.
-void draw_name_problem(const std::string& problem, Edits& edits);
+/// A text field for the name in Dialog::text. It gets the focus in a new dialog. Returns the name
+/// with the input of this frame.
+std::string draw_name_field(const Scene& scene, Edits& edits);
+/// Replaces the name in the field and gives it the focus.
+void replace_name(const std::string& name, Edits& edits);

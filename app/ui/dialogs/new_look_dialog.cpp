@@ -59,7 +59,7 @@ void draw_new_look_dialog(const Scene& scene, Edits& edits) {
     const DialogFrame frame("New look", 40.0f, scene, edits);
     if (!frame.is_open())
         return;
-    const std::vector<LookTemplate> templates = look_templates(scene.roots.program);
+    const std::vector<LookTemplate>& templates = scene.library_view.templates();
     if (templates.empty()) {
         wrapped_dim_text("The program's templates are missing. Reinstall Afterglow.");
         draw_close_button("Close", edits);
@@ -69,10 +69,10 @@ void draw_new_look_dialog(const Scene& scene, Edits& edits) {
     wrapped_dim_text(chosen.about);
     ImGui::Spacing();
     dim_text("Folder name");
-    const std::string id = draw_name_field(scene.lab.looks.proposed_id(), scene, edits);
+    const std::string id = draw_name_field(scene, edits);
     const NameCheck check = check_look_id(id);
     if (const auto suggestion = draw_name_advice(check, edits))
-        edits.arrange([text = *suggestion](WindowState& window) { window.dialog.text = text; });
+        replace_name(*suggestion, edits);
     const std::string taken = check.is_valid ? scene.lab.looks.problem_of_id(id) : std::string();
     const std::string& problem = taken.empty() ? scene.window.dialog.problem : taken;
     if (check.is_valid && !problem.empty())

@@ -109,7 +109,7 @@ void draw_still_dialog(const Scene& scene, Edits& edits) {
     draw_size(form, render_size, edits);
     const auto settings =
         planned_still(form, render_size, scene.lab.player.transport().time(), is_taken);
-    dialog_problem(settings ? "" : settings.error().front().message, edits);
+    dialog_row_problem(settings ? "" : settings.error().front().message, edits);
     wrapped_dim_text(still_formats()[static_cast<std::size_t>(form.format)].help);
     std::error_code ignored;
     const bool replaces = settings && fs::exists(settings->file, ignored);

@@ -5,10 +5,13 @@
 #include <imgui/imgui.h>
 
 void ask_for_pass(const std::string& after, const Scene& scene, Edits& edits) {
-    if (scene.lab.looks.passes().refusal(after))
+    const PassCommands& passes = scene.lab.looks.passes();
+    if (passes.refusal(after))
         edits.change([after](LookCommands& looks) { looks.passes().refuse(after); });
     else
-        edits.show({.kind = Dialog::Kind::add_pass, .subject = after});
+        edits.show({.kind = Dialog::Kind::add_pass,
+                    .text = passes.proposed_name(after),
+                    .subject = after});
 }
 
 void draw_pass_edits(const std::string& pass, const Scene& scene, Edits& edits) {
