@@ -1,12 +1,13 @@
 #include "lab/lab.h"
 
 #include "base/elapsed.h"
-#include "formats/preset/modulation_format.h"
+#include "formats/preset/fitted_preset.h"
 #include "formats/preset/preset_format.h"
 #include "lab/commands/remote_commands.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/sharing.h"
+#include "lab/document/users_content.h"
 #include "lab/lab_parts.h"
 #include "lab/offline/thumbnail.h"
 #include "lab/session.h"
@@ -91,6 +92,8 @@ void Lab::open_document(BuiltLook& built) {
     const bool had_changes = document && is_modified(*document);
     const bool loses_changes = had_changes && has_unlocked_changes(*document);
     const Content content = document ? content_of(*document) : m_content.initial();
+    const bool keeps_time =
+        document && !request.brings_content && is_locked_in(*built.look, content.locks);
     const Tempo tempo = document ? document->state().tempo : m_sequencer.initial_tempo();
     const CueText cues = document ? document->state().cues : m_sequencer.initial_cues();
     std::optional<Session> left;
@@ -112,7 +115,7 @@ void Lab::open_document(BuiltLook& built) {
         state.tempo = tempo;
     });
     remember_files(*document, m_work.media.recent());
-    m_frames.open(built, is_same);
+    m_frames.open(built, {is_same, keeps_time});
     open_values(request);
     if (!is_same)
         m_parameters.load();
@@ -136,24 +139,13 @@ void Lab::open_values(const OpenRequest& request) {
     const fs::path folder = media_folder(request.preset_file);
     CheckedPreset checked =
         with_checked_media(*request.preset, m_work.document->look(), folder, m_work.media.recent());
-    Preset preset = std::move(checked.preset);
-    const auto warn = [this](Diagnostics& problems) {
-        for (Diagnostic& problem : problems)
-            problem.severity = Severity::warning;
-        m_work.messages.add_look_problems(problems);
-    };
-    // List items are found by label. Values that do not fit become the nearest ones.
-    if (auto fitted = fitted_values(m_work.document->look(), preset, request.preset_file))
-        preset.values = std::move(*fitted);
-    else
-        warn(fitted.error());
-    if (auto fitted = fitted_modulations(m_work.document->look(), preset, request.preset_file))
-        preset.modulations = std::move(*fitted);
-    else
-        warn(fitted.error());
+    Diagnostics warnings;  // values that do not fit become the nearest ones
+    const Preset preset = fitted_preset(m_work.document->look(), std::move(checked.preset),
+                                        request.preset_file, warnings);
+    m_work.messages.add_look_problems(warnings);
     if (request.preset_file.empty()) {  // a line of text: stored nowhere yet
-        m_work.document->opened_preset().identity = preset;
-        m_work.document->opened_preset().file.clear();
+        opened_preset(*m_work.document).identity = preset;
+        opened_preset(*m_work.document).file.clear();
         apply_preset(*m_work.document, preset, "Open preset");
     } else {
         open_preset(*m_work.document, preset, request.preset_file, content);
@@ -174,6 +166,8 @@ void Lab::watch_extra_files() {
         add(file);
     for (const fs::path& file : m_sequencer.cues().files())
         add(file);
+    if (std::error_code error; fs::exists(m_sequencer.playlist().file(), error))
+        add(m_sequencer.playlist().file());
     m_loader.files().watch_extra(std::move(files));
 }
 
@@ -183,6 +177,7 @@ void Lab::file_changed(const fs::path& file) {
     if (file == preset_file(*m_work.document))
         m_presets.sharing().file_changed(file);
     m_sequencer.cues().file_changed(file);
+    m_sequencer.playlist().file_changed(file);
     if (m_work.pictures.forget(file))
         m_frames.reapply();  // reads it again, and draws a paused picture again
     m_frames.comparison().file_changed(file);

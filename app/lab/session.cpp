@@ -19,6 +19,30 @@ fs::path session_file(const Roots& roots) {
     return roots.state / instance_file_name("session", roots.instance);
 }
 
+// The presets that states of the history are based on, as indices of the document's and of the
+// session's list. The first one is that of the current state.
+class SessionOrigins {
+public:
+    explicit SessionOrigins(const Document& document) {
+        add(document.state());
+        for (const auto* steps : {&document.history().past(), &document.history().future()})
+            for (const auto& step : *steps)
+                add(step.state);
+    }
+    const std::vector<std::size_t>& all() const { return m_all; }
+    std::size_t index_of(const DocumentState& state) const {
+        return static_cast<std::size_t>(std::ranges::find(m_all, state.origin) - m_all.begin());
+    }
+
+private:
+    void add(const DocumentState& state) {
+        if (std::ranges::find(m_all, state.origin) == m_all.end())
+            m_all.push_back(state.origin);
+    }
+
+    std::vector<std::size_t> m_all;
+};
+
 SessionState session_state(const DocumentState& state, const Look& look, std::string step) {
     SessionState saved{std::move(step), {}, state.overrides};
     saved.preset.look = state.stack.empty() ? look.id : stack_id(state.stack);
@@ -78,18 +102,35 @@ DocumentState document_state(const SessionState& saved, const Ground& ground) {
     state.tempo = saved.preset.tempo.value_or(Tempo{});
     state.locks = saved.locks;
     state.cues = saved.cues;
+    state.origin = saved.opened;
     return state;
 }
 
 using HistorySteps = std::vector<Undo<DocumentState>::Step>;
 
-std::vector<SessionState> session_states(const HistorySteps& steps, const Look& look) {
+std::vector<SessionState> session_states(const HistorySteps& steps, const Look& look,
+                                         const SessionOrigins& origins) {
     std::vector<SessionState> states;
     for (const auto& step : steps) {
         states.push_back(session_state(step.state, look, step.name));
         states.back().chose_content = step.is_marked;
+        states.back().opened = origins.index_of(step.state);
     }
     return states;
+}
+
+std::vector<SessionPreset> session_presets(const Document& document,
+                                           const SessionOrigins& origins) {
+    std::vector<SessionPreset> presets;
+    for (const std::size_t origin : origins.all()) {
+        const OpenedPreset& opened = document.opened_presets()[origin];
+        SessionState saved = session_state(opened.saved, document.look(), {});
+        saved.preset.name = opened.identity.name;
+        saved.preset.about = opened.identity.about;
+        saved.preset.author = opened.identity.author;
+        presets.push_back({opened.file.string(), std::move(saved)});
+    }
+    return presets;
 }
 
 HistorySteps document_steps(const std::vector<SessionState>& states, const Ground& ground) {
@@ -102,11 +143,15 @@ HistorySteps document_steps(const std::vector<SessionState>& states, const Groun
 void restore_document(Document& document, const Session& session) {
     const Look look = document.look();
     const Ground ground{look, session.looks};
+    std::vector<OpenedPreset> presets;
+    for (const SessionPreset& opened : session.opened) {
+        presets.push_back({opened.saved.preset, opened.file, document_state(opened.saved, ground)});
+        presets.back().saved.origin = presets.size() - 1;
+    }
     document.replace_history(Undo<DocumentState>::restored(document_steps(session.past, ground),
                                                            document_state(session.current, ground),
-                                                           document_steps(session.future, ground)));
-    document.opened_preset() = {session.saved.preset, session.preset_file,
-                                document_state(session.saved, ground)};
+                                                           document_steps(session.future, ground)),
+                             std::move(presets));
 }
 
 void note_paths(const DocumentState& state, LookPaths& paths) {
@@ -116,7 +161,9 @@ void note_paths(const DocumentState& state, LookPaths& paths) {
 
 LookPaths paths_of(const Document& document) {
     LookPaths paths;
-    note_paths(document.opened_preset().saved, paths);
+    const SessionOrigins origins(document);
+    for (const std::size_t origin : origins.all())
+        note_paths(document.opened_presets()[origin].saved, paths);
     for (const auto* steps : {&document.history().past(), &document.history().future()})
         for (const auto& step : *steps)
             note_paths(step.state, paths);
@@ -187,15 +234,11 @@ Session session_of(const Lab& lab, std::map<std::string, double> window) {
     const Look& look = document->look();
     session.look = look.manifest.string();
     session.looks = paths_of(*document);
-    session.preset_file = preset_file(*document).string();
-    session.saved = session_state(document->opened_preset().saved, look, {});
-    const Preset& identity = document->opened_preset().identity;
-    session.saved.preset.name = identity.name;
-    session.saved.preset.about = identity.about;
-    session.saved.preset.author = identity.author;
+    const SessionOrigins origins(*document);
+    session.opened = session_presets(*document, origins);
     session.current = session_state(document->state(), look, {});
-    session.past = session_states(document->history().past(), look);
-    session.future = session_states(document->history().future(), look);
+    session.past = session_states(document->history().past(), look, origins);
+    session.future = session_states(document->history().future(), look, origins);
     return session;
 }
 

@@ -190,7 +190,7 @@ class Sound(FilmTest):
         scope = ("render", "vector-beam", "--size", "64x64", "--signal")
         done = run(*scope, f"audio:{sound},mode=xy", "-o", self.folder / "a.mp4")
         self.assert_done(done)
-        self.assertIn("warning: AAC distorts the sound and the XY figure drawn from it. Use .mov or .mkv", done.stderr)
+        self.assertIn("warning: AAC changes the sound. An oscilloscope that plays this film draws a distorted figure. Use .mov or .mkv", done.stderr)
         for signal, name, more in ((f"audio:{sound},mode=waveform", "b.mp4", ()), (f"audio:{sound},mode=xy", "c.mkv", ()),
                                    (f"audio:{sound},mode=xy", "d.mp4", ("--audio-codec", "none"))):
             self.assertNotIn("distorts", run(*scope, signal, *more, "-o", self.folder / name).stderr)

@@ -98,6 +98,13 @@ class Timeline(ProgramTest):
         self.assert_refused(run("render", "phosphor", "--cues", cues, "-o", self.folder / "x.png"),
                             "show.txt:2: error: ", "show.txt:3: error: ")
 
+    def test_a_preset_cue_gives_the_frames_of_the_preset(self):
+        """Also those of its tube, which sets the number of channels of a pass."""
+        cues = self.write("show.txt", '0:00 preset "Amber P3"\n')
+        signal = ("--signal", "lissajous:x=3,y=2")
+        self.assertEqual(self.frames("cued", "--cues", cues, *signal),
+                         self.frames("preset", "--preset", "amber-p3", *signal))
+
     def test_a_blackout_is_black(self):
         cues = self.write("show.txt", "0:00.1 blackout on\n0:00.15 blackout off\n")
         black = self.frames("black", "--cues", cues)

@@ -41,7 +41,7 @@ TEST_CASE("setting a modulation can be undone, and running it is not a change") 
     const Document& document = small.document();
     CHECK(document.history().undo_name() == "Modulation of Gain");
     CHECK(is_modified(document));
-    small.lab().edit([](Document& changed) { changed.opened_preset().saved = changed.state(); });
+    small.lab().edit([](Document& changed) { opened_preset(changed).saved = changed.state(); });
     for (int i = 0; i < 20; ++i) {
         small.update(1);
         CHECK(is_close(small.shown(), small.frames() * gain_at(small.player().transport().time())));

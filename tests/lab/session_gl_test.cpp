@@ -1,3 +1,4 @@
+#include "formats/preset/preset_format.h"
 #include "io/pictures/picture_file.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"
@@ -53,6 +54,36 @@ TEST_CASE("unsaved values, undo, redo, preset, time and render size are restored
         small.lab().edit([](Document& document) { document.undo(); });
     CHECK(small.document().values().at("gain") == Value(2.0));
     CHECK_FALSE(is_modified(small.document()));
+}
+
+TEST_CASE("undo after a restart returns to the preset that was open before") {
+    SmallLab small;
+    set_gain(small, 2.0);
+    small.lab().presets().save_as("two");
+    set_gain(small, 3.0);
+    small.lab().presets().save_as("three");
+    const fs::path three = preset_file(small.document());
+    const auto two = load_preset(three.parent_path() / "two.json");
+    REQUIRE(two.has_value());
+    small.lab().edit(
+        [&](Document& document) { open_preset(document, *two, three.parent_path() / "two.json"); });
+    const Session session = stored(small);
+    CHECK(session.opened.size() == 2);
+
+    small.start();
+    restore(small.lab(), session);
+    REQUIRE(small.update_until([&] { return small.lab().document() != nullptr; }));
+    CHECK(preset_name(small.document()) == "two");
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(preset_file(small.document()) == three);
+    CHECK(preset_name(small.document()) == "three");
+    CHECK_FALSE(is_modified(small.document()));
+
+    small.lab().edit([](Document& document) { document.redo(); });
+    small.lab().presets().rename(three, "four");  // also for the past
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(preset_name(small.document()) == "four");
+    CHECK(preset_file(small.document()).stem() == "four");
 }
 
 TEST_CASE("a change is saved at once, and a drag when it ends") {
@@ -137,7 +168,7 @@ TEST_CASE("unsaved changes are stored when another look opens, and can be restor
 
 TEST_CASE("changes are counted without locked content, and ages are rounded") {
     Session session;
-    session.saved.preset.values = {{"a", Value(1.0)}, {"b", Value(1.0)}};
+    session.opened.front().saved.preset.values = {{"a", Value(1.0)}, {"b", Value(1.0)}};
     session.current.preset.values = {{"a", Value(2.0)}, {"c", Value(1.0)}};
     session.current.preset.signal = Spec{"waveform", {}};
     session.current.overrides["sum"].scale = 0.5;
@@ -156,7 +187,7 @@ TEST_CASE("the latest 12 unsaved sessions are kept") {
     Session session;
     session.look = "small";
     session.current.preset.look = "small";
-    session.saved.preset.look = "small";
+    session.opened.front().saved.preset.look = "small";
     for (int i = 1; i <= 14; ++i) {
         session.current.preset.values["gain"] = Value(static_cast<double>(i));
         CHECK(sessions.keep(session).value_or(false));
@@ -178,7 +209,7 @@ TEST_CASE("a preset's name cannot select the folder of the unsaved changes") {
     Session session;
     session.current.preset.look = "small";
     session.current.preset.values["gain"] = Value(2.0);
-    session.saved.preset.name = "../up\n" + std::string(115, 'x') + "\u00e9";
+    session.opened.front().saved.preset.name = "../up\n" + std::string(115, 'x') + "\u00e9";
     REQUIRE(sessions.keep(session).value_or(false));
     const fs::path file = sessions.files().front();
     CHECK(file.parent_path() == small.roots().state / "unsaved");

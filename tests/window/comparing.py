@@ -44,6 +44,19 @@ class Comparing(Person):
         self.assertEqual(state["undo"], "Recall slot A")
         program.key("ctrl+z")
 
+        self.screen.do("mousemove", *program.middle("slot:A"), "click", 3)
+        program.click("slot:A:empty")
+        program.wait("the menu clears the slot", lambda s: s["slots"] == [None, None, None])
+        program.click("preset:overdriven")
+        program.wait("a preset is open", lambda s: s["preset"] == "Overdriven")
+        program.key("shift+F5")
+        program.click("preset:amber-p3")
+        program.wait("another preset is open", lambda s: s["preset"] == "Amber P3")
+        program.key("F5")
+        program.wait("the slot brings its preset back", lambda s: s["preset"] == "Overdriven" and s["slots"][0])
+        program.key("ctrl+z")
+        program.wait("undo restores the other one", lambda s: s["preset"] == "Amber P3")
+
     def test_while_a_key_is_held_the_other_picture_is_shown(self):
         program = self.program
         program.click("play")

@@ -74,6 +74,11 @@ class Exporting(Person):
         program = self.program
         self.ask_for_export("film.avi")
         program.place("dialog_problem")
+        program.click("export_size")
+        program.place("export_size:Custom")
+        program.key("Escape")
+        program.wait("Escape closes only the list", lambda s: "export_size:Custom" not in s["widgets"])
+        self.assertNotEqual(program.state()["dialog"], 0)
         self.snapshot("export_problem")
         program.key("Return")
         self.fill(dialog_file=str(program.folder / "film_%02d.png"), export_seconds="0.03", export_fps="abc")

@@ -15,6 +15,12 @@ class Helping(Person):
         program = self.program
         program.key("F1")
         program.place("keys_search")
+        widgets = program.state()["widgets"]
+        names = [name[4:] for name in widgets if name.startswith("key:") and "key_label:" + name[4:] in widgets]
+        self.assertGreater(len({widgets["key:" + name][0] for name in names}), 1, "columns")
+        for name in names:
+            gap = widgets["key_label:" + name][0] - widgets["key:" + name][2]
+            self.assertTrue(0 < gap < 20, "the label of %s is %s px after its key" % (name, gap))
         program.type("play or")
         program.wait("the list is filtered", lambda s: "key:undo" not in s["widgets"])
         program.click("key:play_pause")

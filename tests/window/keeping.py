@@ -87,6 +87,19 @@ class Keeping(Person):
         program.wait("pasting restores the value in one step",
                      lambda s: s["values"]["decay"][0] == 0.61 and s["undo"] == "Paste")
 
+    def test_an_item_of_a_list_is_pasted_by_its_name(self):
+        program = self.program
+        program.click("preset:amber-p3")
+        tube = program.wait("the preset is open", lambda s: s["preset"] == "Amber P3")["values"]["tube"]
+        self.hover("picture")
+        program.key("ctrl+c")
+        program.wait("the preset is copied", lambda s: "Copied" in s["notice"])
+        program.click("preset:")
+        program.wait("the defaults are open", lambda s: s["preset"] == "" and s["values"]["tube"] != tube)
+        self.hover("picture")
+        program.key("ctrl+v")
+        program.wait("the tube is pasted", lambda s: s["values"]["tube"] == tube and s["undo"] == "Paste")
+
     def test_a_preset_opens_in_one_step_and_nothing_unsaved_is_lost(self):
         program = self.program
         program.set("decay", "0.61")

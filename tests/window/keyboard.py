@@ -63,6 +63,38 @@ class Keyboard(Person):
         self.screen.do("mousemove", *program.middle("picture"), "click", 2)
         program.wait("a click takes the focus", lambda s: "focus" not in s["widgets"])
 
+    def test_tab_moves_through_a_dialog_and_enter_activates_its_control(self):
+        program = self.program
+        program.key("ctrl+n")
+        program.place("dialog_name")
+        self.press_until("the third template", "shift+Tab", lambda focus: self.is_on("template:generator", focus))
+        self.snapshot("focus_dialog")
+        program.key("Return")
+        program.place("focus")
+        self.assertNotEqual(program.state()["dialog"], 0)
+        self.press_until("Cancel", "Tab", lambda focus: self.is_on("dialog_cancel", focus))
+        program.key("Return")
+        program.wait("Cancel is activated", lambda s: s["dialog"] == 0 and "focus" not in s["widgets"])
+
+    def test_escape_closes_menus_level_by_level_and_tab_opens_none(self):
+        program = self.program
+        program.key("F10")
+        program.place("menu:Open…")
+        program.key("Escape")
+        program.wait("the menu is closed", lambda s: "menu:Open…" not in s["widgets"])
+        program.key("Tab")
+        program.place("focus")
+        program.key("Tab")
+        program.place("focus")
+        self.assertNotIn("menu:Open…", program.state()["widgets"])
+        program.key("Escape")
+        program.wait("no control has the focus", lambda s: "focus" not in s["widgets"])
+        program.click("menu:View")
+        self.hover("menu:Output")
+        program.place("menu:Blackout")
+        program.key("Escape", "Escape")
+        program.wait("both menus are closed", lambda s: "menu:Output" not in s["widgets"])
+
     def test_letters_choose_an_item_of_an_open_list(self):
         program = self.program
         program.reveal("tube")

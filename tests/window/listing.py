@@ -68,6 +68,12 @@ class Listing(Person):
                      and "parameter:beam_width" not in s["widgets"])
         program.click("search_clear")
         program.wait("the search is empty", lambda s: "parameter:beam_width" in s["widgets"])
+        program.key("ctrl+f")
+        program.type("vign")
+        program.wait("the list is filtered", lambda s: "parameter:beam_width" not in s["widgets"])
+        program.key("ctrl+a", "BackSpace", "Escape")
+        program.place("picture")
+        self.assertNotIn("search_clear", program.state()["widgets"], "an emptied box stays empty")
 
     def test_the_die_of_a_group_randomises_it_with_the_chosen_strength(self):
         program = self.program

@@ -26,7 +26,7 @@ STORIES = {
 
 def main():
     person.PICTURE[:] = SIZE  # before the tests are imported
-    program.PATIENCE_SECONDS = 120
+    program.TIMEOUT_SECONDS = 120
     from window_test import WindowTest
 
     class Manual(WindowTest):

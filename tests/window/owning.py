@@ -31,7 +31,9 @@ class Owning(Person):
     def test_a_preset_keeps_the_users_sound_and_offers_its_own(self):
         program = self.program
         self.open_song()
+        time = program.wait("the sound has played", lambda s: s["time"] > 1)["time"]
         state = self.open_preset("preset:overdriven", "Overdriven")
+        self.assertGreaterEqual(state["time"], time, "the sound continues")
         self.assertTrue(state["signal"].startswith("audio:"))
         self.assertEqual(state["notice"], "Kept song.wav")
         self.assertFalse(state["is_modified"])

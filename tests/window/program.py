@@ -8,7 +8,7 @@ import subprocess
 import time
 from pathlib import Path
 
-PATIENCE_SECONDS = 30
+TIMEOUT_SECONDS = 30
 
 
 class Program:
@@ -75,7 +75,7 @@ class Program:
 
     def wait(self, what, is_true):
         """Waits until `is_true` for the state, and returns it. Reports `what` after a timeout."""
-        end = time.monotonic() + PATIENCE_SECONDS
+        end = time.monotonic() + TIMEOUT_SECONDS
         state = {}
         while time.monotonic() < end:
             if self.process.poll() is not None:
@@ -200,7 +200,7 @@ class Program:
 
     def quit(self):
         self.key("ctrl+q")
-        self.process.wait(PATIENCE_SECONDS)
+        self.process.wait(TIMEOUT_SECONDS)
         assert self.process.returncode == 0, "the program ended with %s" % self.process.returncode
 
     def kill(self):

@@ -7,7 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from program import PATIENCE_SECONDS, Program
+from program import TIMEOUT_SECONDS, Program
 from screen import Screen
 
 SOURCE = Path(__file__).resolve().parents[2]
@@ -51,7 +51,7 @@ class SafeStartTest(unittest.TestCase):
 
     def crash(self, *arguments):
         self.program.begin(*arguments, fault="crash")
-        self.program.process.wait(PATIENCE_SECONDS)
+        self.program.process.wait(TIMEOUT_SECONDS)
         self.assertEqual(self.program.process.returncode, -signal.SIGSEGV)
 
     def check_that_it_opens_again(self):

@@ -39,6 +39,8 @@ nlohmann::ordered_json json_of(const SessionState& state) {
         json["keeps_source"] = true;
     if (state.chose_content)
         json["chose_content"] = true;
+    if (state.opened > 0)
+        json["opened"] = state.opened;
     if (!state.cues.file.empty())
         json["cue_file"] = state.cues.file;
     if (!state.cues.text.empty())
@@ -61,6 +63,14 @@ nlohmann::ordered_json json_of(std::span<const SessionState> states, const CueTe
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
     for (const SessionState& state : states)
         list.push_back(json_of(state, current));
+    return list;
+}
+
+// Without the first one, which has keys of its own in the session.
+nlohmann::ordered_json json_of(std::span<const SessionPreset> opened, const CueText& current) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const SessionPreset& preset : opened.subspan(1))
+        list.push_back({{"preset_file", preset.file}, {"saved", json_of(preset.saved, current)}});
     return list;
 }
 
@@ -216,12 +226,14 @@ private:
         if (const JsonValue* looks = reader.find("looks"))
             for (const JsonValue& entry : looks->children)
                 session.looks[entry.key] = entry.text;
-        session.preset_file = reader.text("preset_file");
         session.current = state(reader.find("current"));
         m_current_cues = session.current.cues;
-        session.saved = state(reader.find("saved"));
+        session.opened = {opened_preset(reader)};
+        if (const JsonValue* others = reader.find("opened"))
+            read_opened(*others, session.opened);
         session.past = states(reader.find("past"));
         session.future = states(reader.find("future"));
+        check_opened(session);
         session.time = reader.number("time", session.time);
         session.speed = reader.number("speed", session.speed);
         session.level = reader.number("level", session.level);
@@ -253,6 +265,26 @@ private:
         reader.report_unknown_keys();
     }
 
+    SessionPreset opened_preset(ObjectReader& reader) {
+        return {reader.text("preset_file"), state(reader.find("saved"))};
+    }
+
+    void read_opened(const JsonValue& list, std::vector<SessionPreset>& opened) {
+        for (const JsonValue& value : list.children) {
+            ObjectReader reader(value, m_file, m_problems);
+            opened.push_back(opened_preset(reader));
+            reader.report_unknown_keys();
+        }
+    }
+
+    void check_opened(const Session& session) {
+        for (const auto* states : {&session.past, &session.future})
+            for (const SessionState& state : *states)
+                if (state.opened >= session.opened.size())
+                    return m_problems.push_back(
+                        {m_file, 0, "'opened' is not an index of a preset"});
+    }
+
     SessionState state(const JsonValue* value) {
         SessionState state;
         if (!value)
@@ -267,6 +299,7 @@ private:
         state.locks.signal = reader.boolean("keeps_signal", false);
         state.locks.source = reader.boolean("keeps_source", false);
         state.chose_content = reader.boolean("chose_content", false);
+        state.opened = static_cast<std::size_t>(reader.whole("opened", 0, 0, 1'000'000));
         state.cues = {reader.text("cue_file"), reader.text("cues")};
         if (reader.boolean("has_current_cues", false))
             state.cues = m_current_cues;
@@ -322,8 +355,9 @@ std::string session_to_json(const Session& session) {
                       {"version", session_file.newest_version},
                       {"look", session.look},
                       {"looks", session.looks},
-                      {"preset_file", session.preset_file},
-                      {"saved", json_of(session.saved, cues)},
+                      {"preset_file", session.opened.front().file},
+                      {"saved", json_of(session.opened.front().saved, cues)},
+                      {"opened", json_of(std::span(session.opened), cues)},
                       {"current", json_of(session.current)},
                       {"past", json_of(std::span(session.past).last(past), cues)},
                       {"future", json_of(std::span(future).last(redo), cues)},

@@ -24,16 +24,24 @@ struct SessionState {
                                  // this state
 
     CueText cues = {};
+    std::size_t opened = 0;  // index in Session::opened of the preset that it is based on
 
     bool operator==(const SessionState&) const = default;
+};
+
+/// A preset that states of the session are based on.
+struct SessionPreset {
+    std::string file;    // "": none
+    SessionState saved;  // as in the file; its preset also has name and author
+
+    bool operator==(const SessionPreset&) const = default;
 };
 
 /// The open document at the end of the last session, with unsaved changes and undo.
 struct Session {
     std::string look;                          // folder or manifest; "": none open
     std::map<std::string, std::string> looks;  // folder or manifest of each look of a stack, by id
-    std::string preset_file;                   // "": none open
-    SessionState saved;  // as in the preset's file; its preset also has name and author
+    std::vector<SessionPreset> opened{1};      // never empty; the first one is that of `current`
     SessionState current;
     std::vector<SessionState> past;    // oldest first
     std::vector<SessionState> future;  // next redo last

@@ -19,7 +19,7 @@ constexpr std::string_view kept_extension = ".kept";
 constexpr std::size_t max_answer_bytes = std::size_t{32} << 20;
 
 // The folder is scanned after this number of new bytes.
-std::uintmax_t patience_of(std::uintmax_t max_bytes) {
+std::uintmax_t scan_interval_bytes(std::uintmax_t max_bytes) {
     return max_bytes / 16;
 }
 }  // namespace
@@ -28,7 +28,7 @@ DiskCache::DiskCache(fs::path folder, std::string origin, std::uintmax_t max_byt
     : m_folder(std::move(folder)),
       m_origin(std::move(origin)),
       m_max_bytes(max_bytes),
-      m_unlooked_bytes(patience_of(max_bytes)) {}
+      m_unscanned_bytes(scan_interval_bytes(max_bytes)) {}
 
 std::string DiskCache::whole(std::string_view key) const {
     return fmt::format("{}\n{}", m_origin, key);
@@ -68,8 +68,8 @@ void DiskCache::keep(std::string_view key, std::string_view value) {
     if (!write(file_of(asked), packer.bytes()))
         return;  // not cached
     const std::scoped_lock lock(m_mutex);
-    m_unlooked_bytes += size;
-    if (m_unlooked_bytes >= patience_of(m_max_bytes))
+    m_unscanned_bytes += size;
+    if (m_unscanned_bytes >= scan_interval_bytes(m_max_bytes))
         evict();
 }
 
@@ -88,7 +88,7 @@ void DiskCache::evict() {
         std::uintmax_t bytes;
         fs::path file;
     };
-    m_unlooked_bytes = 0;
+    m_unscanned_bytes = 0;
     std::vector<Kept> all;
     std::uintmax_t sum = 0;
     std::error_code error;

@@ -28,5 +28,5 @@ private:
     std::string m_origin;
     std::uintmax_t m_max_bytes;
     std::mutex m_mutex;
-    std::uintmax_t m_unlooked_bytes;  // written since the folder was last scanned
+    std::uintmax_t m_unscanned_bytes;  // written since the folder was last scanned
 };

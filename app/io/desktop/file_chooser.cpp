@@ -27,7 +27,7 @@ FileChooser::~FileChooser() {
         m_thread.join();
 }
 
-void FileChooser::send(std::optional<FileQuestion> command) {
+void FileChooser::send(std::optional<FileRequest> command) {
     {
         const std::lock_guard lock(m_mutex);
         m_reply.reset();
@@ -42,15 +42,15 @@ void FileChooser::send(std::optional<FileQuestion> command) {
     m_wake();
 }
 
-std::deque<std::optional<FileQuestion>> FileChooser::take_commands() {
+std::deque<std::optional<FileRequest>> FileChooser::take_commands() {
     std::uint64_t count = 0;
     (void)!::read(m_event.get(), &count, sizeof(count));
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_commands, {});
 }
 
-void FileChooser::ask(FileQuestion question) {
-    send(std::move(question));
+void FileChooser::ask(FileRequest request) {
+    send(std::move(request));
 }
 
 void FileChooser::cancel() {
@@ -60,7 +60,7 @@ void FileChooser::cancel() {
 void FileChooser::set_reply(FileReply reply) {
     {
         const std::lock_guard lock(m_mutex);
-        if (m_commands.empty())  // otherwise it answers an earlier question
+        if (m_commands.empty())  // otherwise it answers an earlier request
             m_reply = std::move(reply);
     }
     m_wake();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/desktop/file_question.h"
+#include "io/desktop/file_request.h"
 #include "io/system/descriptor.h"
 
 #include <atomic>
@@ -24,16 +24,16 @@ public:
     /// Whether the desktop has such a dialog. False until it has answered after the start.
     bool is_available() const { return m_is_available; }
     /// Opens a dialog. An open one is closed without a reply.
-    void ask(FileQuestion question);
+    void ask(FileRequest request);
     /// Closes the open dialog without a reply.
     void cancel();
-    /// The reply to the last question; nullopt: not yet.
+    /// The reply to the last request; nullopt: not yet.
     std::optional<FileReply> take_reply();
 
 private:
     void run();
-    void send(std::optional<FileQuestion> command);
-    std::deque<std::optional<FileQuestion>> take_commands();
+    void send(std::optional<FileRequest> command);
+    std::deque<std::optional<FileRequest>> take_commands();
     void set_reply(FileReply reply);
 
     std::function<void()> m_wake;
@@ -41,7 +41,7 @@ private:
     std::atomic<bool> m_is_ending = false;
     Descriptor m_event;  // readable: there are commands, or the thread ends
     std::mutex m_mutex;
-    std::deque<std::optional<FileQuestion>> m_commands;  // nullopt: cancel
+    std::deque<std::optional<FileRequest>> m_commands;  // nullopt: cancel
     std::optional<FileReply> m_reply;
     std::thread m_thread;
 };

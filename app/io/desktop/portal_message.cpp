@@ -94,15 +94,15 @@ void write_groups(MessageWriter& writer, const std::vector<FileGroup>& groups) {
     writer.close();
 }
 
-void write_options(MessageWriter& writer, const FileQuestion& question, const std::string& token) {
+void write_options(MessageWriter& writer, const FileRequest& request, const std::string& token) {
     writer.open('a', "{sv}");
     writer.option("handle_token", "s", token.c_str());
     writer.option("modal", "b", 1);
-    if (question.kind == FileQuestion::Kind::save && !question.name.empty())
-        writer.option("current_name", "s", question.name.c_str());
-    write_groups(writer, question.groups);
-    if (!question.folder.empty())
-        writer.path_option("current_folder", question.folder);
+    if (request.kind == FileRequest::Kind::save && !request.name.empty())
+        writer.option("current_name", "s", request.name.c_str());
+    write_groups(writer, request.groups);
+    if (!request.folder.empty())
+        writer.path_option("current_folder", request.folder);
     writer.close();
 }
 
@@ -139,20 +139,20 @@ bool read_results(sd_bus_message* message, FileReply& reply) {
 }
 }  // namespace
 
-BusMessage file_chooser_call(sd_bus* bus, const FileQuestion& question, const std::string& token) {
+BusMessage file_chooser_call(sd_bus* bus, const FileRequest& request, const std::string& token) {
     sd_bus_message* made = nullptr;
-    const bool is_saving = question.kind == FileQuestion::Kind::save;
+    const bool is_saving = request.kind == FileRequest::Kind::save;
     if (sd_bus_message_new_method_call(bus, &made, portal::service, portal::object,
                                        portal::file_chooser,
                                        is_saving ? "SaveFile" : "OpenFile") < 0)
         return nullptr;
     BusMessage call(made);
     MessageWriter writer(made);
-    const std::string parent = question.parent_window == 0
+    const std::string parent = request.parent_window == 0
                                    ? std::string()
-                                   : fmt::format("x11:0x{:x}", question.parent_window);
-    writer.append("ss", parent.c_str(), question.title.c_str());
-    write_options(writer, question, token);
+                                   : fmt::format("x11:0x{:x}", request.parent_window);
+    writer.append("ss", parent.c_str(), request.title.c_str());
+    write_options(writer, request, token);
     return writer.is_good() ? std::move(call) : nullptr;
 }
 

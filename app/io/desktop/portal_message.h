@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/desktop/file_question.h"
+#include "io/desktop/file_request.h"
 
 #include <memory>
 #include <string>
@@ -24,8 +24,8 @@ inline constexpr const char* request = "org.freedesktop.portal.Request";
 /// such as ":1.42".
 std::string request_path(std::string_view unique_name, std::string_view token);
 
-/// The method call for a question. Null if a text is not valid UTF-8 or the system lacks memory.
-BusMessage file_chooser_call(sd_bus* bus, const FileQuestion& question, const std::string& token);
+/// The method call for a request. Null if a text is not valid UTF-8 or the system lacks memory.
+BusMessage file_chooser_call(sd_bus* bus, const FileRequest& request, const std::string& token);
 
 /// The reply in a Response signal. A cancelled dialog is not an error. Response 2 means that the
 /// dialog ended in another way: closing its window does that, too.

@@ -14,7 +14,7 @@
 namespace {
 // A dialog that ends in less time was not closed by the user.
 constexpr std::chrono::milliseconds shortest_dialog(700);
-// The portal confirms a question at once; the user's choice comes later.
+// The portal confirms a request at once; the user's choice comes later.
 constexpr std::uint64_t confirmation_microseconds = 10'000'000;
 
 std::string text_of(const sd_bus_error* error) {
@@ -89,7 +89,7 @@ PortalSession::~PortalSession() {
     sd_bus_flush(m_bus.get());  // sends the cancellation
 }
 
-// Signals are subscribed to before the first question, so that no reply is missed.
+// Signals are subscribed to before the first request, so that no reply is missed.
 bool PortalSession::subscribe() {
     sd_bus* bus = m_bus.get();
     const std::string owner = fmt::format(
@@ -132,7 +132,7 @@ void PortalSession::fail(std::string problem) {
     answer({.kind = FileReply::Kind::failed, .problem = std::move(problem)});
 }
 
-void PortalSession::ask(const FileQuestion& question) {
+void PortalSession::ask(const FileRequest& request) {
     cancel();
     const std::string token = fmt::format("afterglow{}", ++m_count);
     const char* name = nullptr;
@@ -140,7 +140,7 @@ void PortalSession::ask(const FileQuestion& question) {
     if (sd_bus_get_unique_name(m_bus.get(), &name) < 0)
         return fail("no connection to the session bus");
     m_open->path = request_path(name, token);
-    const BusMessage call = file_chooser_call(m_bus.get(), question, token);
+    const BusMessage call = file_chooser_call(m_bus.get(), request, token);
     sd_bus_slot* confirmation = nullptr;
     if (!call ||
         sd_bus_call_async(m_bus.get(), &confirmation, call.get(), Handlers::take_confirmation, this,

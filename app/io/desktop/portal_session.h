@@ -1,6 +1,6 @@
 #pragma once
 
-#include "io/desktop/file_question.h"
+#include "io/desktop/file_request.h"
 #include "io/desktop/portal_message.h"
 
 #include <chrono>
@@ -14,7 +14,7 @@ class PortalSession {
 public:
     struct Listener {
         std::function<void(bool)> on_availability;  // whether the portal answers
-        std::function<void(FileReply)> on_reply;    // once per question, unless it was cancelled
+        std::function<void(FileReply)> on_reply;    // once per request, unless it was cancelled
     };
 
     /// Connects without waiting. Null without a session bus.
@@ -23,11 +23,11 @@ public:
     PortalSession(const PortalSession&) = delete;
     PortalSession& operator=(const PortalSession&) = delete;
 
-    /// Asks a question; an open one is cancelled.
-    void ask(const FileQuestion& question);
+    /// Sends a request; an open one is cancelled.
+    void ask(const FileRequest& request);
     void cancel();
 
-    /// Processes what has arrived. False if the bus is lost; an open question has then failed.
+    /// Processes what has arrived. False if the bus is lost; an open request has then failed.
     bool process();
     /// Waits until something arrives, or until `descriptor` becomes readable. False on an error.
     bool wait(int descriptor) const;
@@ -43,7 +43,7 @@ private:
         std::string path = {};   // of the request's object
         std::string older = {};  // the same on portals before 0.9, which choose it; "": unknown
         std::chrono::steady_clock::time_point asked;
-        std::unique_ptr<sd_bus_slot, SlotDeleter> confirmation = {};  // ends with the question
+        std::unique_ptr<sd_bus_slot, SlotDeleter> confirmation = {};  // ends with the request
     };
     /// What signals and replies call.
     struct Handlers;
@@ -55,11 +55,11 @@ private:
     void set_available(bool is_available);
     void answer(FileReply reply);
     void fail(std::string problem);
-    /// Asks the portal to close the dialog of the open question.
+    /// Asks the portal to close the dialog of the open request.
     void close();
 
     std::unique_ptr<sd_bus, BusDeleter> m_bus;
     Listener m_listener;
     std::optional<OpenQuestion> m_open;
-    int m_count = 0;  // of questions, for their tokens
+    int m_count = 0;  // of requests, for their tokens
 };

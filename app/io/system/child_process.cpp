@@ -116,9 +116,9 @@ private:
 }  // namespace
 
 /// Notices that a child is stuck: it uses no processor time.
-class ChildProcess::Watch {
+class ChildProcess::StallDetector {
 public:
-    Watch(pid_t process, double patience) : m_process(process), m_patience(patience) {}
+    StallDetector(pid_t process, double timeout) : m_process(process), m_timeout(timeout) {}
 
     /// Call it repeatedly while waiting.
     bool is_stuck() {
@@ -129,14 +129,14 @@ public:
             m_used = used;
             m_last = now;
         }
-        return std::chrono::duration<double>(now - m_last).count() > m_patience;
+        return std::chrono::duration<double>(now - m_last).count() > m_timeout;
     }
 
 private:
     using Clock = std::chrono::steady_clock;
 
     pid_t m_process;
-    double m_patience;
+    double m_timeout;
     double m_used = 0.0;
     Clock::time_point m_last = Clock::now();
 };
@@ -191,7 +191,7 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
       m_inputs(std::move(other.m_inputs)),
       m_output(std::move(other.m_output)),
       m_complaints(std::move(other.m_complaints)),
-      m_patience(other.m_patience),
+      m_timeout(other.m_timeout),
       m_fault(std::move(other.m_fault)) {}
 
 ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
@@ -199,7 +199,7 @@ ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
     m_inputs = std::move(other.m_inputs);
     m_output = std::move(other.m_output);
     m_complaints = std::move(other.m_complaints);
-    m_patience = other.m_patience;
+    m_timeout = other.m_timeout;
     m_fault = std::move(other.m_fault);
     return *this;
 }
@@ -258,8 +258,8 @@ std::optional<std::string> ChildProcess::read_all_within(double seconds, std::si
     }
 }
 
-void ChildProcess::set_patience(double seconds) {
-    m_patience = seconds;
+void ChildProcess::set_timeout(double seconds) {
+    m_timeout = seconds;
     constexpr timeval between_looks{0, 200'000};
     if (m_inputs[0].is_open())
         ::setsockopt(m_inputs[0].get(), SOL_SOCKET, SO_SNDTIMEO, &between_looks,
@@ -268,27 +268,27 @@ void ChildProcess::set_patience(double seconds) {
 
 void ChildProcess::end_stuck() {
     end();
-    m_fault = fmt::format("stopped after {} s without progress", format_number(m_patience));
+    m_fault = fmt::format("stopped after {} s without progress", format_number(m_timeout));
 }
 
 bool ChildProcess::feed(int input, std::string_view bytes) {
     const int descriptor = m_inputs[static_cast<std::size_t>(input)].get();
-    std::optional<Watch> watch;
+    std::optional<StallDetector> detector;
     while (!bytes.empty()) {
         const ssize_t sent = ::send(descriptor, bytes.data(), bytes.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR)
             continue;
         if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-            if (!watch)
-                watch.emplace(m_process, m_patience);
-            if (!watch->is_stuck())
+            if (!detector)
+                detector.emplace(m_process, m_timeout);
+            if (!detector->is_stuck())
                 continue;
             end_stuck();
             return false;
         }
         if (sent <= 0)
             return false;
-        watch.reset();
+        detector.reset();
         bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
     return true;
@@ -296,13 +296,13 @@ bool ChildProcess::feed(int input, std::string_view bytes) {
 
 // The status; that of a killed process if it is stuck.
 int ChildProcess::wait_for_exit() {
-    if (std::isinf(m_patience))
+    if (std::isinf(m_timeout))
         return wait_for(std::exchange(m_process, -1));
     constexpr auto between_looks = std::chrono::milliseconds(10);
-    Watch watch(m_process, m_patience);
+    StallDetector detector(m_process, m_timeout);
     int status = 0;
     while (::waitpid(m_process, &status, WNOHANG) == 0) {
-        if (watch.is_stuck()) {
+        if (detector.is_stuck()) {
             end_stuck();
             return SIGKILL;
         }

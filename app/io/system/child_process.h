@@ -41,7 +41,7 @@ public:
     /// As read_all; nullopt if the output has not ended within `seconds`.
     std::optional<std::string> read_all_within(double seconds, std::size_t maximum);
     /// Ends a child that uses no processor time for this long, while feed(0) or finish() waits.
-    void set_patience(double seconds);
+    void set_timeout(double seconds);
     /// Writes to one of its inputs, from 0, and blocks while its buffer is full. False if the child
     /// no longer reads it. Each input may be fed from its own thread.
     bool feed(int input, std::string_view bytes);
@@ -57,7 +57,7 @@ public:
     const std::string& fault() const { return m_fault; }
 
 private:
-    class Watch;
+    class StallDetector;
     void end_stuck();
     int wait_for_exit();
     using Inputs = std::array<Descriptor, 2>;
@@ -72,6 +72,6 @@ private:
     Inputs m_inputs;          // sockets: a failed write raises no signal
     Descriptor m_output;      // read end of a pipe
     Descriptor m_complaints;  // a file in memory, so the child never blocks on stderr
-    double m_patience = std::numeric_limits<double>::infinity();
+    double m_timeout = std::numeric_limits<double>::infinity();
     std::string m_fault;
 };

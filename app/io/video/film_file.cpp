@@ -44,7 +44,7 @@ Result<std::unique_ptr<FilmFile>> FilmFile::create(const fs::path& file, FilmFor
         return fail({file, 0,
                      fmt::format("writing videos needs the Debian package ffmpeg: {}",
                                  process.error().front().message)});
-    process->set_patience(format.patience_seconds);
+    process->set_timeout(format.timeout_seconds);
     return std::unique_ptr<FilmFile>(
         new FilmFile(file, std::move(format), std::move(*target), std::move(*process)));
 }

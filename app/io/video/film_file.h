@@ -29,7 +29,7 @@ struct FilmFormat {
     FrameRateFraction rate;
     FilmSound sound = {};
     FilmEncoding encoding;
-    double patience_seconds = 60.0;  // how long ffmpeg may make no progress
+    double timeout_seconds = 60.0;  // how long ffmpeg may make no progress
 };
 
 /// A film that is written by ffmpeg. A GIF has at most 50 pictures per second; at higher rates only

@@ -80,7 +80,7 @@ void PresetCommands::save_to(const fs::path& file, const std::string& name) {
     preset.name = name;
     if (!m_work.messages.succeeded(::save_preset(file, preset, &document.look())))
         return;
-    document.opened_preset() = {preset, file, document.state()};
+    opened_preset(document) = {preset, file, document.state()};
     m_loader.files().add_extra(file);  // it may change before the next update
     m_work.messages.say(saved_text(name));
 }
@@ -117,16 +117,15 @@ void PresetCommands::rename(const fs::path& before, const std::string& name) {
     if (!m_work.document || before.empty())
         return;
     const std::string star = star_name(before);
-    const bool was_open = is_open(before);
+    const std::vector<OpenedPreset*> open = presets_from_file(*m_work.document, before);
     const auto file = m_work.library.rename_preset(before, name);
     if (!m_work.messages.succeeded(file))
         return;
     if (m_navigation.stars().erase(star) > 0)
         m_navigation.stars().insert(star_name(*file));
-    if (was_open) {
-        OpenedPreset& opened = m_work.document->opened_preset();
-        opened.identity.name = name;
-        opened.file = *file;
+    for (OpenedPreset* opened : open) {
+        opened->identity.name = name;
+        opened->file = *file;
     }
     m_work.messages.say(fmt::format("Renamed to \"{}\"", name));
 }
@@ -139,7 +138,7 @@ void PresetCommands::duplicate(const fs::path& before) {
         return;
     const auto copy = load_preset(*file);
     if (is_open(before) && copy) {
-        OpenedPreset& opened = m_work.document->opened_preset();
+        OpenedPreset& opened = opened_preset(*m_work.document);
         opened.identity.name = copy->name;
         opened.file = *file;
     }
@@ -166,11 +165,11 @@ void PresetCommands::remove(const fs::path& file) {
         .look = document->look().id,
         .name = preset ? preset->name : file.stem().string(),
         .has_star = m_navigation.stars().erase(star) > 0,
-        .identity = was_open ? std::optional(document->opened_preset().identity) : std::nullopt,
-        .saved = document->opened_preset().saved,
+        .identity = was_open ? std::optional(opened_preset(*document).identity) : std::nullopt,
+        .saved = opened_preset(*document).saved,
         .steps = document->history().past().size()};
     if (was_open) {
-        document->opened_preset() = {.saved = initial_state(document->look())};
+        opened_preset(*document) = {.saved = initial_state(document->look())};
     }
     m_work.messages.offer(
         was_open ? fmt::format("Deleted \"{}\". Its settings are still loaded.", removal.name)
@@ -209,7 +208,7 @@ bool PresetCommands::undo_removal() {
     if (removal.has_star)
         m_navigation.stars().insert(star_name(removal.trashed.original));
     if (removal.identity && preset_file(document).empty()) {
-        document.opened_preset() = {*removal.identity, removal.trashed.original, removal.saved};
+        opened_preset(document) = {*removal.identity, removal.trashed.original, removal.saved};
     }
     m_work.messages.say(fmt::format("Restored \"{}\"", removal.name));
     return true;
@@ -232,14 +231,15 @@ void PresetCommands::offer_move() {
 void PresetCommands::move_to_user_folder() {
     std::size_t count = 0;
     for (const PresetEntry& preset : m_work.library.presets_in_program_folder()) {
-        const bool was_open = is_open(preset.file);
+        std::vector<OpenedPreset*> open;
+        if (m_work.document)
+            open = presets_from_file(*m_work.document, preset.file);
         const auto moved = m_work.library.move_to_user_folder(preset);
         if (!m_work.messages.succeeded(moved))
             return;
         ++count;
-        if (was_open) {
-            m_work.document->opened_preset().file = *moved;
-        }
+        for (OpenedPreset* opened : open)
+            opened->file = *moved;
     }
     const std::string folder = display_folder(m_work.library.roots().user / "presets");
     m_work.messages.say(count == 1 ? fmt::format("Moved 1 preset to {}", folder)

@@ -1,5 +1,6 @@
 #include "lab/commands/preset_sharing.h"
 
+#include "formats/preset/fitted_preset.h"
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
 #include "formats/slang/slang_format.h"
@@ -20,6 +21,14 @@ std::string PresetSharing::line() const {
     return m_work.document ? share_line_of(*m_work.document, m_work.media.recent()) : std::string();
 }
 
+void PresetSharing::apply_fitted(const Preset& preset, const fs::path& file, const char* step) {
+    Diagnostics warnings;
+    const Preset fitted = fitted_preset(m_work.document->look(), preset, file, warnings);
+    apply_preset(*m_work.document, fitted, step);
+    if (!warnings.empty())
+        m_work.messages.say(warnings.front());
+}
+
 void PresetSharing::paste(const std::string& line) {
     const auto preset = parse_share_line(line);
     if (!m_work.messages.succeeded(preset))
@@ -27,7 +36,7 @@ void PresetSharing::paste(const std::string& line) {
     if (m_work.document && preset->look == m_work.document->look().id) {
         const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
                                                          fs::current_path(), m_work.media.recent());
-        apply_preset(*m_work.document, checked.preset, "Paste");
+        apply_fitted(checked.preset, {}, "Paste");
         return m_content.offer(checked);
     }
     const auto request = resolve(line, m_work.library);
@@ -86,11 +95,11 @@ void PresetSharing::file_changed(const fs::path& file) {
     }
     const CheckedPreset checked = with_checked_media(*preset, m_work.document->look(),
                                                      media_folder(file), m_work.media.recent());
-    apply_preset(*m_work.document, checked.preset, "Preset changed on disk");
+    apply_fitted(checked.preset, file, "Preset changed on disk");
     DocumentState saved = m_work.document->state();
     saved.signal = checked.preset.signal.value_or(saved.signal);
     saved.source = checked.preset.source.empty() ? saved.source : checked.preset.source;
-    m_work.document->opened_preset().saved = std::move(saved);
+    opened_preset(*m_work.document).saved = std::move(saved);
     if (checked.outside)
         m_content.offer(checked);
 }

@@ -25,6 +25,8 @@ public:
     void file_changed(const std::filesystem::path& file);
 
 private:
+    void apply_fitted(const Preset& preset, const std::filesystem::path& file, const char* step);
+
     Workspace& m_work;
     LookLoader& m_loader;
     ContentCommands& m_content;

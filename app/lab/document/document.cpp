@@ -70,18 +70,18 @@ void Document::travel(int steps) {
     update_drawn_values();
 }
 
-void Document::replace_history(Undo<DocumentState> history) {
-    m_opened_presets = {OpenedPreset(opened_preset())};
-    history.rewrite([files = state().files](DocumentState& state) {
-        state.origin = 0;
-        state.files = files;
-    });
+void Document::replace_history(Undo<DocumentState> history, std::vector<OpenedPreset> presets) {
+    history.rewrite([files = state().files](DocumentState& state) { state.files = files; });
     m_undo = std::move(history);
+    m_opened_presets = std::move(presets);
     update_drawn_values();
 }
 
 void forget_past(Document& document) {
-    document.replace_history(Undo<DocumentState>(document.state()));
+    OpenedPreset opened = opened_preset(document);
+    DocumentState state = document.state();
+    state.origin = opened.saved.origin = 0;
+    document.replace_history(Undo<DocumentState>(std::move(state)), {std::move(opened)});
 }
 
 void Document::replace_look(Look look) {

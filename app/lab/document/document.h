@@ -86,8 +86,9 @@ public:
     /// Redoes this number of steps; negative numbers undo. Stops at the first and last state.
     void travel(int steps);
     const Undo<DocumentState>& history() const { return m_undo; }
-    /// Replaces the history. All its states count as based on the open preset.
-    void replace_history(Undo<DocumentState> history);
+    /// Replaces the history. The origins of its states are indices of `presets`, which is not
+    /// empty.
+    void replace_history(Undo<DocumentState> history, std::vector<OpenedPreset> presets);
 
     /// Replaces an edited look: values stay, renamed as `@was` requests.
     void replace_look(Look look);
@@ -98,9 +99,9 @@ public:
         m_parameter_settings = renamed_settings(m_look, std::move(settings));
     }
 
-    /// The preset that the current state is based on.
-    OpenedPreset& opened_preset() { return m_opened_presets[state().origin]; }
-    const OpenedPreset& opened_preset() const { return m_opened_presets[state().origin]; }
+    /// The presets that states of the history are based on, see DocumentState::origin.
+    std::vector<OpenedPreset>& opened_presets() { return m_opened_presets; }
+    const std::vector<OpenedPreset>& opened_presets() const { return m_opened_presets; }
 
 private:
     void move_to(const Undo<DocumentState>::Step& step, void (Undo<DocumentState>::*move)());
@@ -112,6 +113,14 @@ private:
     Undo<DocumentState> m_undo;
     std::vector<OpenedPreset> m_opened_presets;  // never empty
 };
+
+/// The preset that the current state is based on.
+inline OpenedPreset& opened_preset(Document& document) {
+    return document.opened_presets()[document.state().origin];
+}
+inline const OpenedPreset& opened_preset(const Document& document) {
+    return document.opened_presets()[document.state().origin];
+}
 
 /// The name that the state uses for a parameter or pass of look(), which differs while another
 /// stack is being read. nullopt: that stack does not have it.

@@ -8,20 +8,38 @@
 
 const std::filesystem::path& preset_file(const Document& document) {
     static const std::filesystem::path none;
-    const OpenedPreset& opened = document.opened_preset();
+    const OpenedPreset& opened = opened_preset(document);
     const std::string& look = opened.identity.look;
     return look.empty() || look == stack_id(document.state().stack) ? opened.file : none;
 }
 
+std::vector<OpenedPreset*> presets_from_file(Document& document,
+                                             const std::filesystem::path& file) {
+    std::vector<OpenedPreset*> found;
+    std::error_code error;
+    for (OpenedPreset& opened : document.opened_presets())
+        if (!opened.file.empty() &&
+            (opened.file == file || std::filesystem::equivalent(opened.file, file, error)))
+            found.push_back(&opened);
+    return found;
+}
+
+void base_on(Document& document, OpenedPreset preset) {
+    const std::size_t origin = document.opened_presets().size();
+    preset.saved.origin = origin;
+    document.opened_presets().push_back(std::move(preset));
+    document.amend([origin](DocumentState& state) { state.origin = origin; });
+}
+
 const std::string& preset_name(const Document& document) {
-    return document.opened_preset().identity.name;
+    return opened_preset(document).identity.name;
 }
 
 namespace {
 // The current state without pass overrides, which belong to the look, and without locked content,
 // which belongs to the user.
 DocumentState comparable_state(const Document& document) {
-    const DocumentState& saved = document.opened_preset().saved;
+    const DocumentState& saved = opened_preset(document).saved;
     DocumentState state = document.state();
     state.overrides = saved.overrides;
     state.origin = saved.origin;
@@ -39,12 +57,12 @@ DocumentState comparable_state(const Document& document) {
 }  // namespace
 
 bool is_modified(const Document& document) {
-    return comparable_state(document) != document.opened_preset().saved;
+    return comparable_state(document) != opened_preset(document).saved;
 }
 
 bool has_unlocked_changes(const Document& document) {
     DocumentState now = comparable_state(document);
-    DocumentState before = document.opened_preset().saved;
+    DocumentState before = opened_preset(document).saved;
     for (const auto& [name, setting] : document.parameter_settings())
         if (setting.is_locked) {
             now.values.erase(name);
@@ -58,7 +76,7 @@ bool has_unlocked_changes(const Document& document) {
 Preset preset_of(const Document& document) {
     const Look& look = document.look();
     const DocumentState& state = document.state();
-    Preset preset = document.opened_preset().identity;
+    Preset preset = opened_preset(document).identity;
     preset.look = look.id;
     preset.digest = look_digest(look);
     preset.values = changed_values(look, document.values());
@@ -128,7 +146,7 @@ void open_state(Document& document, OpenedPreset preset, std::string step_name,
     const bool keeps_content = content == OpenedContent::locked;
     DocumentState next =
         keeps_content ? with_locked_content(preset.saved, content_of(document)) : preset.saved;
-    const bool is_open = preset.file == document.opened_preset().file;
+    const bool is_open = preset.file == opened_preset(document).file;
     if (is_open && next == document.state() && !is_modified(document))
         return;
     document.open(with_locked_parameters(std::move(next), document), std::move(preset),

@@ -76,7 +76,7 @@ void ExternalPrograms::start(const std::vector<std::string>& command, Location l
             wake();
     });
     if (error != 0)
-        return report(started, std::strerror(error));
+        return report(started, error == ENOENT ? "" : std::strerror(error));
     m_started.push_back(std::move(started));
 }
 
@@ -92,14 +92,17 @@ void ExternalPrograms::update() {
     }
 }
 
+// `reason` "": the program was not found.
 void ExternalPrograms::report(const Started& started, const std::string& reason) {
-    if (started.location.file.empty())
-        return m_messages.ask(
-            fmt::format("{} could not open {}: {}. Copy its path.", started.program,
-                        started.path.filename().string(), reason),
-            {copy_button(started.path)});
-    m_messages.ask(
-        fmt::format("{} could not open {}: {}. Choose an editor.", started.program,
-                    started.location.file.filename().string(), reason),
-        {choose_button(), folder_button(started.path), copy_button(started.location.file)});
+    const bool is_editor = !started.location.file.empty();
+    const fs::path& path = is_editor ? started.location.file : started.path;
+    const std::string text = reason.empty()
+                                 ? fmt::format("{} was not found, so {} can't be opened.",
+                                               started.program, path.filename().string())
+                                 : fmt::format("{} could not open {}: {}.", started.program,
+                                               path.filename().string(), reason);
+    if (!is_editor)
+        return m_messages.ask(text + " Copy its path.", {copy_button(path)});
+    m_messages.ask(text + " Choose an editor.", {choose_button(), folder_button(started.path),
+                                                 copy_button(started.location.file)});
 }

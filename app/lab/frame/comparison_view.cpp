@@ -1,6 +1,9 @@
 #include "lab/frame/comparison_view.h"
 
+#include "formats/preset/fitted_preset.h"
+#include "formats/preset/preset_format.h"
 #include "lab/document/opened_preset.h"
+#include "lab/library/named_preset.h"
 #include "model/look/value_changes.h"
 
 #include <fmt/format.h>
@@ -31,6 +34,25 @@ void ComparisonView::store(std::size_t number) {
     m_work.messages.say(fmt::format("Stored in slot {}", slot_name(number)));
 }
 
+namespace {
+// The preset that was open when the slot was stored; nullopt: it can't be read any more.
+std::optional<OpenedPreset> preset_of_slot(const Slot& slot, const Document& document,
+                                           const Library& library) {
+    Document other = document;
+    if (slot.preset.empty()) {
+        open_defaults(other);
+        return opened_preset(other);
+    }
+    const auto file = find_named_preset(library, document.look().id, slot.preset);
+    const auto preset = file && !file->empty() ? load_preset(*file) : fail(Diagnostics{});
+    if (!preset)
+        return std::nullopt;
+    Diagnostics warnings;  // reported when the preset is opened
+    open_preset(other, fitted_preset(document.look(), *preset, *file, warnings), *file);
+    return opened_preset(other);
+}
+}  // namespace
+
 void ComparisonView::recall(std::size_t number) {
     if (!m_work.document || m_work.document->has_pending_stack())
         return;
@@ -39,7 +61,10 @@ void ComparisonView::recall(std::size_t number) {
         return m_work.messages.say(fmt::format("Slot {} is empty", slot_name(number)));
     Preset preset = preset_of(*m_work.document);
     preset.values = values_of(*slot, m_work.document->look());
+    const auto stored = preset_of_slot(*slot, *m_work.document, m_work.library);
     apply_preset(*m_work.document, preset, fmt::format("Recall slot {}", slot_name(number)));
+    if (stored && stored->identity.name != preset_name(*m_work.document))
+        base_on(*m_work.document, *stored);
 }
 
 void ComparisonView::clear_slot(std::size_t number) {

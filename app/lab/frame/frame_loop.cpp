@@ -71,7 +71,7 @@ void FrameLoop::end_look(const BuiltLook& built) {
     m_applied.reset();
 }
 
-void FrameLoop::open(BuiltLook& built, bool is_same) {
+void FrameLoop::open(BuiltLook& built, const Opening& opening) {
     begin_look(built);
     m_guard.open();
     const Look look = m_work.document->drawn_look();
@@ -82,13 +82,15 @@ void FrameLoop::open(BuiltLook& built, bool is_same) {
         m_work.renderer = std::make_unique<Renderer>(Executor(look, m_loader.programs().generic()));
     constexpr double sample_budget_seconds = 0.05;
     m_work.renderer->executors().inputs().sample_budget_seconds = sample_budget_seconds;
-    m_comparison.open(is_same);
-    if (!is_same)
+    m_comparison.open(opening.is_same);
+    if (!opening.is_same)
         m_passes.reset();
     m_drawn_extent = {};
     m_work.pictures.clear();
     m_work.media.forget();
+    const double time = opening.keeps_time ? m_work.player.transport().time() : 0.0;
     m_work.player.restart();
+    m_work.player.seek(time);
     m_work.player.play();
     end_look(built);
 }

@@ -30,9 +30,13 @@ public:
     const Previews& previews() const { return m_previews; }
     const HeavyPassNotice& heavy_pass() const { return m_heavy_pass; }
 
-    /// Draws a look that has just become the document's. `is_same`: the same look with another
-    /// preset.
-    void open(BuiltLook& built, bool is_same);
+    /// How a look is opened.
+    struct Opening {
+        bool is_same = false;     // the same look with another preset
+        bool keeps_time = false;  // continues the user's signal or source, which stays
+    };
+    /// Draws a look that has just become the document's.
+    void open(BuiltLook& built, const Opening& opening);
     /// Draws an edited look; it becomes the document's. The picture keeps its history.
     void replace(BuiltLook& built);
     /// Draws with other constants in the texts of the look.

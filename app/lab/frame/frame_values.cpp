@@ -10,9 +10,10 @@ void set_frame_values(Workspace& work, const PlayedFrame& frame, FrameDraw draw,
     const CuedFrame cued{work.cues.get(), frame.span, played_part(signal)};
     if (draw == FrameDraw::whole && cued.restarts())
         work.renderer->clear_history();
-    cued.note_blackout(executors);
-    modulate(executors,
-             {applied.values, variant ? *variant : none, applied.modulations,
-              work.clock_tempo.value_or(applied.tempo), cued.plan(), cued.position()},
-             frame.span.end, signal.loudness().get());
+    cued.apply_blackout(executors);
+    work.messages.succeeded(
+        modulate(executors,
+                 {applied.values, variant ? *variant : none, applied.modulations,
+                  work.clock_tempo.value_or(applied.tempo), cued.plan(), cued.position()},
+                 frame.span.end, signal.loudness().get()));
 }

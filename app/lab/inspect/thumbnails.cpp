@@ -63,9 +63,9 @@ void Thumbnails::draw(Viewer& viewer, const Executor& executor, std::size_t pass
 }
 
 bool Thumbnails::is_stale(std::size_t pass) const {
-    constexpr double patience_seconds = 0.5;
+    constexpr double delay_seconds = 0.5;
     return pass < m_outdated_at.size() && m_outdated_at[pass] &&
-           m_seconds - *m_outdated_at[pass] >= patience_seconds;
+           m_seconds - *m_outdated_at[pass] >= delay_seconds;
 }
 
 const gpu::Texture* Thumbnails::picture(std::size_t pass) const {

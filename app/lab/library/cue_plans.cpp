@@ -31,7 +31,7 @@ Result<CueAction> preset_action(const Cue& cue, const Look& look,
         return fail(modulations.error());
     CueAction action{.seconds = cue.seconds, .over = cue.over, .modulations = *modulations};
     for (const Parameter& parameter : look.parameters)
-        if (why_uncued(look, parameter).empty())
+        if (cue_refusal(parameter).empty())
             action.values[parameter.name] = clamped(parameter, value_of(parameter, *values));
     return action;
 }
@@ -40,7 +40,7 @@ Result<CueAction> parameter_action(const Cue& cue, const Look& look) {
     const auto parameter = resolve_parameter(cue.name, look);
     if (!parameter)
         return fail(parameter.error());
-    if (std::string reason = why_uncued(look, **parameter); !reason.empty())
+    if (std::string reason = cue_refusal(**parameter); !reason.empty())
         return fail({{}, 0, std::move(reason)});
     auto value = parse_value(**parameter, cue.value);
     if (!value)
@@ -124,4 +124,10 @@ Result<CuePlan> load_cue_plan(const std::filesystem::path& file, const Look& loo
     const auto sheet = parse_cue_sheet(*text, file);
     std::vector<std::filesystem::path> presets;
     return sheet ? plan_cues(*sheet, file, look, library, presets) : fail(sheet.error());
+}
+
+Result<void> check_cue(const Cue& cue, const Look& look, const Library& library) {
+    CuePresets read(look, library);
+    const auto action = action_of(cue, look, read);
+    return action ? Result<void>{} : fail(action.error());
 }

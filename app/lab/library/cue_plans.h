@@ -14,3 +14,5 @@ Result<CuePlan> plan_cues(const CueSheet& sheet, const std::filesystem::path& fi
 /// The same for a file.
 Result<CuePlan> load_cue_plan(const std::filesystem::path& file, const Look& look,
                               const Library& library);
+/// Fails if a cue can't be played with a look, for these reasons.
+Result<void> check_cue(const Cue& cue, const Look& look, const Library& library);

@@ -166,8 +166,8 @@ std::optional<PresetEntry> Library::find_preset(std::string_view look,
 }
 
 Result<fs::path> Library::preset_path(std::string_view look, std::string_view name) const {
-    if (auto fine = checked(check_preset_name(name), name, "a preset name"); !fine)
-        return fail(fine.error());
+    if (auto checked_name = checked(check_preset_name(name), name, "a preset name"); !checked_name)
+        return fail(checked_name.error());
     // The look name comes from the preset file. It must not contain a path to write to.
     if (look == ".." || look.find('/') != look.npos)
         return fail({{}, 0, fmt::format("'{}' can't be a look name", look)});
@@ -196,8 +196,8 @@ Result<fs::path> Library::save_preset(Preset preset, const std::string& name) co
 }
 
 Result<fs::path> Library::rename_preset(const fs::path& file, const std::string& name) const {
-    if (auto fine = checked(check_preset_name(name), name, "a preset name"); !fine)
-        return fail(fine.error());
+    if (auto checked_name = checked(check_preset_name(name), name, "a preset name"); !checked_name)
+        return fail(checked_name.error());
     if (is_shipped(file))
         return fail({file, 0, "is a shipped preset. Save it under a new name instead."});
     const fs::path renamed = file.parent_path() / (name + ".json");
@@ -239,16 +239,16 @@ Result<fs::path> Library::duplicate_preset(const fs::path& file) const {
 }
 
 Result<void> Library::check_look_name(const std::string& id) const {
-    if (auto fine = checked(check_look_id(id), id, "a look name"); !fine)
-        return fine;
+    if (auto checked_name = checked(check_look_id(id), id, "a look name"); !checked_name)
+        return checked_name;
     if (find_look(id))
         return fail({{}, 0, fmt::format("a look called '{}' already exists", id)});
     return {};
 }
 
 Result<fs::path> Library::new_look_folder(const std::string& id) const {
-    if (auto fine = check_look_name(id); !fine)
-        return fail(fine.error());
+    if (auto checked_name = check_look_name(id); !checked_name)
+        return fail(checked_name.error());
     const fs::path folder = m_roots.user / "shaders" / id;
     std::error_code error;
     if (fs::exists(folder, error) && !fs::is_empty(folder, error))

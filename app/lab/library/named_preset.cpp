@@ -41,8 +41,11 @@ std::optional<fs::path> find_in_look(const Library& library, const std::string& 
 
 std::string similar_name(const Library& library, const std::string& look, const std::string& name) {
     std::vector<std::string> names;
-    for (const PresetEntry& entry : library.presets(look))
+    for (const PresetEntry& entry : library.presets(look)) {
+        if (const auto preset = load_preset(entry.file); preset && !preset->name.empty())
+            names.push_back(preset->name);
         names.push_back(entry.name);
+    }
     return did_you_mean(name, names);
 }
 }  // namespace

@@ -135,7 +135,7 @@ Result<void> MediaInput::fall_back(const Document& document, Player& player,
     const auto& own = document.look().default_signal;
     // A preset with a missing file opens with the look's own signal. If the user chose an
     // unreadable file, or the file broke on disk, the last signal stays.
-    const bool is_as_opened = document.state().signal == document.opened_preset().saved.signal;
+    const bool is_as_opened = document.state().signal == opened_preset(document).saved.signal;
     const bool was_read = player.signal().sound().file == file_of(document.state().signal);
     const bool is_needed =
         !player.signal().get() || (is_as_opened && !was_read && !reasons.empty());
@@ -210,8 +210,8 @@ Result<void> MediaInput::take(LoadedMedia loaded, const Document& document, Play
                                       std::move(loaded.drawing)});
         !set)
         return fall_back(document, player, std::move(set.error()));
-    const std::string& expected = document.opened_preset().identity.media_digest;
-    if (document.state().signal == document.opened_preset().saved.signal && !expected.empty() &&
+    const std::string& expected = opened_preset(document).identity.media_digest;
+    if (document.state().signal == opened_preset(document).saved.signal && !expected.empty() &&
         expected != loaded.digest)
         return fail(other_media(loaded.name));
     return {};

@@ -37,8 +37,8 @@ std::string lossy_sound_warning(const FilmEncoding& encoding, const Spec& signal
     if (!encoding.sound || encoding.sound->is_lossless || !is_drawn_as_xy(signal))
         return {};
     return fmt::format(
-        "{} distorts the sound and the XY figure drawn from it. Use .mov or .mkv for lossless "
-        "sound.",
+        "{} changes the sound. An oscilloscope that plays this film draws a distorted figure. Use "
+        ".mov or .mkv for lossless sound.",
         encoding.sound->label);
 }
 

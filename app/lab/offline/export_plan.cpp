@@ -1,6 +1,7 @@
 #include "lab/offline/export_plan.h"
 
 #include "base/text.h"
+#include "formats/cues/cue_sheet.h"
 #include "lab/document/output_name.h"
 #include "lab/offline/export_output.h"
 #include "lab/rendering/named_size.h"
@@ -38,6 +39,19 @@ public:
             return *typed;
         refuse(field, fmt::format("Type a number from {} to {}.", format_number(limit.low),
                                   format_number(limit.high)));
+        return otherwise;
+    }
+
+    /// A time as seconds or M:SS.
+    double seconds(ExportField field, const std::string& text, const Limit& limit,
+                   double otherwise) {
+        if (trim(text).empty())
+            return otherwise;
+        const auto typed = parse_cue_time(trim(text));
+        if (typed && *typed >= limit.low && *typed <= limit.high)
+            return *typed;
+        refuse(field, fmt::format("Type seconds or M:SS, from {} s to {} s.",
+                                  format_number(limit.low), format_number(limit.high)));
         return otherwise;
     }
 
@@ -150,8 +164,8 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
     plan.settings.fps = reader.number(ExportField::fps, form.fps, {1.0, 1000.0}, 60.0);
     plan.settings.loops = form.loops;
     if (!form.loops)
-        plan.settings.start = reader.number(ExportField::start, form.start, {0.0, longest}, 0.0);
-    plan.settings.seconds = reader.number(ExportField::length, form.length, {0.001, longest}, 0.0);
+        plan.settings.start = reader.seconds(ExportField::start, form.start, {0.0, longest}, 0.0);
+    plan.settings.seconds = reader.seconds(ExportField::length, form.length, {0.001, longest}, 0.0);
     plan.settings.film = read_film(form, reader);
     if (!form.loops && facts.sound_seconds > 0.0 && plan.settings.seconds <= 0.0 &&
         plan.settings.start >= facts.sound_seconds)

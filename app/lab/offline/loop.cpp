@@ -70,14 +70,14 @@ Result<std::int64_t> loop_frames(const Fraction& seconds, double fps) {
 }
 
 bool PeriodFinder::is_same(std::int64_t frames_ago) const {
-    constexpr int as_good = 1;  // in 1/255
+    constexpr int tolerance = 1;  // in 1/255
     const auto at = [&](std::int64_t number) -> const std::vector<std::uint8_t>& {
         return m_pictures[static_cast<std::size_t>(number % (m_longest + 1))];
     };
     const auto& now = at(m_count);
     const auto& before = at(m_count - frames_ago);
     for (std::size_t i = 0; i < now.size(); ++i)
-        if (std::abs(int{now[i]} - int{before[i]}) > as_good)
+        if (std::abs(int{now[i]} - int{before[i]}) > tolerance)
             return false;
     return true;
 }

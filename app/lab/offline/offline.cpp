@@ -181,11 +181,13 @@ bool Offline::is_animated(const Parameter& parameter) const {
 
 Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
     const Look look = executor().look();
-    const bool has_constants =
+    // Specialised programs contain constants and sizes.
+    const bool changes_constants =
         std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
-            return parameter.is_constant && is_animated(parameter);
+            return is_animated(parameter) &&
+                   (parameter.is_constant || drives_size(look, parameter));
         });
-    if (has_constants || m_generic)
+    if (changes_constants || m_generic)
         return {};
     const std::vector<bool> is_displayed = displayed_with_picture(displayed);
     if (auto done = show_to(is_displayed); !done)
@@ -330,11 +332,14 @@ void Offline::modulate_values(const PlayedFrame& frame) {
     const CuedFrame cued(&m_script.cues, frame.span, played_part(m_player->signal()));
     if (cued.restarts())
         m_executors.picture().clear_history();
-    cued.note_blackout(m_executors);
+    cued.apply_blackout(m_executors);
     m_script.position = cued.position();
-    modulate(m_executors,
-             {values, values, state.modulations, state.tempo, cued.plan(), cued.position()},
-             frame.span.end, m_player->signal().loudness().get());
+    if (auto done =
+            modulate(m_executors,
+                     {values, values, state.modulations, state.tempo, cued.plan(), cued.position()},
+                     frame.span.end, m_player->signal().loudness().get());
+        !done)
+        m_problems.insert(m_problems.end(), done.error().begin(), done.error().end());
 }
 
 // Only the picture, not the passes before it.

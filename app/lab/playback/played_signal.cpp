@@ -47,7 +47,7 @@ Result<void> PlayedSignal::open_feed(const Spec& complete, double time) {
     if (!feed)
         return fail(feed.error());
     m_feed = std::move(*feed);
-    m_feed->beam()->set_patience(m_sender_patience);
+    m_feed->beam()->set_timeout(m_sender_timeout);
     return {};
 }
 

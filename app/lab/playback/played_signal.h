@@ -26,9 +26,9 @@ struct SignalFile {
 /// The current signal and its input: a file, live sound or the beam of another program.
 class PlayedSignal {
 public:
-    /// `sender_patience` as in BeamInput::set_patience().
-    PlayedSignal(BeamInput::Pace pace, double sender_patience)
-        : m_pace(pace), m_sender_patience(sender_patience) {}
+    /// `sender_timeout` as in BeamInput::set_timeout().
+    PlayedSignal(BeamInput::Pace pace, double sender_timeout)
+        : m_pace(pace), m_sender_timeout(sender_timeout) {}
 
     /// Opens the live sound or the beam of another program that a completed spec needs.
     Result<void> open_input(const Spec& complete, const AudioDevices& devices, double time);
@@ -72,7 +72,7 @@ private:
     void measure();
 
     BeamInput::Pace m_pace;
-    double m_sender_patience;
+    double m_sender_timeout;
     Spec m_spec;  // completed
     SignalFile m_sound;
     LiveInput m_live_input;

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <utility>
 
-Player::Player(std::unique_ptr<SoundDevices> devices, double sender_patience)
+Player::Player(std::unique_ptr<SoundDevices> devices, double sender_timeout)
     : m_devices(std::move(devices)),
       m_signal(m_devices.has_devices() ? BeamInput::Pace::live : BeamInput::Pace::waiting,
-               sender_patience) {}
+               sender_timeout) {}
 
 Result<void> Player::set_signal(const Spec& spec, SignalFile sound) {
     auto complete = spec.kind.empty() ? Result<Spec>(Spec()) : completed(spec);

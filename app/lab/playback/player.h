@@ -13,10 +13,10 @@
 /// Plays a signal: its clock, its input and its audio devices.
 class Player {
 public:
-    /// `devices` are for the window; null: no audio devices are used. `sender_patience` is that of
+    /// `devices` are for the window; null: no audio devices are used. `sender_timeout` is that of
     /// PlayedSignal.
     explicit Player(std::unique_ptr<SoundDevices> devices = nullptr,
-                    double sender_patience = std::numeric_limits<double>::infinity());
+                    double sender_timeout = std::numeric_limits<double>::infinity());
 
     const Transport& transport() const { return m_transport; }
     const PlayedSignal& signal() const { return m_signal; }

@@ -90,8 +90,9 @@ void PreviewRenderer::draw_next(const PreviewSubject& subject) {
     static_cast<void>(subject.media.source().show_past_in(
         frame.span.end, {m_executors, subject.picture, m_source}));
     const DocumentState& state = subject.document.state();
-    modulate(m_executors, {m_values, m_other_values, state.modulations, state.tempo},
-             frame.span.end, subject.player.signal().loudness().get());
+    static_cast<void>(modulate(m_executors,
+                               {m_values, m_other_values, state.modulations, state.tempo},
+                               frame.span.end, subject.player.signal().loudness().get()));
     const Beam beam = subject.player.signal().trace(frame.span);
     if (is_last)
         m_executors.draw(frame, beam);

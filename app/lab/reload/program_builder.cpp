@@ -9,7 +9,7 @@
 #include "lab/storage/injected_fault.h"
 
 namespace {
-constexpr auto cache_patience = std::chrono::milliseconds(500);
+constexpr auto cache_timeout = std::chrono::milliseconds(500);
 
 // The first picture that the user chooses must not block the window. Readers of pictures report an
 // error if the module cannot be loaded.
@@ -225,7 +225,7 @@ void ProgramBuilder::draw_first_here(const Job& job, const Programs* known,
     m_warm_up->draw({look, drawn, known, images, m_picture, FirstDrawsInput::Size::whole},
                     *job.progress);
     // The look's context finds the result in the cache once it is written.
-    gpu::wait_for_driver_cache(cache_patience, *job.progress);
+    gpu::wait_for_driver_cache(cache_timeout, *job.progress);
 }
 
 // Views are drawn in the context that draws the passes. The first look is displayed without this

@@ -49,9 +49,9 @@ std::optional<MidiBinding> MidiControl::learnt_of(const MidiControlChange& chang
     return previous;
 }
 
-MidiNews MidiControl::update(const RemoteSettings& settings, Document* document, RemoteEdits& edits,
-                             double now_seconds) {
-    MidiNews news;
+MidiUpdate MidiControl::update(const RemoteSettings& settings, Document* document,
+                               RemoteEdits& edits, double now_seconds) {
+    MidiUpdate news;
     constexpr int maximum = 1000;  // per update, so that endless input cannot block the picture
     for (int i = 0; i < maximum; ++i) {
         const auto message = m_inputs->take();
@@ -65,7 +65,8 @@ MidiNews MidiControl::update(const RemoteSettings& settings, Document* document,
 }
 
 void MidiControl::take(std::span<const std::uint8_t> message, const RemoteSettings& settings,
-                       Document* document, RemoteEdits& edits, double now_seconds, MidiNews& news) {
+                       Document* document, RemoteEdits& edits, double now_seconds,
+                       MidiUpdate& news) {
     const auto press = parse_midi_press(message);
     const auto change = parse_midi(message);
     if (press)

@@ -14,7 +14,7 @@
 #include <vector>
 
 /// What the messages of an update learnt, and the commands that they run.
-struct MidiNews {
+struct MidiUpdate {
     std::optional<MidiBinding> learnt = {};
     std::optional<MidiCommand> learnt_command = {};
     std::vector<PressedCommand> pressed = {};
@@ -42,8 +42,8 @@ public:
     const std::optional<std::string>& learning_command() const { return m_triggers.learning(); }
 
     /// Applies the received messages; `document` null: no look is open.
-    MidiNews update(const RemoteSettings& settings, Document* document, RemoteEdits& edits,
-                    double now_seconds);
+    MidiUpdate update(const RemoteSettings& settings, Document* document, RemoteEdits& edits,
+                      double now_seconds);
 
     /// The last received message, bound or not: "CC 21, channel 1, value 64"; "": none.
     const std::string& last() const { return m_last; }
@@ -54,7 +54,7 @@ public:
 
 private:
     void take(std::span<const std::uint8_t> message, const RemoteSettings& settings,
-              Document* document, RemoteEdits& edits, double now_seconds, MidiNews& news);
+              Document* document, RemoteEdits& edits, double now_seconds, MidiUpdate& news);
     std::optional<MidiBinding> learnt_of(const MidiControlChange& change, double now_seconds);
     void set_value(const MidiBinding& binding, double share, const RemoteSettings& settings,
                    Document& document, RemoteEdits& edits, double now_seconds);

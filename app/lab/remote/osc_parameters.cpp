@@ -12,7 +12,7 @@ Result<const Parameter*> addressed_parameter(std::string_view address, const Loo
     return parameter;
 }
 
-Result<Value> asked_value(const OscMessage& message, const Parameter& parameter) {
+Result<Value> value_from_message(const OscMessage& message, const Parameter& parameter) {
     const auto& arguments = message.arguments;
     if (arguments.empty() && parameter.control == Control::event)
         return Value(1.0);
@@ -39,7 +39,7 @@ Result<RemoteChange> change_of(const OscMessage& message, const Look& look) {
         addressed_parameter(std::string_view(message.address).substr(osc_prefix.size()), look);
     if (!parameter)
         return fail(parameter.error());
-    auto value = asked_value(message, **parameter);
+    auto value = value_from_message(message, **parameter);
     if (!value)
         return fail(value.error());
     return RemoteChange{(*parameter)->name, std::move(*value)};

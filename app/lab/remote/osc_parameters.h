@@ -14,7 +14,7 @@ Result<const Parameter*> addressed_parameter(std::string_view address, const Loo
 
 /// The value that a message sets: one number per component, or a text as the user would type it.
 /// An event without an argument is triggered.
-Result<Value> asked_value(const OscMessage& message, const Parameter& parameter);
+Result<Value> value_from_message(const OscMessage& message, const Parameter& parameter);
 
 /// Parses a message that sets a parameter.
 Result<RemoteChange> change_of(const OscMessage& message, const Look& look);

@@ -101,7 +101,7 @@ void RemoteControl::learn_midi_command(const std::string& command, const std::st
     m_midi.learn_command(command);
 }
 
-void RemoteControl::bind_midi(const MidiNews& news) {
+void RemoteControl::bind_midi(const MidiUpdate& news) {
     if (news.learnt) {
         m_settings.bind(*news.learnt);
         const std::string& name = news.learnt->goal.parameter;
@@ -124,7 +124,7 @@ void RemoteControl::update(double wall_seconds, const MutableParts& parts) {
     m_seconds += wall_seconds;
     Document* document = m_document ? &*m_document : nullptr;
     const std::size_t refused_midi = m_midi.refused();
-    MidiNews news = m_midi.update(m_settings, document, m_edits, m_seconds);
+    MidiUpdate news = m_midi.update(m_settings, document, m_edits, m_seconds);
     bind_midi(news);
     constexpr std::size_t max_pressed = 100;  // drops presses that would run much later
     for (PressedCommand& pressed : news.pressed)
@@ -145,10 +145,10 @@ void RemoteControl::update(double wall_seconds, const MutableParts& parts) {
 
 // A hidden window runs no actions. One slow frame does not count as such.
 void RemoteControl::reject_stale_action(double wall_seconds) {
-    constexpr double patience = 2.0;  // s
+    constexpr double timeout = 2.0;  // s
     constexpr double longest_frame = 0.1;
     m_action_age += std::min(wall_seconds, longest_frame);
-    if (m_action && m_action_age > patience)
+    if (m_action && m_action_age > timeout)
         finish_action(fail(Diagnostic{{}, 0, "the window is hidden"}));
 }
 
@@ -224,7 +224,7 @@ Result<OscMessages> RemoteControl::answer_parameter(const Incoming& incoming,
     const OscMessage& message = incoming.message;
     if (message.arguments.empty() && parameter.control != Control::event)
         return OscMessages{{message.address, arguments_of(m_document->value(parameter))}};
-    auto value = asked_value(message, parameter);
+    auto value = value_from_message(message, parameter);
     if (!value)
         return fail(value.error());
     const bool is_file = parameter.control == Control::image || parameter.control == Control::sound;

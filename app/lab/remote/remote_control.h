@@ -72,7 +72,7 @@ private:
     void save();
     void open_osc();
     bool listen_to_midi(bool listens);
-    void bind_midi(const MidiNews& news);
+    void bind_midi(const MidiUpdate& news);
     void say_bound(const std::string& trigger, const std::string& name);
     void reject_stale_action(double wall_seconds);
     std::optional<Incoming> next_message();

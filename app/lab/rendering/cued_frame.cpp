@@ -12,6 +12,6 @@ bool CuedFrame::restarts() const {
     return m_plan && m_plan->restarts_within(m_from, m_to, m_loop_start, m_loop_end);
 }
 
-void CuedFrame::note_blackout(Executors& executors) const {
+void CuedFrame::apply_blackout(Executors& executors) const {
     executors.inputs().is_black = m_plan && m_plan->is_black_at(m_to);
 }

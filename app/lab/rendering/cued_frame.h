@@ -19,7 +19,7 @@ public:
     /// Whether the history must be cleared before the frame is drawn.
     bool restarts() const;
     /// Makes the picture black or shows it.
-    void note_blackout(Executors& executors) const;
+    void apply_blackout(Executors& executors) const;
 
 private:
     const CuePlan* m_plan;

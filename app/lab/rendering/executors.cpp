@@ -1,5 +1,9 @@
 #include "lab/rendering/executors.h"
 
+#include "model/plan/parameter_use.h"
+
+#include <algorithm>
+
 Result<void> Executors::for_both(const Act& act) {
     if (auto done = act(m_picture); !done || !m_variant)
         return done;
@@ -87,18 +91,37 @@ void draw_unseen(Executors& executors, const PlayedFrame& played, const Beam& be
     executors.draw(played, beam, &carried);
 }
 
-void modulate(Executors& executors, const ModulatedValues& values, double seconds,
-              const Loudness* loudness) {
+namespace {
+// Also changes the sizes of targets that depend on a changed value.
+Result<void> set_planned_values(Executor& executor, const Values& values) {
+    const Values before = executor.graph().values();
+    executor.set_values(values);
+    const Look& look = executor.look();
+    const bool is_resized = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+        return value_of(parameter, before) != value_of(parameter, executor.graph().values()) &&
+               drives_size(look, parameter);
+    });
+    const FrameSettings settings = executor.graph().settings();
+    return is_resized ? executor.resize(settings.viewport, settings.source) : Result<void>{};
+}
+}  // namespace
+
+Result<void> modulate(Executors& executors, const ModulatedValues& values, double seconds,
+                      const Loudness* loudness) {
     if (values.modulations.empty() && !values.cues)
-        return;
+        return {};
     const Look& look = executors.picture().look();
     const auto at_frame = [&](const CuedState& state) {
         return modulated(look, state.values, state.modulations, seconds, loudness, values.tempo);
     };
     const CuedState stored{values.picture, values.modulations};
-    if (!executors.is_variant_alone())
-        executors.picture().set_values(
-            at_frame(values.cues ? values.cues->state_at(look, stored, values.position) : stored));
     if (Executor* variant = executors.variant())
         variant->set_values(at_frame({values.variant, values.modulations}));
+    if (executors.is_variant_alone())
+        return {};
+    if (values.cues)
+        return set_planned_values(executors.picture(),
+                                  at_frame(values.cues->state_at(look, stored, values.position)));
+    executors.picture().set_values(at_frame(stored));
+    return {};
 }

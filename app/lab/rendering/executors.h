@@ -71,9 +71,10 @@ struct ModulatedValues {
     double position = 0.0;          // of the cues
 };
 /// Sets the values of the frame that ends at `seconds`. Without modulations and cues nothing
-/// changes. A null loudness is silence.
-void modulate(Executors& executors, const ModulatedValues& values, double seconds,
-              const Loudness* loudness);
+/// changes. A null loudness is silence. Cues can change the sizes of targets: fails as
+/// Executor::resize().
+Result<void> modulate(Executors& executors, const ModulatedValues& values, double seconds,
+                      const Loudness* loudness);
 
 /// Draws only the passes that later frames depend on: the frame is not displayed.
 void draw_unseen(Executors& executors, const PlayedFrame& played, const Beam& beam);

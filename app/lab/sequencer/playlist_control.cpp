@@ -21,10 +21,8 @@ fs::path PlaylistControl::file() const {
     return m_work.library.roots().user / "playlists" / (m_look + ".json");
 }
 
-void PlaylistControl::load() {
-    m_list = {};
-    m_step = 0;
-    m_is_playing = false;
+// A file with errors leaves the list as it is.
+void PlaylistControl::read() {
     m_is_broken = false;
     std::error_code error;
     if (m_look.empty() || !fs::exists(file(), error))
@@ -34,6 +32,12 @@ void PlaylistControl::load() {
     m_is_broken = !m_work.messages.succeeded(list);
     if (list)
         m_list = *list;
+    m_is_playing &= !m_list.presets.empty();
+}
+
+void PlaylistControl::file_changed(const fs::path& changed) {
+    if (!m_look.empty() && changed == file())
+        read();
 }
 
 void PlaylistControl::set_list(Playlist list) {
@@ -161,7 +165,10 @@ void PlaylistControl::update(const Tempo& tempo, double wall_seconds) {
     const std::string look = m_work.document ? m_work.document->look().id : std::string();
     if (look != m_look) {
         m_look = look;
-        load();
+        m_list = {};
+        m_step = 0;
+        m_is_playing = false;
+        read();
     }
     if (m_work.player.transport().is_playing())
         m_seconds += wall_seconds;

@@ -22,6 +22,11 @@ public:
     /// A notice offers to undo it.
     void clear();
 
+    /// Where the list is saved. It exists once the list has been changed.
+    std::filesystem::path file() const;
+    /// Reads the list again if this is its file.
+    void file_changed(const std::filesystem::path& changed);
+
     bool is_playing() const { return m_is_playing; }
     /// Starts with the current preset of the list, or stops.
     void set_playing(bool is_playing);
@@ -38,8 +43,7 @@ public:
     void update(const Tempo& tempo, double wall_seconds);
 
 private:
-    std::filesystem::path file() const;
-    void load();
+    void read();
     bool show();
     double slots(const Tempo& tempo) const;
 

@@ -30,8 +30,8 @@ bool is_stashed_session(const fs::path& file) {
 std::string name_for(const Session& session) {
     constexpr std::size_t longest = 120;
     std::string title = session.current.preset.look;
-    if (!session.saved.preset.name.empty())
-        title += " – " + session.saved.preset.name;
+    if (const std::string& name = session.opened.front().saved.preset.name; !name.empty())
+        title += " – " + name;
     for (char& letter : title)
         if (letter == '/' || static_cast<unsigned char>(letter) < ' ')
             letter = '-';
@@ -58,14 +58,15 @@ StashedSession described(const fs::path& file) {
         file.stem().string().substr(std::min(number_digits + 1, file.stem().string().size()));
     if (const auto session = SessionStash::read(file)) {
         listed.look = session->current.preset.look;
-        listed.preset = session->saved.preset.name;
+        listed.preset = session->opened.front().saved.preset.name;
         listed.changes = count_changes(*session);
     }
     return listed;
 }
 
 bool holds_the_same(const Session& a, const Session& b) {
-    return a.look == b.look && a.preset_file == b.preset_file && a.current == b.current;
+    return a.look == b.look && a.opened.front().file == b.opened.front().file &&
+           a.current == b.current;
 }
 }  // namespace
 
@@ -147,7 +148,7 @@ std::size_t count_differences(const std::map<std::string, T>& one,
 
 std::size_t count_changes(const Session& session) {
     const SessionState& now = session.current;
-    const SessionState& saved = session.saved;
+    const SessionState& saved = session.opened.front().saved;
     const bool is_signal = !now.locks.signal && now.preset.signal != saved.preset.signal;
     const bool is_source = !now.locks.source && now.preset.source != saved.preset.source;
     return count_differences(now.preset.values, saved.preset.values) +

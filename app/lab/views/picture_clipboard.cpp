@@ -24,7 +24,7 @@ Result<void> offer_on_wayland(const std::string& png) {
                      0,
                      "copying pictures on Wayland needs the Debian package wl-clipboard. Install "
                      "it and try again."});
-    copier->set_patience(10.0);
+    copier->set_timeout(10.0);
     const bool is_read = copier->feed(0, png);
     copier->end_input(0);
     if (!copier->finish() || !is_read)

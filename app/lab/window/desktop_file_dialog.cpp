@@ -1,7 +1,7 @@
 #include "lab/window/desktop_file_dialog.h"
 
 #include "lab/messages/messages.h"
-#include "lab/window/desktop_question.h"
+#include "lab/window/desktop_request.h"
 
 bool DesktopFileDialog::can_ask(const WindowState& window) const {
     const FileDialogKind* kind = file_dialog_kind(window.dialog.kind);
@@ -21,9 +21,9 @@ void DesktopFileDialog::update(WindowState& window, const Document* document, Me
         m_is_asked = false;
     }
     if (dialog.host == Dialog::Host::undecided && can_ask(window)) {
-        FileQuestion question = desktop_question(dialog, window.file_dialogs, document);
-        question.parent_window = parent_window;
-        m_chooser->ask(std::move(question));
+        FileRequest request = desktop_request(dialog, window.file_dialogs, document);
+        request.parent_window = parent_window;
+        m_chooser->ask(std::move(request));
         m_is_asked = true;
         dialog.host = Dialog::Host::desktop;
     } else if (dialog.host == Dialog::Host::undecided) {

@@ -33,6 +33,8 @@ struct CueTyping {
     std::string text = {};
     std::string timeline = {};  // the control that it was started in
     bool is_new = true;         // not drawn yet
+    std::string problem = {};   // of the text that was last confirmed
+    bool wants_focus = false;
 
     bool operator==(const CueTyping&) const = default;
 };

@@ -25,6 +25,7 @@ struct KeyboardFocus {
     bool is_in_menus = false;
     bool is_in_look = false;       // the look under the pointer
     bool has_focus = false;        // a control has the focus, see ui/window/focus_keys.h
+    bool is_in_dialog = false;     // it is a control of the open dialog
     unsigned int wanted_pane = 0;  // id of the pane that gets the focus; 0: none
     KeyBindings bindings;
     Chord conflict;  // pressed for the action in the dialog's `subject`, but taken

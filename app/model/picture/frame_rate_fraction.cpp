@@ -4,14 +4,14 @@
 
 FrameRateFraction frame_rate_fraction(double fps) {
     constexpr int largest = 100000;
-    constexpr double as_good = 1e-9;
+    constexpr double tolerance = 1e-9;
     FrameRateFraction nearest{static_cast<int>(std::lround(fps)), 1};
     for (int below = 1; below <= largest; ++below) {
         const FrameRateFraction rate{static_cast<int>(std::lround(fps * below)), below};
         const double error = std::abs(rate.number() - fps);
         if (error < std::abs(nearest.number() - fps))
             nearest = rate;
-        if (error <= as_good * fps)
+        if (error <= tolerance * fps)
             return rate;
     }
     return nearest;

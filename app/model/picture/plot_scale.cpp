@@ -38,7 +38,7 @@ std::vector<double> axis_ticks(const PlotRange& range, int maximum) {
 }
 
 void SteadyRange::cover(double minimum, double greatest, double seconds) {
-    constexpr double patience_seconds = 2.0;
+    constexpr double hold_seconds = 2.0;
     const double high = rounded_up(greatest);
     PlotRange needed{-rounded_up(-minimum), high};
     if (needed.low == 0.0 && needed.high == 0.0)
@@ -46,7 +46,7 @@ void SteadyRange::cover(double minimum, double greatest, double seconds) {
     const bool is_larger = needed.low < m_range.low || needed.high > m_range.high;
     if (needed == m_range || m_is_new || is_larger)
         m_needed = seconds;
-    if (m_is_new || seconds > m_needed + patience_seconds) {
+    if (m_is_new || seconds > m_needed + hold_seconds) {
         m_range = needed;
         m_needed = seconds;
     } else if (is_larger) {

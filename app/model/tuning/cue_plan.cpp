@@ -1,6 +1,5 @@
 #include "model/tuning/cue_plan.h"
 
-#include "model/plan/parameter_use.h"
 #include "model/tuning/morph.h"
 
 #include <fmt/format.h>
@@ -92,7 +91,7 @@ bool CuePlan::restarts_within(double from, double to, double loop_start, double 
     });
 }
 
-std::string why_uncued(const Look& look, const Parameter& parameter) {
+std::string cue_refusal(const Parameter& parameter) {
     const std::string& name = parameter.name;
     if (parameter.control == Control::event)
         return fmt::format("'{}' can't be used in a cue: it is a button", name);
@@ -100,8 +99,5 @@ std::string why_uncued(const Look& look, const Parameter& parameter) {
         return fmt::format("'{}' can't be used in a cue: it is a file", name);
     if (parameter.is_constant)
         return fmt::format("'{}' can't be used in a cue: changing it recompiles the look", name);
-    if (drives_size(look, parameter))
-        return fmt::format(
-            "'{}' can't be used in a cue: it sets the size or repeat count of a pass", name);
     return "";
 }

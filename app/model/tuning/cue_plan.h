@@ -53,6 +53,6 @@ private:
     std::set<std::string> m_changed;  // parameters
 };
 
-/// Why a cue can't change this parameter, as a sentence; "" if it can. Cues change values within a
-/// frame, so parameters that recompile the look or reallocate targets are excluded.
-std::string why_uncued(const Look& look, const Parameter& parameter);
+/// Why a cue can't change this parameter, as a sentence; "" if it can. Cues change values between
+/// frames, so parameters that recompile the look are excluded.
+std::string cue_refusal(const Parameter& parameter);

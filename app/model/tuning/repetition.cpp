@@ -28,12 +28,12 @@ std::optional<Fraction> decimal_fraction(double number) {
 Fraction fraction_of(double number) {
     if (const auto decimal = decimal_fraction(number))
         return *decimal;
-    constexpr double as_good = 1e-9;
+    constexpr double tolerance = 1e-9;
     constexpr std::int64_t largest_denominator = 1000000;
     Fraction before{1, 0};
     Fraction now{static_cast<std::int64_t>(std::floor(number)), 1};
     double rest = number - std::floor(number);
-    while (std::abs(now.number() - number) > as_good * number && rest > 0.0) {
+    while (std::abs(now.number() - number) > tolerance * number && rest > 0.0) {
         const double inverse = 1.0 / rest;
         const double whole = std::floor(inverse);
         if (whole > static_cast<double>(largest_denominator))

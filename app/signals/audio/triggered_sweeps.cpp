@@ -6,7 +6,7 @@
 #include <limits>
 
 namespace {
-constexpr double patience_seconds = 0.1;
+constexpr double timeout_seconds = 0.1;
 constexpr double min_epoch_seconds = 4.0;
 constexpr double sweeps_per_epoch = 16.0;
 }  // namespace
@@ -19,7 +19,7 @@ TriggeredSweeps::TriggeredSweeps(const SoundInput& input, const Trigger& trigger
       m_sign(is_inverted ? -1.0f : 1.0f),
       m_length(length),
       m_busy(length + trigger.holdoff_seconds * input.rate()),
-      m_patience(patience_seconds * input.rate()),
+      m_timeout(timeout_seconds * input.rate()),
       m_epoch_length(std::numeric_limits<std::int64_t>::max() / 64) {
     if (trigger.mode == Trigger::Mode::single)
         return;  // one search from time 0
@@ -27,12 +27,12 @@ TriggeredSweeps::TriggeredSweeps(const SoundInput& input, const Trigger& trigger
     m_epoch_length = static_cast<std::int64_t>(std::ceil(epoch / input.factor()));
 }
 
-// Starts earlier by m_patience, to find out whether the sound fires the trigger at all.
+// Starts earlier by m_timeout, to find out whether the sound fires the trigger at all.
 void TriggeredSweeps::begin(std::int64_t epoch) const {
     const auto factor = static_cast<double>(m_input.factor());
     const std::int64_t first = epoch * m_epoch_length;
     m_epoch = epoch;
-    m_next = first - static_cast<std::int64_t>(std::ceil(m_patience / factor));
+    m_next = first - static_cast<std::int64_t>(std::ceil(m_timeout / factor));
     m_ready = static_cast<double>(first) * factor;
     m_event = -std::numeric_limits<double>::infinity();
     m_last = 0.0f;
@@ -49,8 +49,8 @@ void TriggeredSweeps::sweep_from(double instant) const {
 void TriggeredSweeps::begin_unasked(double now) const {
     if (m_trigger.mode != Trigger::Mode::automatic)
         return;
-    for (double at = std::max(m_ready, m_event + m_patience); at <= now;
-         at = std::max(m_ready, m_event + m_patience))
+    for (double at = std::max(m_ready, m_event + m_timeout); at <= now;
+         at = std::max(m_ready, m_event + m_timeout))
         sweep_from(at);
 }
 

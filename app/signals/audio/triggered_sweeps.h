@@ -29,7 +29,7 @@ private:
     float m_sign;
     double m_length;
     double m_busy;                // sweep and hold-off
-    double m_patience;            // time without a trigger before `automatic` starts a sweep
+    double m_timeout;             // time without a trigger before `automatic` starts a sweep
     std::int64_t m_epoch_length;  // samples of the sound
 
     // State of the current epoch; instants as in Sweep.

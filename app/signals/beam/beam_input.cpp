@@ -74,11 +74,11 @@ void BeamInput::start_at(double seconds) {
 // Each new point restarts the timeout.
 void BeamInput::wait_for_points(std::unique_lock<std::mutex>& lock, double until) {
     const auto is_done = [&] { return m_is_closed || m_has_ended || m_end > until + end_slack; };
-    if (std::isinf(m_patience_seconds)) {
+    if (std::isinf(m_timeout_seconds)) {
         m_changed.wait(lock, is_done);
         return;
     }
-    const std::chrono::duration<double> timeout(m_patience_seconds);
+    const std::chrono::duration<double> timeout(m_timeout_seconds);
     while (!is_done()) {
         const double before = m_end;
         if (m_changed.wait_for(lock, timeout, [&] { return is_done() || m_end > before; }))

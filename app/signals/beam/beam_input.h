@@ -24,7 +24,7 @@ public:
 
     /// Drawing waits at most this long for a point, then continues without the sender. The default
     /// is no limit.
-    void set_patience(double seconds) { m_patience_seconds = seconds; }
+    void set_timeout(double seconds) { m_timeout_seconds = seconds; }
     /// Whether the wait timed out.
     bool has_timed_out() const { return m_has_timed_out; }
 
@@ -73,6 +73,6 @@ private:
     bool m_has_tints = false;  // some point has a colour
     bool m_has_ended = false;
     std::atomic<bool> m_has_timed_out = false;
-    double m_patience_seconds = std::numeric_limits<double>::infinity();
+    double m_timeout_seconds = std::numeric_limits<double>::infinity();
     bool m_is_closed = false;
 };

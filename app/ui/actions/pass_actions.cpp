@@ -120,10 +120,27 @@ void save_pass(const Scene& scene, Edits& edits) {
     edits.show({.kind = Dialog::Kind::save_pass, .subject = scene.window.views.inspected.label()});
 }
 
+// The first error with a line: in this file, or else in any.
+std::optional<Location> first_error(const Messages& messages, const std::filesystem::path& file) {
+    std::optional<Location> first;
+    for (const Problem& problem : messages.problems()) {
+        const Diagnostic& found = problem.diagnostic;
+        if (found.severity != Severity::error || found.line <= 0 || found.file.empty())
+            continue;
+        if (found.file == file)
+            return Location{found.file, found.line};
+        if (!first)
+            first = Location{found.file, found.line};
+    }
+    return first;
+}
+
+// The pass's shader, or the error to correct.
 void edit_shader(const Scene& scene, Edits& edits) {
     const Look& look = scene.lab.document->look();
     const auto pass = static_cast<std::size_t>(inspected_pass(look, scene.window.views.inspected));
-    const Location location{look.passes[pass].fragment.file, 1};
+    const Location shader{look.passes[pass].fragment.file, 1};
+    const Location location = first_error(scene.lab.messages, shader.file).value_or(shader);
     if (location.file.empty())
         return edits.change([name = look.passes[pass].name](Messages& messages) {
             messages.say(

@@ -7,6 +7,7 @@
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
+#include <imgui/imgui_internal.h>
 
 #include <algorithm>
 
@@ -66,6 +67,20 @@ std::optional<std::string> draw_name_advice(const NameCheck& check, Edits& edits
     return is_taken ? std::optional(check.suggestion) : std::nullopt;
 }
 
+namespace {
+// Whether Escape belongs to a list or menu above the dialog. Closes it, unless ImGui has.
+bool take_escape_of_popup() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const bool has_popup = context.OpenPopupStack.Size > context.BeginPopupStack.Size;
+    bool& had_popup = *ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("##had_popup"));
+    const bool is_taken = ImGui::IsKeyPressed(gpu::key::escape, false) && (has_popup || had_popup);
+    had_popup = has_popup;
+    if (is_taken && has_popup)
+        ImGui::ClosePopupToLevel(context.BeginPopupStack.Size, true);
+    return is_taken;
+}
+}  // namespace
+
 DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edits& edits,
                          bool escape_closes) {
     if (!ImGui::IsPopupOpen(title))
@@ -86,7 +101,7 @@ DialogFrame::DialogFrame(const char* title, float width, const Scene& scene, Edi
     const ScopedFont strong(scene.fonts.strong);
     ImGui::TextUnformatted(title);
     ImGui::Spacing();
-    if (escape_closes && ImGui::IsKeyPressed(gpu::key::escape, false))
+    if (!take_escape_of_popup() && escape_closes && ImGui::IsKeyPressed(gpu::key::escape, false))
         close_dialog(edits);
 }
 
@@ -96,7 +111,14 @@ DialogFrame::~DialogFrame() {
 }
 
 namespace {
+// Enter, unless it activates the control that has the keyboard focus.
 bool is_enter_pressed() {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool has_focus = (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 &&
+                           !context.NavDisableHighlight && context.NavId != 0;
+    if (has_focus && !io.WantTextInput)
+        return false;
     return ImGui::IsKeyPressed(gpu::key::enter, false) ||
            ImGui::IsKeyPressed(gpu::key::pad_enter, false);
 }

@@ -283,13 +283,14 @@ void draw_quit_exporting_dialog(const Scene& scene, Edits& edits) {
     if (!frame.is_open())
         return;
     const std::string text =
-        pending == 1 ? std::string(
-                           "1 export is not finished. Afterglow quits when it is done. Quit now to "
-                           "cancel it.")
-                     : fmt::format(
-                           "{} exports are not finished. Afterglow quits when they are done. Quit "
-                           "now to cancel them.",
-                           pending);
+        pending == 1
+            ? std::string(
+                  "1 export is not finished. Afterglow quits when it is done. Cancel keeps "
+                  "it open. Quit now discards the export.")
+            : fmt::format(
+                  "{} exports are not finished. Afterglow quits when they are done. Cancel "
+                  "keeps it open. Quit now discards the exports.",
+                  pending);
     ImGui::TextWrapped("%s", text.c_str());
     if (!draw_dialog_buttons("Quit now", true, edits))
         return;

@@ -80,8 +80,10 @@ std::string list_problem(const FileDialogFrame& frame) {
     const FolderListing& listing = frame.scene.folders.listing();
     if (!listing.problem.empty())
         return listing.problem;
-    return listing.entries.empty() ? "This folder has no matching files."
-                                   : "No matching files. Clear the name to list all.";
+    const bool is_filtered = !shown_path(frame.browser).name.empty();
+    return listing.entries.empty() || !is_filtered
+               ? "This folder has no matching files."
+               : "No matching files. Clear the name to list all.";
 }
 
 // Takes the choice of the user: enters a folder, asks, shows a problem, or is done.

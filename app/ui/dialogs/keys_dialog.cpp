@@ -213,14 +213,14 @@ void draw_key_button(const KeyRow& row, float width, const Scene& scene, Edits& 
 
 void draw_row(const KeyRow& row, float width, const Scene& scene, Edits& edits) {
     const ScopedId id(row.keyed->name);
-    const float left = ImGui::GetCursorPosX();
     draw_key_button(row, width, scene, edits);
-    ImGui::SameLine(left + width + ImGui::GetFontSize() * 0.5f);
+    ImGui::SameLine(0.0f, ImGui::GetFontSize() * 0.5f);
     const KeyBindings& bindings = scene.window.keyboard.bindings;
     const bool is_changed = bindings.is_changed(*row.keyed);
     const float button = is_changed ? ImGui::GetFrameHeight() : 0.0f;
     fitted_text(row.action->label, ImGui::GetContentRegionAvail().x - button,
                 is_changed ? theme::text : theme::label);
+    edits.mark("key_label:" + row.keyed->name);
     if (!is_changed)
         return;
     const std::string initial = chord_text(row.keyed->initial);
@@ -276,7 +276,8 @@ void draw_mouse(const Scene& scene) {
             const ScopedColor color(ImGuiCol_Text, theme::accent);
             ImGui::TextUnformatted(gesture.gesture);
         }
-        ImGui::SameLine(left + ImGui::GetFontSize() * 15.5f);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left + ImGui::GetFontSize() * 15.5f);  // SameLine() ignores columns
         fitted_text(gesture.effect, ImGui::GetContentRegionAvail().x, theme::label);
     }
     ImGui::EndTable();

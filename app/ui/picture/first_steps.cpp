@@ -48,7 +48,7 @@ void note_first_steps(const Document* document, WindowState& window) {
     if (!document || !window.first_steps.is_shown)
         return;
     const DocumentState& state = document->state();
-    const DocumentState& saved = document->opened_preset().saved;
+    const DocumentState& saved = opened_preset(*document).saved;
     FirstSteps& steps = window.first_steps;
     steps.has_turned |= state.values != saved.values;
     steps.has_driven |= state.signal != saved.signal || state.source != saved.source;

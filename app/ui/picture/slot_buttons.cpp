@@ -41,9 +41,7 @@ std::string help_for(std::size_t number, const Scene& scene) {
         content_of(*slot, name, scene.lab.frames.comparison().is_in_slot(number)), 5 + number);
 }
 
-void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
-    if (!ImGui::BeginPopupContextItem())
-        return;
+void draw_menu_items(std::size_t number, const Scene& scene, Edits& edits) {
     const ScopedFont font(scene.fonts.text);
     const SlotActions& of = button_actions[number];
     const bool is_filled = scene.lab.frames.comparison().slots()[number].has_value();
@@ -58,6 +56,12 @@ void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
                         is_filled))
         edits.change([number](ComparisonView& comparison) { comparison.clear_slot(number); });
     edits.mark(name + ":empty");
+}
+
+void draw_menu(std::size_t number, const Scene& scene, Edits& edits) {
+    if (!ImGui::BeginPopupContextItem())
+        return;
+    draw_menu_items(number, scene, edits);
     ImGui::EndPopup();
 }
 

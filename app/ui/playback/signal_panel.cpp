@@ -29,7 +29,7 @@ void set_signal(const Spec& spec, Edits& edits) {
 
 // The saved value of a setting, from the preset or the look.
 double usual_number(const SettingInfo& setting, const Document& document) {
-    const auto saved = completed(document.opened_preset().saved.signal);
+    const auto saved = completed(opened_preset(document).saved.signal);
     if (!saved || saved->kind != document.state().signal.kind)
         return setting.initial;
     const auto found = saved->settings.find(setting.key);

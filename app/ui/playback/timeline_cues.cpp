@@ -1,6 +1,8 @@
 #include "ui/playback/timeline_cues.h"
 
 #include "lab/document/opened_preset.h"
+#include "lab/lab.h"
+#include "lab/library/cue_plans.h"
 #include "lab/sequencer/sequencer.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -107,15 +109,24 @@ const Cue& cue_in(std::size_t line, const Scene& scene) {
 }
 
 void finish_typing(const CueTyping& typing, Edits& edits) {
-    edits.change([typing](Sequencer& sequencer, Messages& messages, WindowState& window) {
-        const auto cue = parse_cue(typing.text);
-        if (!messages.succeeded(cue))
+    edits.change([typing](Lab& lab, WindowState& window) {
+        if (!lab.document())
             return;
+        const auto cue = parse_cue(typing.text);
+        const Result<void> checked =
+            cue ? check_cue(*cue, lab.document()->look(), lab.work().library) : fail(cue.error());
+        if (!checked) {
+            if (auto& open = window.views.timeline.typing) {
+                open->problem = checked.error().front().message;
+                open->wants_focus = true;
+            }
+            return;
+        }
         window.views.timeline.typing.reset();
         if (typing.line == 0)
-            sequencer.cues().add(*cue);
+            lab.sequencer().cues().add(*cue);
         else
-            sequencer.cues().retype(typing.line, typing.text);
+            lab.sequencer().cues().retype(typing.line, typing.text);
     });
 }
 }  // namespace
@@ -207,6 +218,7 @@ void draw_cue_items(const TimelineAxis& axis, const Scene& scene, Edits& edits) 
         edits.change([line = *line](Sequencer& sequencer) { sequencer.cues().remove(line); });
     if (!line && ImGui::MenuItem("Add cue here…", nullptr, false, scene.lab.document != nullptr))
         type_new_cue(std::clamp(axis.time(pointer.x), 0.0, axis.length), axis, scene, edits);
+    edits.mark("cue:add");
 }
 
 std::string cue_help(const TimelineAxis& axis, const Scene& scene) {
@@ -235,17 +247,24 @@ void draw_cue_typing(const char* mark, const Scene& scene, Edits& edits) {
         return ImGui::EndPopup();
     }
     std::string text = typing->text;
-    if (ImGui::IsWindowAppearing())
+    if (ImGui::IsWindowAppearing() || typing->wants_focus)
         ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 26.0f);
     const bool is_entered = ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue);
     edits.mark(std::string(mark) + ":cue");
+    if (!typing->problem.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::problem);
+        ImGui::TextUnformatted(wrapped(typing->problem, ImGui::GetFontSize() * 26.0f).c_str());
+        edits.mark(std::string(mark) + ":cue_problem");
+    }
     dim_text(
         "TIME preset \"NAME\" morph S, parameter NAME VALUE over S, "
         "restart, blackout on|off");
     edits.arrange([text](WindowState& window) {
-        if (window.views.timeline.typing)
-            window.views.timeline.typing->text = text;
+        if (auto& open = window.views.timeline.typing) {
+            open->text = text;
+            open->wants_focus = false;
+        }
     });
     if (is_entered)
         finish_typing({typing->line, text}, edits);

@@ -24,10 +24,11 @@ bool draw_search_box(const SearchBox& box, std::string& text, Edits& edits) {
     // ImGui leaves the field and restores the text that it had when it got the focus.
     const bool is_escaped =
         ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(gpu::key::escape, false);
-    if (is_escaped && has_text) {
+    if (is_escaped) {
+        is_changed = has_text || !text.empty();
         text.clear();
-        ImGui::SetKeyboardFocusHere(-1);
-        is_changed = true;
+        if (has_text)
+            ImGui::SetKeyboardFocusHere(-1);
     }
     if (!has_text)
         return is_changed;

@@ -82,10 +82,10 @@ void fitted_text(const std::string& text, float width, const ImVec4& color) {
 }
 
 bool is_hover_delayed() {
-    constexpr float patience_seconds = 0.3f;
+    constexpr float delay_seconds = 0.3f;
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !context.IO.MouseDown[0] &&
-           (context.HoveredId == 0 || context.HoveredIdTimer > patience_seconds);
+           (context.HoveredId == 0 || context.HoveredIdTimer > delay_seconds);
 }
 
 void tooltip(const std::string& text) {

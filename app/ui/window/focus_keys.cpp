@@ -1,6 +1,7 @@
 #include "ui/window/focus_keys.h"
 
 #include "gpu/input_event.h"
+#include "lab/window/file_dialog_kind.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/menu_keys.h"
 
@@ -72,6 +73,20 @@ void end(Edits& edits) {
     edits.arrange([](WindowState& window) { window.keyboard.has_focus = false; });
 }
 
+void end_in_dialog(Edits& edits) {
+    set_keyboard_navigation(false);
+    ImGui::GetCurrentContext()->NavDisableHighlight = true;
+    edits.arrange([](WindowState& window) {
+        window.keyboard.has_focus = window.keyboard.is_in_dialog = false;
+    });
+}
+
+// Whether the dialog uses Tab in another way, or waits for a key.
+bool has_own_tab(const Dialog& dialog) {
+    return file_dialog_kind(dialog.kind) || dialog.kind == Dialog::Kind::palette ||
+           (dialog.kind == Dialog::Kind::keys && !dialog.subject.empty());
+}
+
 bool is_any_button_pressed() {
     const ImGuiIO& io = ImGui::GetIO();
     return std::any_of(std::begin(io.MouseClicked), std::end(io.MouseClicked),
@@ -79,12 +94,31 @@ bool is_any_button_pressed() {
 }
 }  // namespace
 
+namespace {
+void follow_in_dialog(const Scene& scene, Edits& edits) {
+    const KeyboardFocus& keyboard = scene.window.keyboard;
+    const ImGuiIO& io = ImGui::GetIO();
+    if (keyboard.has_focus && is_any_button_pressed())
+        return end_in_dialog(edits);
+    if (!ImGui::IsKeyPressed(tab) || io.KeyAlt || io.KeyCtrl || has_own_tab(scene.window.dialog))
+        return;
+    if (!keyboard.has_focus)
+        start(edits);
+    if (!keyboard.is_in_dialog)
+        edits.arrange([](WindowState& window) { window.keyboard.is_in_dialog = true; });
+    move_focus(io.KeyShift ? -1 : 1);
+}
+}  // namespace
+
 void follow_focus_keys(const Scene& scene, Edits& edits) {
     const KeyboardFocus& keyboard = scene.window.keyboard;
     const ImGuiIO& io = ImGui::GetIO();
-    if (scene.window.dialog.kind != Dialog::Kind::none || keyboard.is_in_menus ||
-        scene.is_behind_output)
+    if (keyboard.is_in_menus || scene.is_behind_output)
         return;
+    if (scene.window.dialog.kind != Dialog::Kind::none)
+        return follow_in_dialog(scene, edits);
+    if (keyboard.is_in_dialog)
+        return end_in_dialog(edits);
     const bool is_left = ImGui::IsKeyPressed(gpu::key::escape, false) && !ImGui::IsAnyItemActive();
     if (keyboard.has_focus && (is_left || is_any_button_pressed()))
         return end(edits);

@@ -51,6 +51,8 @@ void follow_menu_keys(const char* first, const Scene& scene, Edits& edits) {
     const bool is_open = is_in_menus() && !has_dialog;
     const bool is_asked =
         ImGui::IsKeyPressed(f10, false) && !scene.window.keyboard.is_in_menus && !has_dialog;
+    if (is_open && ImGui::IsKeyPressed(gpu::key::escape, false))
+        ImGui::GetCurrentContext()->NavDisableMouseHover = true;  // the pointer reopens no submenu
     if (is_asked) {
         select_menu(ImGui::GetID(first));
         open_menu(ImGui::GetID(first));

@@ -166,6 +166,11 @@ void Toolkit::begin(float scale) {
     m_begin_seconds = cpu_seconds();
     make_ready(scale);
     take_input();
+    // Each frame takes one press or release. At low frame rates, both clicks need more time.
+    constexpr float double_click_seconds = 0.3f;
+    constexpr float double_click_frames = 5.0f;
+    ImGuiIO& io = ImGui::GetIO();
+    io.MouseDoubleClickTime = std::max(double_click_seconds, double_click_frames * io.DeltaTime);
     ImGui::NewFrame();
 }
 

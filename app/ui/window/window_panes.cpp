@@ -86,10 +86,10 @@ void draw_window(const Scene& scene, Edits& edits) {
     draw_panes(scene, layout, edits);
     draw_splitters(layout, scene.scale, edits);
     ImGui::End();
-    draw_focus_frame(scene, edits);
     follow_pointer(scene, edits);
     leave_hidden_sheet(scene, edits);
     draw_dialogs(scene, edits);
+    draw_focus_frame(scene, edits);
     run_shortcuts(scene, edits);
     run_requested_action(scene, edits);
 }

@@ -15,13 +15,15 @@ SessionState state(const std::string& step, double decay) {
 Session session() {
     Session made;
     made.look = "/looks/phosphor/look.json";
-    made.preset_file = "/presets/phosphor/P31 \"bench\".json";
-    made.saved = state("", 0.9);
+    made.opened.front().file = "/presets/phosphor/P31 \"bench\".json";
+    made.opened.front().saved = state("", 0.9);
     made.current = state("", 0.95);
     made.current.overrides["bloom_x"] = {
         .format = Format::rgba32f, .scale = 0.25, .filter = Filter::nearest};
     made.past = {state("Decay", 0.92), state("Exposure", 0.93)};
     made.future = {state("Decay", 0.99)};
+    made.opened.push_back({"/presets/phosphor/amber.json", state("", 0.92)});
+    made.past[1].opened = 1;
     made.time = 12.5;
     made.speed = 0.25;
     made.is_playing = false;
@@ -79,7 +81,7 @@ TEST_CASE("only the latest 200 undo steps are kept") {
 TEST_CASE("cues are written once for all states that have them, and other ones up to 1 MiB") {
     Session long_show = session();
     const CueText cues{"/shows/a.txt", std::string(200'000, '#')};
-    long_show.current.cues = long_show.saved.cues = cues;
+    long_show.current.cues = long_show.opened.front().saved.cues = cues;
     long_show.past.clear();
     for (int i = 0; i < 100; ++i)
         long_show.past.push_back(state("Decay", 0.01 * i));
@@ -104,7 +106,10 @@ TEST_CASE("a truncated, foreign or newer session is rejected") {
         CHECK_FALSE(parse_session(whole.substr(0, length), "session.json").has_value());
     for (const char* text : {"[]", "{}", R"({"format": "afterglow-preset", "version": 1})",
                              R"({"format": "afterglow-session", "version": 2})",
-                             R"({"format": "afterglow-session", "version": 1, "speed": "fast"})"})
+                             R"({"format": "afterglow-session", "version": 1, "speed": "fast"})",
+                             R"({"format": "afterglow-session", "version": 1, "past": [
+                                 {"preset": {"format": "afterglow-preset", "version": 1},
+                                  "opened": 1}]})"})
         CHECK_FALSE(parse_session(text, "session.json").has_value());
 }
 

@@ -12,7 +12,7 @@
 /// $DBUS_SESSION_BUS_ADDRESS.
 class FakePortal {
 public:
-    /// What it does after a question.
+    /// What it does after a request.
     struct Reaction {
         enum class Kind {
             respond,  // confirms, then sends Response `code` with `uris`

@@ -14,10 +14,10 @@ using Kind = Reaction::Kind;
 
 template <class Condition>
 bool becomes(Condition condition) {
-    constexpr auto patience = std::chrono::seconds(20);
+    constexpr auto timeout = std::chrono::seconds(20);
     const auto start = std::chrono::steady_clock::now();
     while (!condition()) {
-        if (std::chrono::steady_clock::now() - start > patience)
+        if (std::chrono::steady_clock::now() - start > timeout)
             return false;
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
@@ -38,8 +38,8 @@ struct Desktop {
         REQUIRE(becomes([this] { return chooser->is_available(); }));
     }
 
-    FileReply reply_to(const FileQuestion& question) {
-        chooser->ask(question);
+    FileReply reply_to(const FileRequest& sent) {
+        chooser->ask(sent);
         return reply();
     }
     FileReply reply() {
@@ -86,7 +86,7 @@ TEST_CASE("a portal that starts later is found") {
     CHECK(becomes([&] { return chooser.is_available(); }));
 }
 
-TEST_CASE("a question to open a file has title, parent window, filters and folder") {
+TEST_CASE("a request to open a file has title, parent window, filters and folder") {
     Desktop desktop({.uris = {"file:///music/a%20b%C3%A4.wav"}});
     const FileReply reply = desktop.reply_to({.title = "Open a sound",
                                               .groups = {{"Sounds", {".wav"}}, {"All files", {}}},
@@ -101,9 +101,9 @@ TEST_CASE("a question to open a file has title, parent window, filters and folde
           R"("current_filter"=["Sounds" [[0 "*.wav"] [0 "*.WAV"]]] "current_folder"=</music>])");
 }
 
-TEST_CASE("a question to save proposes a name, and a folder need not be UTF-8") {
+TEST_CASE("a request to save proposes a name, and a folder need not be UTF-8") {
     Desktop desktop({.uris = {"file:///films/x.mp4"}});
-    const FileReply reply = desktop.reply_to({.kind = FileQuestion::Kind::save,
+    const FileReply reply = desktop.reply_to({.kind = FileRequest::Kind::save,
                                               .title = "Save",
                                               .folder = "/films/\xff",
                                               .name = "x.mp4"});
@@ -145,7 +145,7 @@ TEST_CASE("a dialog that fails says why") {
     }
 }
 
-TEST_CASE("a portal or a bus that crashes ends the question, and a new portal is found") {
+TEST_CASE("a portal or a bus that crashes ends the request, and a new portal is found") {
     Desktop desktop({.kind = Kind::crash});
     CHECK(desktop.reply_to({.title = "Open"}).kind == FileReply::Kind::failed);
     REQUIRE(becomes([&] { return !desktop.chooser->is_available(); }));

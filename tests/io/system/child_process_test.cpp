@@ -64,7 +64,7 @@ TEST_CASE("descriptors of a child process do not collide with those it expects")
 TEST_CASE("a child process that is stuck is ended, one that works is not") {
     auto stuck = ChildProcess::start({"sleep", "600"}, {.inputs = 1});
     REQUIRE(stuck.has_value());
-    stuck->set_patience(0.5);
+    stuck->set_timeout(0.5);
     bool is_read = true;
     for (int i = 0; i < 1000 && is_read; ++i)
         is_read = stuck->feed(0, std::string(10000, 'a'));
@@ -74,14 +74,14 @@ TEST_CASE("a child process that is stuck is ended, one that works is not") {
 
     auto waiting = ChildProcess::start({"sleep", "600"}, {.inputs = 1});
     REQUIRE(waiting.has_value());
-    waiting->set_patience(0.5);
+    waiting->set_timeout(0.5);
     CHECK_FALSE(waiting->finish());
     CHECK(waiting->fault() == "stopped after 0.5 s without progress");
 
     auto busy = ChildProcess::start(
         {"sh", "-c", "i=0; while [ $i -lt 600000 ]; do i=$((i+1)); done"}, {.inputs = 1});
     REQUIRE(busy.has_value());
-    busy->set_patience(0.4);
+    busy->set_timeout(0.4);
     CHECK(busy->finish());
     CHECK(busy->fault() == "");
 }

@@ -207,7 +207,7 @@ TEST_CASE("a preset that changes on disk keeps the user's sound") {
     }));
     CHECK(small.plays_song());
     CHECK_FALSE(is_modified(small.document()));
-    CHECK(small.document().opened_preset().saved.signal.kind == "harmonics");
+    CHECK(opened_preset(small.document()).saved.signal.kind == "harmonics");
 }
 
 TEST_CASE("a session restores the user's sound, its lock and the undo history") {

@@ -86,7 +86,7 @@ TEST_CASE("locked content stays with another preset and does not modify it") {
     CHECK(document.state().signal == song);
     CHECK(document.value(document.look().parameters[0]) == Value(0.9));
     CHECK_FALSE(is_modified(document));
-    CHECK(document.opened_preset().saved.signal == wave);
+    CHECK(opened_preset(document).saved.signal == wave);
     open_defaults(document);
     CHECK(document.state().signal == song);
     apply_preset(document, preset_with(wave), "Paste");

@@ -161,7 +161,7 @@ TEST_CASE("a renamed or saved preset has its new name in the whole history") {
     open_preset(document, preset, "night.json");
     document.set_value("decay", Value(0.5));
     preset.name = "Dawn";
-    document.opened_preset() = {preset, "dawn.json", document.state()};
+    opened_preset(document) = {preset, "dawn.json", document.state()};
     document.undo();
     CHECK(preset_file(document) == "dawn.json");
     CHECK(is_modified(document));

@@ -15,8 +15,8 @@ TEST_CASE("a default name has the look, the preset and the date") {
     look.id = "phosphor+crt";
     Document document(look);
     CHECK(output_stem(document, {2026, 3, 7}) == "phosphor+crt-2026-03-07");
-    document.opened_preset().identity.name = "Amber P3 (mine) / Ä";
-    document.opened_preset().file = "amber.json";
+    opened_preset(document).identity.name = "Amber P3 (mine) / Ä";
+    opened_preset(document).file = "amber.json";
     CHECK(output_stem(document, {2026, 11, 26}) == "phosphor+crt-amber-p3-mine-2026-11-26");
 }
 

@@ -49,7 +49,7 @@ TEST_CASE("an editor that does not exist is reported") {
     started.open("/no/such/editor {file}");
     REQUIRE(started.notice().has_value());
     CHECK(started.notice()->text ==
-          "/no/such/editor could not open tube.frag: No such file or directory. Choose an editor.");
+          "/no/such/editor was not found, so tube.frag can't be opened. Choose an editor.");
 }
 
 TEST_CASE("a command with an unclosed quote is reported") {

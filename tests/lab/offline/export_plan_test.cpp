@@ -57,8 +57,9 @@ TEST_CASE("each field reports its own problem") {
     planning.form.length = "0";
     planning.form.size = "5";
     CHECK(planning.problem(ExportField::fps) == "Type a number from 1 to 1000.");
-    CHECK(planning.problem(ExportField::start) == "Type a number from 0 to 86400.");
-    CHECK(planning.problem(ExportField::length) == "Type a number from 0.001 to 86400.");
+    CHECK(planning.problem(ExportField::start) == "Type seconds or M:SS, from 0 s to 86400 s.");
+    CHECK(planning.problem(ExportField::length) ==
+          "Type seconds or M:SS, from 0.001 s to 86400 s.");
     CHECK(planning.problem(ExportField::size).find("Type a size such as 1280x720") == 0);
 
     Planning films;
@@ -112,7 +113,7 @@ TEST_CASE("lossy sound that is drawn as XY gets a note") {
     Planning planning;
     planning.signal = {.kind = "audio", .settings = {{"mode", std::string("xy")}}};
     planning.sound_seconds = 2.0;
-    CHECK(planning.plan().note.find("AAC distorts the sound") == 0);
+    CHECK(planning.plan().note.find("AAC changes the sound") == 0);
     planning.form.file = "a.mov";
     CHECK(planning.plan().note == "");
 }

@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "formats/settings/playlist_format.h"
 #include "lab/lab_parts.h"
 #include "lab/sequencer/playlist_control.h"
 #include "lab/small_lab.h"
@@ -128,4 +129,24 @@ TEST_CASE("a morph of the list takes its time") {
     CHECK(listed.gain() < 1.8);
     listed.small.update(45);
     CHECK(listed.gain() == 2.0);
+}
+
+TEST_CASE("a playlist that changes on disk is read again, also after an error in it") {
+    ListedLab listed;
+    const std::filesystem::path file = listed.control().file();
+    Playlist changed = listed.control().list();
+    changed.presets = {"Gain 4"};
+    listed.small.update(2);  // the file is watched
+    REQUIRE(write_atomically(file, "{").has_value());
+    const auto is_reported = [&] {
+        const auto& notice = listed.small.lab().messages().notice();
+        return notice && notice->text.find("small.json") != std::string::npos;
+    };
+    REQUIRE(listed.small.update_until(is_reported));
+    CHECK(listed.control().list().presets.size() == 3);
+    REQUIRE(write_atomically(file, playlist_to_json(changed)).has_value());
+    REQUIRE(listed.small.update_until([&] { return listed.control().list() == changed; }));
+    changed.presets.push_back("Gain 2");
+    listed.control().set_list(changed);
+    CHECK(parse_playlist(read_text(file).value(), file).value() == changed);
 }

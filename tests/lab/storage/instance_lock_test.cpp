@@ -69,7 +69,7 @@ TEST_CASE("a second window starts from the session of the first and saves its ow
     const StateFolder folder;
     Session session;
     session.look = "phosphor";
-    session.saved.preset.look = session.current.preset.look = "phosphor";
+    session.opened.front().saved.preset.look = session.current.preset.look = "phosphor";
     REQUIRE(save_session(folder.roots(), session).has_value());
     Diagnostics warnings;
     Session second = load_session(folder.roots(2), warnings);

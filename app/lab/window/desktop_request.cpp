@@ -1,26 +1,25 @@
-#include "lab/window/desktop_question.h"
+#include "lab/window/desktop_request.h"
 
 #include <fmt/format.h>
 
 namespace fs = std::filesystem;
 
-FileQuestion desktop_question(const Dialog& dialog, const FileDialogChoices& choices,
-                              const Document* document) {
+FileRequest desktop_request(const Dialog& dialog, const FileDialogChoices& choices,
+                            const Document* document) {
     const FileDialogKind* kind = file_dialog_kind(dialog.kind);
     if (!kind)
         return {};
     const FileRules rules = rules_of(*kind);
     const FileBrowser first = first_browser(dialog, choices, document);
-    FileQuestion question{
-        .kind = kind->is_saving ? FileQuestion::Kind::save : FileQuestion::Kind::open,
-        .title = kind->title,
-        .folder = first.folder,
-        .name = first.text};
+    FileRequest request{.kind = kind->is_saving ? FileRequest::Kind::save : FileRequest::Kind::open,
+                        .title = kind->title,
+                        .folder = first.folder,
+                        .name = first.text};
     if (!rules.extensions.empty())
-        question.groups.push_back({kind->content, rules.extensions});
+        request.groups.push_back({kind->content, rules.extensions});
     if (!kind->is_saving)
-        question.groups.push_back({"All files", {}});
-    return question;
+        request.groups.push_back({"All files", {}});
+    return request;
 }
 
 std::string take_reply(Dialog& dialog, const FileReply& reply) {

@@ -14,7 +14,7 @@ struct FileGroup {
 };
 
 /// What a file dialog of the desktop is to choose.
-struct FileQuestion {
+struct FileRequest {
     enum class Kind { open, save };
 
     Kind kind = Kind::open;

@@ -1,4 +1,4 @@
-#include "lab/window/desktop_question.h"
+#include "lab/window/desktop_request.h"
 
 #include "io/temporary_folder.h"
 
@@ -16,15 +16,15 @@ TEST_CASE("the desktop is asked with the folder, the name and the files of the d
     const TemporaryFolder folder;
     FileDialogChoices choices;
     choices.folders["picture"] = folder.path();
-    const FileQuestion save =
-        desktop_question({.kind = Kind::save_pass, .subject = "mask"}, choices, nullptr);
-    CHECK(save.kind == FileQuestion::Kind::save);
+    const FileRequest save =
+        desktop_request({.kind = Kind::save_pass, .subject = "mask"}, choices, nullptr);
+    CHECK(save.kind == FileRequest::Kind::save);
     CHECK(save.title == "Save pass (EXR: exact values, PNG: as shown)");
     CHECK(save.folder == folder.path());
     CHECK(save.name == "mask.exr");
     CHECK(save.groups == std::vector<FileGroup>{{"Passes", {".exr", ".png"}}});
-    const FileQuestion open = desktop_question({.kind = Kind::load_drawing}, choices, nullptr);
-    CHECK(open.kind == FileQuestion::Kind::open);
+    const FileRequest open = desktop_request({.kind = Kind::load_drawing}, choices, nullptr);
+    CHECK(open.kind == FileRequest::Kind::open);
     CHECK(open.name.empty());
     CHECK(open.groups ==
           std::vector<FileGroup>{{"Drawings", {".svg", ".svgz"}}, {"All files", {}}});
