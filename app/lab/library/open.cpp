@@ -200,10 +200,12 @@ Result<OpenRequest> resolve_preset(const std::string& argument, const std::strin
     if (!argument.starts_with("afterglow:") && !fs::exists(argument, error)) {
         std::vector<std::string> names;
         for (const PresetEntry& entry : library.presets(look)) {
-            names.push_back(entry.name);
             auto preset = load_preset(entry.file);  // by its displayed name
             if (preset && to_lower(preset->name) == to_lower(argument))
                 return request_of_preset(std::move(*preset), entry.file, library);
+            if (preset && !preset->name.empty())
+                names.push_back(preset->name);
+            names.push_back(entry.name);
         }
         return fail({{},
                      0,

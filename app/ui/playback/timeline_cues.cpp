@@ -230,6 +230,18 @@ std::string cue_help(const TimelineAxis& axis, const Scene& scene) {
            (problem ? "\n" + problem->message : "\nDrag to move, double-click to edit.");
 }
 
+// Two lines are reserved, so that the popup stays within the window.
+void draw_typing_problem(const char* mark, const CueTyping& typing, Edits& edits) {
+    const float top = ImGui::GetCursorPosY();
+    if (!typing.problem.empty()) {
+        const ScopedColor color(ImGuiCol_Text, theme::problem);
+        ImGui::TextUnformatted(wrapped(typing.problem, ImGui::GetFontSize() * 26.0f).c_str());
+        edits.mark(std::string(mark) + ":cue_problem");
+    }
+    ImGui::SetCursorPosY(
+        std::max(ImGui::GetCursorPosY(), top + 2.0f * ImGui::GetTextLineHeightWithSpacing()));
+}
+
 void draw_cue_typing(const char* mark, const Scene& scene, Edits& edits) {
     const auto& typing = scene.window.views.timeline.typing;
     const bool is_opening = typing && typing->is_new && typing->timeline == mark;
@@ -252,11 +264,7 @@ void draw_cue_typing(const char* mark, const Scene& scene, Edits& edits) {
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 26.0f);
     const bool is_entered = ImGui::InputText("##text", &text, ImGuiInputTextFlags_EnterReturnsTrue);
     edits.mark(std::string(mark) + ":cue");
-    if (!typing->problem.empty()) {
-        const ScopedColor color(ImGuiCol_Text, theme::problem);
-        ImGui::TextUnformatted(wrapped(typing->problem, ImGui::GetFontSize() * 26.0f).c_str());
-        edits.mark(std::string(mark) + ":cue_problem");
-    }
+    draw_typing_problem(mark, *typing, edits);
     dim_text(
         "TIME preset \"NAME\" morph S, parameter NAME VALUE over S, "
         "restart, blackout on|off");
