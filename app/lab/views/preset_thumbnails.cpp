@@ -70,6 +70,12 @@ void PresetThumbnails::update(const Lab& lab, Use use, double wall_seconds,
         start(lab);
 }
 
+bool PresetThumbnails::is_pending() const {
+    return m_use != Use::hidden && std::ranges::any_of(m_entries, [this](const auto& entry) {
+               return is_wanted(entry.second);
+           });
+}
+
 namespace {
 // Changed constants do not affect presets, which define their own values.
 bool differs_in_constants(const Look& before, const Look& now) {

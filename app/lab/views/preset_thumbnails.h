@@ -42,7 +42,8 @@ public:
                 const std::optional<Content>& content = {});
     /// "": the look without a preset.
     Shown of(const std::filesystem::path& preset) const;
-    bool is_drawing() const { return m_work.is_running(); }
+    /// Whether a picture is still to be drawn or to be found in the cache.
+    bool is_pending() const;
     /// The number of pictures drawn since the start, without cached ones.
     int drawn() const { return m_drawn; }
 

@@ -22,8 +22,9 @@ bool PanelDisplay::is_pending(const Lab& lab) const {
     const Comparison& chosen = lab.frames().comparison().selection().chosen();
     const bool awaits_distances = compared.difference() && !compared.distances();
     const bool awaits_stops = chosen.has_equal_brightness && compared.other() && !compared.stops();
-    return m_folders.is_reading() || m_pictures.file.is_pending() || awaits_distances ||
-           awaits_stops || m_views.is_pending() || m_views.is_transitioning();
+    return m_folders.is_reading() || m_pictures.file.is_pending() ||
+           m_pictures.presets.is_pending() || awaits_distances || awaits_stops ||
+           m_views.is_pending() || m_views.is_transitioning();
 }
 
 void PanelDisplay::list_looks(const Lab& lab, double wall_seconds) {

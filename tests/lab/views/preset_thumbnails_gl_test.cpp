@@ -114,7 +114,7 @@ TEST_CASE("pictures are drawn only while displayed, and a broken preset reports 
     PresetThumbnails pictures;
     for (int update = 0; update < 3; ++update)
         pictures.update(small.lab(), PresetThumbnails::Use::hidden, 1.0);
-    CHECK_FALSE(pictures.is_drawing());
+    CHECK_FALSE(pictures.is_pending());
     CHECK(pictures.of(bright).is_due);
     small.look_at(pictures, {{}, bright, broken});
     CHECK(pictures.of({}).image.extent == Extent{240, 135});
