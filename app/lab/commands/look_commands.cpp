@@ -168,5 +168,5 @@ void LookCommands::stash_unsaved(const Session& session,
                                  const std::function<std::optional<Picture>()>& picture) {
     const auto stored = m_stash.keep(session, picture);
     if (m_work.messages.succeeded(stored) && *stored)
-        m_work.messages.say("Your unsaved changes are kept. Press Ctrl+Shift+O to restore them.");
+        m_work.messages.say("Your unsaved changes are kept. Restore them in the File menu.");
 }

@@ -35,9 +35,9 @@ void ComparisonView::store(std::size_t number) {
 }
 
 namespace {
-// The preset that was open when the slot was stored; nullopt: it can't be read any more.
-std::optional<OpenedPreset> preset_of_slot(const Slot& slot, const Document& document,
-                                           const Library& library) {
+// The preset that was open when the slot was stored. If it can't be read any more, only its name:
+// saving must not overwrite the preset that is open now.
+OpenedPreset preset_of_slot(const Slot& slot, const Document& document, const Library& library) {
     Document other = document;
     if (slot.preset.empty()) {
         open_defaults(other);
@@ -45,8 +45,11 @@ std::optional<OpenedPreset> preset_of_slot(const Slot& slot, const Document& doc
     }
     const auto file = find_named_preset(library, document.look().id, slot.preset);
     const auto preset = file && !file->empty() ? load_preset(*file) : fail(Diagnostics{});
-    if (!preset)
-        return std::nullopt;
+    if (!preset) {
+        OpenedPreset lost{.saved = initial_state(document.look())};
+        lost.identity.name = slot.preset;
+        return lost;
+    }
     Diagnostics warnings;  // reported when the preset is opened
     open_preset(other, fitted_preset(document.look(), *preset, *file, warnings), *file);
     return opened_preset(other);
@@ -63,8 +66,8 @@ void ComparisonView::recall(std::size_t number) {
     preset.values = values_of(*slot, m_work.document->look());
     const auto stored = preset_of_slot(*slot, *m_work.document, m_work.library);
     apply_preset(*m_work.document, preset, fmt::format("Recall slot {}", slot_name(number)));
-    if (stored && stored->identity.name != preset_name(*m_work.document))
-        base_on(*m_work.document, *stored);
+    if (stored.identity.name != preset_name(*m_work.document))
+        base_on(*m_work.document, stored);
 }
 
 void ComparisonView::clear_slot(std::size_t number) {

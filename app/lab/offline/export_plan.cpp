@@ -32,30 +32,32 @@ public:
     /// A number within its limits; `otherwise` for an empty text or a problem.
     double number(ExportField field, const std::string& text, const Limit& limit,
                   double otherwise) {
-        if (trim(text).empty())
-            return otherwise;
-        const auto typed = parse_number(trim(text));
-        if (typed && *typed >= limit.low && *typed <= limit.high)
-            return *typed;
-        refuse(field, fmt::format("Type a number from {} to {}.", format_number(limit.low),
-                                  format_number(limit.high)));
-        return otherwise;
+        return read(field, text, limit, otherwise, {parse_number, "a number", ""});
     }
-
     /// A time as seconds or M:SS.
     double seconds(ExportField field, const std::string& text, const Limit& limit,
                    double otherwise) {
-        if (trim(text).empty())
-            return otherwise;
-        const auto typed = parse_cue_time(trim(text));
-        if (typed && *typed >= limit.low && *typed <= limit.high)
-            return *typed;
-        refuse(field, fmt::format("Type seconds or M:SS, from {} s to {} s.",
-                                  format_number(limit.low), format_number(limit.high)));
-        return otherwise;
+        return read(field, text, limit, otherwise, {parse_cue_time, "seconds or M:SS", " s"});
     }
 
 private:
+    struct Form {
+        std::optional<double> (*parse)(std::string_view text);
+        const char* name;
+        const char* unit;
+    };
+    double read(ExportField field, const std::string& text, const Limit& limit, double otherwise,
+                const Form& form) {
+        if (trim(text).empty())
+            return otherwise;
+        const auto typed = form.parse(trim(text));
+        if (typed && *typed >= limit.low && *typed <= limit.high)
+            return *typed;
+        refuse(field, fmt::format("Type {} from {}{} to {}{}.", form.name, format_number(limit.low),
+                                  form.unit, format_number(limit.high), form.unit));
+        return otherwise;
+    }
+
     ExportPlan& m_plan;
 };
 

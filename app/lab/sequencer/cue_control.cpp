@@ -74,7 +74,7 @@ void CueControl::write(const fs::path& file) {
         return;
     const std::string before = current().file;
     m_saved = {file.string(), text};
-    // Also in the past: saving after an undo must not write the former file.
+    // In all undo steps, so that saving after an undo writes the new file.
     m_work.document->amend(
         [&](DocumentState& state) {
             if (!state.cues.is_empty() && state.cues.file == before)

@@ -1,6 +1,8 @@
 // Comparisons of the picture: slots, a picture from a file, the difference.
 #include "about.h"
+#include "formats/preset/preset_format.h"
 #include "io/pictures/picture_file.h"
+#include "lab/document/opened_preset.h"
 #include "lab/session.h"
 #include "lab/small_lab.h"
 #include "lab/views/views.h"
@@ -96,6 +98,32 @@ TEST_CASE("a slot stores values and recalls them as one undo step") {
     small.lab().frames().comparison().recall(2);
     CHECK(small.lab().messages().notice()->text == "Slot C is empty");
     CHECK(small.document().history().redo_name() == "Recall slot B");
+}
+
+TEST_CASE("a recalled slot brings its preset back, and never that of another one") {
+    Grey small;
+    small.set("level", 0.25);
+    small.lab().presets().save_as("first");
+    const std::filesystem::path first = preset_file(small.document());
+    small.lab().frames().comparison().store(0);
+    small.set("level", 0.5);
+    small.lab().presets().save_as("second");
+    const auto second = load_preset(preset_file(small.document()));
+    REQUIRE(second.has_value());
+    small.lab().edit([&](Document& document) {
+        open_preset(document, *second, first.parent_path() / "second.json");
+    });
+    small.lab().frames().comparison().recall(0);
+    CHECK(preset_file(small.document()) == first);
+    CHECK_FALSE(is_modified(small.document()));
+
+    small.lab().edit([](Document& document) { document.undo(); });
+    CHECK(preset_name(small.document()) == "second");
+    std::filesystem::remove(first);
+    small.lab().frames().comparison().recall(0);
+    CHECK(preset_name(small.document()) == "first");
+    CHECK(preset_file(small.document()).empty());
+    CHECK_FALSE(small.lab().presets().can_save_over());
 }
 
 TEST_CASE("slots and the comparison are restored at the next start") {

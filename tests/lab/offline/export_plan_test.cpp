@@ -57,9 +57,8 @@ TEST_CASE("each field reports its own problem") {
     planning.form.length = "0";
     planning.form.size = "5";
     CHECK(planning.problem(ExportField::fps) == "Type a number from 1 to 1000.");
-    CHECK(planning.problem(ExportField::start) == "Type seconds or M:SS, from 0 s to 86400 s.");
-    CHECK(planning.problem(ExportField::length) ==
-          "Type seconds or M:SS, from 0.001 s to 86400 s.");
+    CHECK(planning.problem(ExportField::start) == "Type seconds or M:SS from 0 s to 86400 s.");
+    CHECK(planning.problem(ExportField::length) == "Type seconds or M:SS from 0.001 s to 86400 s.");
     CHECK(planning.problem(ExportField::size).find("Type a size such as 1280x720") == 0);
 
     Planning films;

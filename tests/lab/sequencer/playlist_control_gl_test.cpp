@@ -136,7 +136,8 @@ TEST_CASE("a playlist that changes on disk is read again, also after an error in
     const std::filesystem::path file = listed.control().file();
     Playlist changed = listed.control().list();
     changed.presets = {"Gain 4"};
-    listed.small.update(2);  // the file is watched
+    listed.control().set_playing(true);
+    listed.small.update(30);  // the file is watched, and the first preset is open
     REQUIRE(write_atomically(file, "{").has_value());
     const auto is_reported = [&] {
         const auto& notice = listed.small.lab().messages().notice();
@@ -146,6 +147,7 @@ TEST_CASE("a playlist that changes on disk is read again, also after an error in
     CHECK(listed.control().list().presets.size() == 3);
     REQUIRE(write_atomically(file, playlist_to_json(changed)).has_value());
     REQUIRE(listed.small.update_until([&] { return listed.control().list() == changed; }));
+    CHECK(listed.control().is_playing());
     changed.presets.push_back("Gain 2");
     listed.control().set_list(changed);
     CHECK(parse_playlist(read_text(file).value(), file).value() == changed);
