@@ -8,6 +8,7 @@
 #include "lab/document/sharing.h"
 #include "lab/offline/export_output.h"
 #include "lab/offline/loop.h"
+#include "lab/offline/output_precision.h"
 #include "model/look/spec.h"
 
 #include <fmt/format.h>
@@ -277,6 +278,8 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
 int render_film(const RenderArguments& arguments, RenderRequest request, const DataFolders& data) {
     request.automation = arguments.automation;
     request.cues = arguments.cues;
+    request.raises_precision =
+        arguments.all_passes.empty() && is_deep_film(arguments.output, arguments.film_choice());
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);

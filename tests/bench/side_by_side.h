@@ -6,17 +6,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <ctime>
 #include <iterator>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace bench {
 
-/// CPU time of the whole process, including the driver's threads.
+/// CPU time of the whole process, including the driver's threads. With AFTERGLOW_BENCH_CLOCK=wall
+/// it is elapsed time, because a GPU works while the CPU waits.
 inline double busy_seconds() {
+    static const char* const wanted = std::getenv("AFTERGLOW_BENCH_CLOCK");
+    static const bool is_wall = wanted && std::string_view(wanted) == "wall";
     timespec now{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    clock_gettime(is_wall ? CLOCK_MONOTONIC : CLOCK_PROCESS_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 

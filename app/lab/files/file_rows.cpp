@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <utility>
+#include <iterator>
 
 namespace {
 bool is_digit(char letter) {
@@ -47,12 +47,17 @@ int compared(std::string_view one, std::string_view other) {
     return static_cast<int>(i < one.size()) - static_cast<int>(k < other.size());
 }
 
-// How well a name matches: 0 begins with the typed text, 1 contains it, 2 does not match.
+// How well a name matches: 0 is the typed text, perhaps with an extension; 1 begins with it; 2
+// contains it; 3 does not match.
+constexpr int no_match = 3;
 int match_rank(const std::string& name, const std::string& typed) {
     if (typed.empty())
         return 0;
-    const std::size_t at = to_lower(name).find(typed);
-    return at == 0 ? 0 : at == std::string::npos ? 2 : 1;
+    const std::string lower = to_lower(name);
+    const std::size_t at = lower.find(typed);
+    if (at != 0)
+        return at == std::string::npos ? no_match : 2;
+    return lower.size() == typed.size() || lower.rfind('.') == typed.size() ? 0 : 1;
 }
 
 bool is_before(const FolderEntry& one, const FolderEntry& other, const FileOrder& order) {
@@ -77,19 +82,19 @@ bool is_name_before(std::string_view one, std::string_view other) {
 std::vector<FolderEntry> file_rows(const FolderListing& listing, const FileFilter& filter) {
     const std::string typed = to_lower(filter.typed);
     const bool shows_hidden = filter.shows_hidden || typed.starts_with('.');
-    std::array<std::vector<FolderEntry>, 2> ranked;
+    std::array<std::vector<FolderEntry>, no_match> ranked;
     for (const FolderEntry& entry : listing.entries) {
         const int rank = match_rank(entry.name, typed);
-        if (rank < 2 && (shows_hidden || !entry.is_hidden()))
+        if (rank < no_match && (shows_hidden || !entry.is_hidden()))
             ranked[static_cast<std::size_t>(rank)].push_back(entry);
     }
-    for (auto& entries : ranked)
+    std::vector<FolderEntry> rows;
+    for (auto& entries : ranked) {
         std::ranges::sort(entries, [&](const FolderEntry& one, const FolderEntry& other) {
             return is_before(one, other, filter.order);
         });
-    std::vector<FolderEntry> rows = std::move(ranked[0]);
-    rows.insert(rows.end(), std::make_move_iterator(ranked[1].begin()),
-                std::make_move_iterator(ranked[1].end()));
+        std::ranges::move(entries, std::back_inserter(rows));
+    }
     return rows;
 }
 

@@ -25,9 +25,10 @@ struct FileFilter {
     bool operator==(const FileFilter&) const = default;
 };
 
-/// The listed entries. Names that begin with the typed text come before those that contain it,
-/// ignoring case. Within both, folders come first. Numbers in names are compared by value. Hidden
-/// entries are listed if they are wanted, or if the typed text begins with a dot.
+/// The listed entries. A name that is the typed text, perhaps with an extension, comes first. Then
+/// come names that begin with it, then names that contain it, ignoring case. In each group, folders
+/// come first. Numbers in names are compared by value. Hidden entries are listed if they are
+/// wanted, or if the typed text begins with a dot.
 std::vector<FolderEntry> file_rows(const FolderListing& listing, const FileFilter& filter);
 
 /// Whether a name comes before another: without case, numbers by value ("frame 2", "frame 10").

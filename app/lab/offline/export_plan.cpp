@@ -4,6 +4,7 @@
 #include "formats/cues/cue_sheet.h"
 #include "lab/document/output_name.h"
 #include "lab/offline/export_output.h"
+#include "lab/offline/output_precision.h"
 #include "lab/rendering/named_size.h"
 
 #include <fmt/format.h>
@@ -284,6 +285,16 @@ Extent still_extent(const std::string& size, Extent render_size) {
         return *extent;
     const int times = size == "2x" ? 2 : size == "4x" ? 4 : 1;
     return {render_size.width * times, render_size.height * times};
+}
+
+std::string still_note(const StillForm& form, const Look& look) {
+    if (form.size != "1x")
+        return "Rendered in the background at the current time.";
+    const StillFormat& format = still_formats()[static_cast<std::size_t>(form.format)];
+    if (has_few_bits(look) &&
+        is_deep_still({.file = "picture" + format.ending, .png_bits = format.bits}))
+        return "The displayed picture has 8 bits. Other sizes are drawn with more.";
+    return "";
 }
 
 Result<StillSettings> planned_still(const StillForm& form, Extent render_size, double seconds,

@@ -74,6 +74,8 @@ ExportForm initial_export_form(ExportForm last, const ExportFacts& facts, const 
 /// The choices of the picture dialog: 1x, 2x, 4x, 1080p, 2160p.
 const std::vector<std::string>& still_sizes();
 Extent still_extent(const std::string& size, Extent render_size);
+/// What the user should know about the size: how the picture is drawn, or that it has few bits.
+std::string still_note(const StillForm& form, const Look& look);
 
 /// The settings of the picture dialog, or the reason why its file can't be written.
 /// `is_taken`: whether an export that has not ended writes a file.

@@ -5,6 +5,7 @@
 #include "lab/offline/export_output.h"
 #include "lab/offline/loop.h"
 #include "lab/offline/offline.h"
+#include "lab/offline/output_precision.h"
 #include "signals/signal_table.h"
 
 namespace {
@@ -82,6 +83,8 @@ Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
     Document changed = document;  // the window may not have applied its constants yet
     if (auto done = apply_constants(changed); !done)
         return fail(done.error());
+    if (is_deep_film(settings.file, settings.film))
+        raise_precision(changed);
     if (!settings.size.is_empty())
         size = settings.size;
     auto offline =

@@ -47,12 +47,16 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
     if (!programs)
         return fail(programs.error());
     const auto displayed = prepared.displayed;
+    PassSwitches switches = known_switches(look, prepared.switches);
+    switches.frozen.clear();
     const double start_seconds = prepared.start_seconds;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.take_values();  // first, because sizes can depend on them
     if (displayed)
         if (auto done = offline.show_to(offline.displayed_with_picture(*displayed)); !done)
             return fail(done.error());
+    if (auto done = offline.m_executors.picture().set_runs(runs_of(look, switches)); !done)
+        return fail(done.error());
     if (auto done = offline.m_executors.picture().resize(size, size); !done)
         return fail(done.error());
     if (auto done = offline.set_nan_policy(NanPolicy::clamp); !done)

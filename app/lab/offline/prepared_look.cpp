@@ -12,6 +12,7 @@
 #include "lab/document/opened_preset.h"
 #include "lab/document/users_content.h"
 #include "lab/library/cue_plans.h"
+#include "lab/offline/output_precision.h"
 #include "lab/playback/joined_sound.h"
 #include "lab/storage/media.h"
 #include "lab/storage/shader_cache.h"
@@ -204,6 +205,8 @@ Result<PreparedLook> prepare(const RenderRequest& request, const Library& librar
             return fail(cues.error());
         prepared.cues = std::move(*cues);
     }
+    if (request.raises_precision)
+        raise_precision(prepared.document);
     return prepared;
 }
 

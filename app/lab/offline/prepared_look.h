@@ -6,6 +6,7 @@
 #include "lab/library/open.h"
 #include "lab/media/preset_content.h"
 #include "model/devices/sound.h"
+#include "model/plan/pass_switches.h"
 #include "model/tuning/automation.h"
 #include "model/tuning/cue_plan.h"
 
@@ -28,6 +29,7 @@ struct RenderRequest {
     std::string automation = {};           // automation file; "": no automation
     std::string cues = {};                 // cue file; "": no cues
     double bpm = 0.0;                      // tempo; 0: the preset's, else the default
+    bool raises_precision = false;         // see raise_precision()
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
@@ -46,6 +48,7 @@ struct PreparedLook {
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
     double start_seconds = 0.0;  // of the first frame on the look's clock
+    PassSwitches switches = {};  // frozen passes are drawn, because their picture is not known
     // Content of the preset that was not used.
     std::optional<OutsideContent> outside = {};
     // For programs that are specialised before the first frame: the displayed passes besides the

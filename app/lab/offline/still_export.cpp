@@ -8,6 +8,7 @@
 #include "io/video/frame_bytes.h"
 #include "lab/document/sharing.h"
 #include "lab/offline/offline.h"
+#include "lab/offline/output_precision.h"
 #include "model/picture/display_bytes.h"
 
 #include <algorithm>
@@ -65,6 +66,11 @@ Result<void> save_still(const RawPicture& picture, const Document& document,
                  : fail({settings.file, 0, bytes.error().front().message});
 }
 
+bool is_deep_still(const StillSettings& settings) {
+    const std::string ending = ending_of(settings.file);
+    return ending == ".avif" || (ending == ".png" && settings.png_bits > 8);
+}
+
 Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings& settings,
                                   const Roots& roots, JobProgress& work) {
     constexpr double fps = 60.0;
@@ -74,12 +80,16 @@ Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings&
     Document changed = document;  // the window may not have applied its constants yet
     if (auto done = apply_constants(changed); !done)
         return fail(done.error());
+    if (is_deep_still(settings))
+        raise_precision(changed);
     const double settling = std::max(document.look().settle_frames, 1) / fps;
     const double start = std::max(0.0, settings.seconds - settling);
     const auto frames = std::max<std::int64_t>(1, std::llround((settings.seconds - start) * fps));
-    auto offline = Offline::create(
-        {.document = std::move(changed), .cues = cued.plan(), .start_seconds = start},
-        settings.size, fps);
+    auto offline = Offline::create({.document = std::move(changed),
+                                    .cues = cued.plan(),
+                                    .start_seconds = start,
+                                    .switches = settings.switches},
+                                   settings.size, fps);
     if (!offline)
         return fail(offline.error());
     for (std::int64_t drawn = 0; drawn < frames; ++drawn) {
@@ -89,8 +99,9 @@ Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings&
         drawn + 1 < frames ? offline->advance_unseen() : offline->advance();
     }
     RawPicture picture;
-    offline->read(static_cast<int>(document.look().passes.size()) - 1, picture);
-    if (auto saved = save_still(picture, offline->drawn_document(), settings, RecentMedia(roots));
+    offline->read(static_cast<int>(picture_pass(document.look(), settings.switches)), picture);
+    if (auto saved = save_still(picture, with_precision_of(offline->drawn_document(), document),
+                                settings, RecentMedia(roots));
         !saved)
         return fail(saved.error());
     if (const Diagnostics problems = offline->take_problems(); has_errors(problems))

@@ -5,6 +5,7 @@
 #include "lab/offline/frame_export.h"
 #include "lab/storage/media.h"
 #include "model/picture/raw_picture.h"
+#include "model/plan/pass_switches.h"
 
 #include <filesystem>
 #include <string>
@@ -25,6 +26,7 @@ struct StillSettings {
     int png_bits = 8;
     Extent size = {};
     double seconds = 0.0;  // of the picture on the look's clock
+    PassSwitches switches = {};
 };
 
 /// Fails if the file's name or folder does not fit.
@@ -35,7 +37,11 @@ Result<void> check_still(const std::filesystem::path& file);
 Result<void> save_still(const RawPicture& picture, const Document& document,
                         const StillSettings& settings, const RecentMedia& recent);
 
+/// Whether the file of a picture stores display values with more than 8 bits per channel.
+bool is_deep_still(const StillSettings& settings);
+
 /// Draws the document with its cues at a time and in a size, in its own GL context, and saves it.
-/// The look starts empty some frames earlier, so that it has settled by then.
+/// The look starts empty some frames earlier, so that it has settled by then. Bypassed passes and
+/// the displayed pass are those of `settings`.
 Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings& settings,
                                   const Roots& roots, JobProgress& work);

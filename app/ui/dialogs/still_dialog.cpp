@@ -49,7 +49,7 @@ void draw_file(StillForm& form, bool is_new, Edits& edits) {
                               ImGui::GetContentRegionAvail().x, edits);
 }
 
-void draw_size(StillForm& form, Extent render_size, Edits& edits) {
+void draw_size(StillForm& form, Extent render_size, const Look& look, Edits& edits) {
     const auto& sizes = still_sizes();
     std::vector<std::string> labels;
     for (const std::string& size : sizes)
@@ -61,9 +61,9 @@ void draw_size(StillForm& form, Extent render_size, Edits& edits) {
         dialog_list("still_size", labels, before, ImGui::GetFontSize() * 16.0f, edits);
     if (chosen < sizes.size())
         form.size = sizes[chosen];
-    if (form.size != "1x") {
+    if (const std::string note = still_note(form, look); !note.empty()) {
         dialog_row("");
-        dim_text("Rendered in the background at the current time.");
+        dim_text(note);
     }
 }
 
@@ -79,8 +79,11 @@ void save(const StillSettings& settings, bool is_drawn_again, Edits& edits) {
         window.file_dialogs.folders["picture"] = folder;
     });
     if (is_drawn_again)
-        return edits.change([settings](const Sequencer& sequencer, BackgroundJobs& jobs) {
-            jobs.export_still(settings, sequencer.cues().plan());
+        return edits.change([settings](const PassControl& passes, const Sequencer& sequencer,
+                                       BackgroundJobs& jobs) {
+            StillSettings drawn = settings;
+            drawn.switches = passes.switches();
+            jobs.export_still(drawn, sequencer.cues().plan());
         });
     edits.change([settings](const Renderer& renderer, const PassControl& passes,
                             const Sequencer& sequencer, BackgroundJobs& jobs, Messages& messages) {
@@ -106,7 +109,7 @@ void draw_still_dialog(const Scene& scene, Edits& edits) {
     }
     const Extent render_size = scene.lab.size.extent();
     draw_file(form, is_new, edits);
-    draw_size(form, render_size, edits);
+    draw_size(form, render_size, scene.lab.document->look(), edits);
     const auto settings =
         planned_still(form, render_size, scene.lab.player.transport().time(), is_taken);
     dialog_row_problem(settings ? "" : settings.error().front().message, edits);

@@ -40,6 +40,17 @@ TEST_CASE("the typed text lists names that begin with it, then names that contai
     CHECK(file_rows(listing(), {.typed = "none"}).empty());
 }
 
+TEST_CASE("a name that is typed in full, perhaps without its extension, comes first") {
+    const FolderListing games{.folder = {},
+                              .entries = {{"game over.png", false, 1, 1},
+                                          {"game", true, 0, 1},
+                                          {"game.png", false, 1, 1},
+                                          {"Game.tar.gz", false, 1, 1}},
+                              .problem = {}};
+    CHECK(names(file_rows(games, {.typed = "game"})) ==
+          Names{"game", "game.png", "game over.png", "Game.tar.gz"});
+}
+
 TEST_CASE("hidden entries are listed when wanted, or when a dot is typed") {
     CHECK(names(file_rows(listing(), {.shows_hidden = true})).front() == ".cache");
     CHECK(names(file_rows(listing(), {.typed = ".c"})) == Names{".cache"});

@@ -158,3 +158,18 @@ TEST_CASE("pictures have sizes relative to the render size, or usual ones") {
     form.size = "4x";
     CHECK(!planned_still(form, {8192, 48}, 3.0, is_target));
 }
+
+TEST_CASE("the dialog for pictures says when the displayed picture has fewer bits than the file") {
+    Look look;
+    look.passes.resize(1);
+    look.passes.back().format = Format::rgba8;
+    StillForm form;
+    CHECK(still_note(form, look).empty());
+    form.format = 1;  // PNG with 16 bits
+    CHECK(still_note(form, look) ==
+          "The displayed picture has 8 bits. Other sizes are drawn with more.");
+    look.passes.back().format = Format::rgba16f;
+    CHECK(still_note(form, look).empty());
+    form.size = "2x";
+    CHECK(still_note(form, look) == "Rendered in the background at the current time.");
+}

@@ -148,7 +148,7 @@ TEST_CASE("a playlist that changes on disk is read again, also after an error in
     REQUIRE(write_atomically(file, playlist_to_json(changed)).has_value());
     REQUIRE(listed.small.update_until([&] { return listed.control().list() == changed; }));
     CHECK(listed.control().is_playing());
-    changed.presets.push_back("Gain 2");
+    changed.presets.emplace_back("Gain 2");
     listed.control().set_list(changed);
     CHECK(parse_playlist(read_text(file).value(), file).value() == changed);
 }

@@ -1,0 +1,47 @@
+#include "lab/offline/output_precision.h"
+
+#include "model/look/own_name.h"
+
+namespace {
+bool is_dither(const Parameter& parameter) {
+    return parameter.identity && own_name(parameter.name) == "dither";
+}
+}  // namespace
+
+bool has_few_bits(const Look& look) {
+    const Format format = look.passes.back().format;
+    return format == Format::rgba8 || format == Format::rgb10_a2;
+}
+
+bool is_deep_film(const std::filesystem::path& file, const FilmChoice& choice) {
+    const auto encoding = film_encoding(file, choice);
+    return encoding && encoding->bits() > 8;
+}
+
+void raise_precision(Document& document) {
+    const Look& look = document.look();
+    const Pass& last = look.passes.back();
+    document.amend([&](DocumentState& state) {
+        const auto chosen = state.overrides.find(last.name);
+        const bool is_chosen = chosen != state.overrides.end() && chosen->second.format;
+        if (has_few_bits(look) && !is_chosen)
+            state.overrides[last.name].format = Format::rgba32f;
+        for (const Parameter& parameter : look.parameters)
+            if (is_dither(parameter))
+                state.values[parameter.name] = *parameter.identity;
+    });
+}
+
+Document with_precision_of(Document drawn, const Document& original) {
+    drawn.amend([&](DocumentState& state) {
+        state.overrides = original.state().overrides;
+        for (const Parameter& parameter : original.look().parameters)
+            if (is_dither(parameter)) {
+                state.values.erase(parameter.name);
+                if (const auto value = original.values().find(parameter.name);
+                    value != original.values().end())
+                    state.values.insert(*value);
+            }
+    });
+    return drawn;
+}
