@@ -86,4 +86,4 @@ class Screen:
         header = struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) +
-                         chunk(b"IDAT", zlib.compress(bytes(lines), 6)) + chunk(b"IEND", b""))
+                         chunk(b"IDAT", zlib.compress(bytes(lines), 1)) + chunk(b"IEND", b""))

@@ -86,10 +86,12 @@ TEST_CASE_FIXTURE(Headless, "sRGB mipmaps average light, not codes") {
     CHECK(level_of(texture, GL_TEXTURE_2D, 1)[0] == doctest::Approx(188.0 / 255).epsilon(0.004));
 }
 
+// For odd sides, drivers choose their own filter. Mesa's is linear, like ours.
 TEST_CASE_FIXTURE(Headless, "mipmaps match the driver's own at any size") {
+    const bool is_mesa = (*context)->info().renderer.starts_with("llvmpipe");
     for (const FormatInfo& info : all_formats())
         for (const Extent extent : {Extent{16, 16}, Extent{37, 21}, Extent{1, 7}, Extent{5, 2}}) {
-            if (info.is_integer)
+            if (info.is_integer || (extent.width != extent.height && !is_mesa))
                 continue;
             CAPTURE(info.name);
             CAPTURE(extent.width);
