@@ -34,6 +34,7 @@ void draw_offer(const Notice& notice, const Scene& scene, Edits& edits) {
     const ScopedColor edge(ImGuiCol_Border, theme::line);
     const ScopedStyle<float> rounding(ImGuiStyleVar_ChildRounding, 6.0f * scene.scale);
     const ScopedStyle<ImVec2> padding(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
+    keep_tooltips_above(ImGui::GetCursorScreenPos().y);
     ImGui::BeginChild("##offer", size, true,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     {

@@ -104,6 +104,23 @@ Rect rect_of(const ImRect& rect) {
     return {rect.Min.x, rect.Min.y, rect.GetWidth(), rect.GetHeight()};
 }
 
+struct TooltipEnd {
+    float y = 0.0f;
+    int frame = -2;  // in which it was set
+};
+TooltipEnd& tooltip_end() {
+    static TooltipEnd end;
+    return end;
+}
+
+// The part of the window that tooltips may cover.
+Rect tooltip_area() {
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const TooltipEnd& end = tooltip_end();
+    return {0.0f, 0.0f, display.x,
+            ImGui::GetFrameCount() - end.frame <= 1 ? std::min(end.y, display.y) : display.y};
+}
+
 // The pane, dialog or menu with the current item.
 const ImGuiWindow& pane_of_item() {
     const ImGuiWindow* pane = ImGui::GetCurrentWindow();
@@ -114,6 +131,10 @@ const ImGuiWindow& pane_of_item() {
 }
 }  // namespace
 
+void keep_tooltips_above(float y) {
+    tooltip_end() = {y, ImGui::GetFrameCount()};
+}
+
 void begin_tooltip(const ImVec2& size) {
     const ImGuiContext& context = *ImGui::GetCurrentContext();
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
@@ -123,10 +144,9 @@ void begin_tooltip(const ImVec2& size) {
         inner = previous->DC.CursorMaxPos - previous->DC.CursorStartPos;
     const ImVec2 outer{inner.x + 2.0f * padding.x, inner.y + 2.0f * padding.y};
     const float em = ImGui::GetFontSize();
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const Rect place = tooltip_place(
-        rect_of(context.LastItemData.Rect), rect_of(pane_of_item().Rect()),
-        {0.0f, 0.0f, display.x, display.y}, {outer.x, outer.y, 0.5f * em, 26.0f * em});
+    const Rect place =
+        tooltip_place(rect_of(context.LastItemData.Rect), rect_of(pane_of_item().Rect()),
+                      tooltip_area(), {outer.x, outer.y, 0.5f * em, 26.0f * em});
     ImGui::SetNextWindowPos({place.left, place.top});
     ImGui::BeginTooltip();
 }

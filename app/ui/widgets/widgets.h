@@ -42,6 +42,8 @@ void tooltip(const std::string& text);
 /// ImGui::BeginTooltip for the last item, beside its pane. `size`: of the contents; zero: of the
 /// tooltip in the previous frame.
 void begin_tooltip(const ImVec2& size = {});
+/// In this frame and the next, tooltips end above this y, so that they cover nothing below it.
+void keep_tooltips_above(float y);
 /// A tooltip for a file that opens in the user's editor on click.
 void editor_tooltip(const std::filesystem::path& file);
 
