@@ -1,0 +1,56 @@
+#include "formats/portable/media_names.h"
+
+#include "io/pictures/frame_names.h"
+#include "model/picture/source_spec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace fs = std::filesystem;
+
+std::string safe_name(const std::string& name) {
+    std::string safe;
+    for (const char letter : name)
+        safe += std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '-' ||
+                        letter == '_' || (letter == '.' && !safe.empty())
+                    ? letter
+                    : '-';
+    return safe.empty() ? "unnamed" : safe;
+}
+
+std::string MediaNames::add(const fs::path& file) {
+    for (const auto& [copy, original] : m_files)
+        if (original == file)
+            return copy;
+    const fs::path name = safe_name(file.filename().string());
+    std::string copy = "media/" + name.string();
+    for (int number = 2; m_files.contains(copy); ++number)
+        copy =
+            fmt::format("media/{}-{}{}", name.stem().string(), number, name.extension().string());
+    m_files.emplace(copy, file);
+    return copy;
+}
+
+// The copies have the names of the pictures, in a folder of their own.
+std::string MediaNames::add_sequence(const fs::path& names) {
+    constexpr int most_numbers = 100000;
+    const std::string folder = fmt::format("media/{}/", safe_name(names.stem().string()));
+    const auto parsed = parse_frame_names(names.string());
+    std::error_code error;
+    for (int number = 0; number < most_numbers; ++number)
+        if (const fs::path file = parsed->name(number); fs::exists(file, error))
+            m_files.emplace(folder + file.filename().string(), file);
+    return folder + names.filename().string();
+}
+
+std::string MediaNames::add_source(const std::string& source) {
+    auto spec = parse_source(source);
+    if (!spec || spec->is_pattern() || spec->picture.empty())
+        return source;
+    const auto names = parse_frame_names(spec->picture);
+    spec->picture =
+        names && names->is_sequence() ? add_sequence(spec->picture) : add(spec->picture);
+    return to_string(*spec);
+}

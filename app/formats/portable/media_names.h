@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+/// A name for a file of a portable look: letters, digits, '.', '-' and '_'. Other characters become
+/// '-'; never empty and never hidden.
+std::string safe_name(const std::string& name);
+
+/// The files that a portable look copies, each with a path of its own below "media".
+class MediaNames {
+public:
+    /// The path of a file's copy. The same file has one copy.
+    std::string add(const std::filesystem::path& file);
+    /// A source whose files are copies: "media/game.png,fit=whole". All pictures of a numbered
+    /// sequence are added. A pattern is unchanged.
+    std::string add_source(const std::string& source);
+    const std::map<std::string, std::filesystem::path>& files() const { return m_files; }
+
+private:
+    std::string add_sequence(const std::filesystem::path& names);
+
+    std::map<std::string, std::filesystem::path> m_files;  // by path of the copy
+};

@@ -1,0 +1,74 @@
+#include "formats/portable/portable_names.h"
+
+const Choices<BuiltIn>& built_in_names() {
+    static const Choices<BuiltIn> names{{"time", BuiltIn::time},
+                                        {"time_delta", BuiltIn::time_delta},
+                                        {"frame", BuiltIn::frame},
+                                        {"samples", BuiltIn::samples},
+                                        {"target_size", BuiltIn::target_size},
+                                        {"output_size", BuiltIn::output_size},
+                                        {"source_size", BuiltIn::source_size},
+                                        {"source_lines", BuiltIn::source_lines},
+                                        {"source_columns", BuiltIn::source_columns},
+                                        {"mouse", BuiltIn::mouse},
+                                        {"view", BuiltIn::view},
+                                        {"camera", BuiltIn::camera},
+                                        {"drawn_onto", BuiltIn::drawn_onto},
+                                        {"frame_index", BuiltIn::frame_index},
+                                        {"microseconds", BuiltIn::microseconds},
+                                        {"source_aspect", BuiltIn::source_aspect},
+                                        {"time_before", BuiltIn::time_before},
+                                        {"delta_before", BuiltIn::delta_before},
+                                        {"date", BuiltIn::date},
+                                        {"date_from_0", BuiltIn::date_from_0},
+                                        {"quad_to_clip", BuiltIn::quad_to_clip},
+                                        {"frame_rate", BuiltIn::frame_rate},
+                                        {"press", BuiltIn::press},
+                                        {"target_resolution", BuiltIn::target_resolution},
+                                        {"input_resolution", BuiltIn::input_resolution},
+                                        {"target_extent", BuiltIn::target_extent},
+                                        {"output_extent", BuiltIn::output_extent},
+                                        {"input_extent", BuiltIn::input_extent}};
+    return names;
+}
+
+const Choices<Input::From>& texture_names() {
+    static const Choices<Input::From> names{{"pass", Input::From::pass},
+                                            {"source", Input::From::source},
+                                            {"image", Input::From::image},
+                                            {"keyboard", Input::From::keyboard},
+                                            {"sound", Input::From::sound}};
+    return names;
+}
+
+const Choices<OrbitPart>& orbit_names() {
+    static const Choices<OrbitPart> names{{"none", OrbitPart::none},
+                                          {"turn", OrbitPart::turn},
+                                          {"azimuth", OrbitPart::azimuth},
+                                          {"elevation", OrbitPart::elevation},
+                                          {"distance", OrbitPart::distance}};
+    return names;
+}
+
+const Choices<SoundTexture::Holds>& sound_names() {
+    using Holds = SoundTexture::Holds;
+    static const Choices<Holds> names{
+        {"wave", Holds::wave}, {"spectrum", Holds::spectrum}, {"analyser", Holds::analyser}};
+    return names;
+}
+
+std::string_view row_order_name(RowOrder rows) {
+    return rows == RowOrder::bottom_first ? "bottom-first" : "top-first";
+}
+
+std::string_view shape_name(PictureShape shape) {
+    switch (shape) {
+        case PictureShape::flat:
+            return "flat";
+        case PictureShape::cube:
+            return "cube";
+        case PictureShape::volume:
+            return "volume";
+    }
+    return "";
+}
