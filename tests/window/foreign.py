@@ -214,7 +214,7 @@ class Foreign(Person):
         def is_heavy(state):
             return state["notice"].startswith('Pass "picture" takes')
 
-        steps, seconds = 1000, 0.0
+        steps, seconds = 1300, 0.0
         while not is_heavy(program.state()):
             steps = round(steps * min(max(1.5 / max(seconds, 0.1), 1.2), 8))  # a second is the limit
             program.set("steps", str(steps))
