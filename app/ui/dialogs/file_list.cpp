@@ -110,7 +110,9 @@ std::optional<FileListClick> draw_row(const FolderEntry& row, bool is_highlighte
     draw_cells(row, shown);
     if (!is_clicked)
         return std::nullopt;
-    return FileListClick{row, ImGui::IsMouseDoubleClicked(0)};
+    // Two quick double clicks on one place, for a folder and then its file, count as four clicks.
+    const int clicks = ImGui::GetMouseClickedCount(0);
+    return FileListClick{row, clicks > 0 && clicks % 2 == 0};
 }
 
 void scroll_to(const FileList& list, float height) {
