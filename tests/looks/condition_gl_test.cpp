@@ -66,7 +66,7 @@ double largest_difference(const Picture& a, const Picture& b) {
 // Draws with other values for all parameters without an effect. They must not change the picture.
 // Each condition must be true for some values and false for others.
 void check_conditions_of(const std::string& id) {
-    constexpr std::uint64_t trials = 8;
+    constexpr std::uint64_t trials = 24;
     CAPTURE(id);
     Offline offline = started(id);
     const Look look = offline.document().look();

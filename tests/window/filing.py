@@ -77,10 +77,8 @@ class Filing(Person):
         program.click("place:Home")
         program.place("file:sounds")
         self.double_click("file:sounds")
-        program.click("file:osci.wav")
-        program.wait("a click selects a file", lambda s: s["highlighted"] == "osci.wav")
-        program.key("Return")
-        program.wait("Return opens the selected file", lambda s: not s["dialog"] and "osci.wav" in s["signal"])
+        self.double_click("file:osci.wav")
+        program.wait("a double click opens a file", lambda s: not s["dialog"] and "osci.wav" in s["signal"])
 
     def open_save_dialog(self):
         self.program.click("save_pass")

@@ -105,14 +105,14 @@ std::optional<FileListClick> draw_row(const FolderEntry& row, bool is_highlighte
                                               ImGuiSelectableFlags_SpanAllColumns |
                                                   ImGuiSelectableFlags_AllowDoubleClick |
                                                   ImGuiSelectableFlags_DontClosePopups);
+    // Dear ImGui counts two quick double clicks at one place as four clicks, and the fourth does
+    // not press an item. It opens a file that has appeared under the pointer.
+    const int clicks = ImGui::GetMouseClickedCount(0);
+    const bool is_double = ImGui::IsItemHovered() && clicks > 0 && clicks % 2 == 0;
     edits.mark("file:" + row.name);
     ImGui::SetCursorPos(at);
     draw_cells(row, shown);
-    if (!is_clicked)
-        return std::nullopt;
-    // Two quick double clicks on one place, for a folder and then its file, count as four clicks.
-    const int clicks = ImGui::GetMouseClickedCount(0);
-    return FileListClick{row, clicks > 0 && clicks % 2 == 0};
+    return is_clicked || is_double ? std::optional(FileListClick{row, is_double}) : std::nullopt;
 }
 
 void scroll_to(const FileList& list, float height) {
