@@ -102,6 +102,19 @@ Result<Library> open_library(const DataFolders& data) {
     return Library(std::move(*roots));
 }
 
+int run_prepared(
+    const RenderRequest& request, const DataFolders& data,
+    const std::function<int(const PreparedLook& prepared, const Library& library)>& work) {
+    const auto library = open_library(data);
+    if (!library)
+        return report(library.error());
+    const auto prepared = prepare(request, *library);
+    if (!prepared)
+        return report(prepared.error());
+    warn(prepared->warnings);
+    return work(*prepared, *library);
+}
+
 int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps) {
     const auto library = open_library(data);
     if (!library)

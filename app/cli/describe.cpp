@@ -23,17 +23,13 @@ Command add_describe(CommandLine& program) {
     options.add_flag("--json", "Print JSON (the only output format)");
     return [look](const DataFolders& data) {
         const RenderRequest request = look->request();
-        const auto library = open_library(data);
-        if (!library)
-            return report(library.error());
-        const auto prepared = prepare(request, *library);
-        if (!prepared)
-            return report(prepared.error());
-        warn(prepared->warnings);
-        const auto text = describe(*prepared, request.size);
-        if (!text)
-            return report(text.error());
-        std::cout << *text << '\n';
-        return exit_done;
+        return run_prepared(request, data,
+                            [&request](const PreparedLook& prepared, const Library&) -> int {
+                                const auto text = describe(prepared, request.size);
+                                if (!text)
+                                    return report(text.error());
+                                std::cout << *text << '\n';
+                                return exit_done;
+                            });
     };
 }

@@ -21,23 +21,35 @@ struct ExportArguments {
     bool is_dry_run = false;
 };
 
+std::string about() {
+    std::string text = "Export a look for other programs\n\n";
+    for (const ExportTarget& target : export_targets())
+        text += fmt::format("TARGET '{}' writes {}. ", target.name, target.help);
+    return text + "This works without OpenGL.";
+}
+
 int print_losses(const ExportTarget& target, const PreparedLook& prepared) {
     const auto losses = target.losses(prepared);
     for (const std::string& loss : losses)
         std::cout << loss << '\n';
     if (losses.empty())
-        std::cout << target.label << ": nothing is lost\n";
+        std::cout << "nothing is lost\n";
+    return exit_done;
+}
+
+int write(const ExportTarget& target, const ExportRequest& request) {
+    const auto made = target.write(request);
+    if (!made)
+        return report(made.error());
+    std::cout << fmt::format("{}: {} files, {}\n", made->path.string(), made->files,
+                             file_size_text(made->bytes));
     return exit_done;
 }
 }  // namespace
 
 /// afterglow export LOOK --to TARGET -o PATH
 Command add_export(CommandLine& program) {
-    Options options = program.add_verb("export",
-                                       "Export a look for other programs\n\n"
-                                       "TARGET is 'portable': a folder with JSON, GLSL and media. "
-                                       "This works without OpenGL.",
-                                       export_examples);
+    Options options = program.add_verb("export", about(), export_examples);
     auto arguments = std::make_shared<ExportArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
     options.add("--to TARGET", arguments->target, "Program or format to export for").required();
@@ -47,24 +59,14 @@ Command add_export(CommandLine& program) {
     return [arguments](const DataFolders& data) {
         const auto target = find_export_target(arguments->target);
         if (!target)
-            throw UsageError(target.error().front().message);
+            throw UsageError("--to: " + target.error().front().message);
         if (arguments->output.empty() && !arguments->is_dry_run)
             throw UsageError("-o: missing. Add -o PATH, or --dry-run.");
         const RenderRequest request = arguments->look.request();
-        const auto library = open_library(data);
-        if (!library)
-            return report(library.error());
-        const auto prepared = prepare(request, *library);
-        if (!prepared)
-            return report(prepared.error());
-        warn(prepared->warnings);
-        if (arguments->is_dry_run)
-            return print_losses(**target, *prepared);
-        const auto made = (*target)->write({*prepared, request.size, arguments->output});
-        if (!made)
-            return report(made.error());
-        std::cout << fmt::format("{}: {} files, {}\n", made->path.string(), made->files,
-                                 file_size_text(made->bytes));
-        return exit_done;
+        return run_prepared(request, data, [&](const PreparedLook& prepared, const Library&) {
+            return arguments->is_dry_run
+                       ? print_losses(**target, prepared)
+                       : write(**target, {prepared, request.size, arguments->output});
+        });
     };
 }

@@ -35,20 +35,16 @@ Command add_preset(CommandLine& program) {
             throw UsageError("--output FILE or --line is required");
         if (!arguments->as_line)
             check_ending("--output", arguments->output, {".json"});
-        const auto library = open_library(data);
-        if (!library)
-            return report(library.error());
-        auto prepared = prepare(arguments->look.request(), *library);
-        if (!prepared)
-            return report(prepared.error());
-        warn(prepared->warnings);
-        const RecentMedia recent(library->roots());
-        if (arguments->as_line) {
-            std::cout << share_line_of(prepared->document, recent) << '\n';
-            return exit_done;
-        }
-        const auto saved =
-            write_preset(prepared->document, arguments->name, arguments->output, recent);
-        return saved ? exit_done : report(saved.error());
+        const auto write = [&](const PreparedLook& prepared, const Library& library) -> int {
+            const RecentMedia recent(library.roots());
+            if (arguments->as_line) {
+                std::cout << share_line_of(prepared.document, recent) << '\n';
+                return exit_done;
+            }
+            const auto saved =
+                write_preset(prepared.document, arguments->name, arguments->output, recent);
+            return saved ? exit_done : report(saved.error());
+        };
+        return run_prepared(arguments->look.request(), data, write);
     };
 }

@@ -82,6 +82,14 @@ class PortableTest(ProgramTest):
         folder, document = self.export("crt", "--source", f"{picture},fit=whole")
         self.assertEqual(document["source"]["content"], "media/picture.png,fit=whole,prescaled=auto")
         self.assertEqual((folder / "media/picture.png").read_bytes(), picture.read_bytes())
+        filter_file = self.folder / "second.fs"
+        filter_file.write_text('/*{"INPUTS": [{"NAME": "inputImage", "TYPE": "image"}, '
+                               '{"NAME": "other", "TYPE": "image"}]}*/\n'
+                               "void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(other); }\n")
+        _, document = self.export(filter_file)
+        self.assertTrue(document["parameters"][0]["value"].startswith("pattern:"), document["parameters"])
+        folder, document = self.export(filter_file, "--set", f"other={picture}")
+        self.assertEqual((folder / document["parameters"][0]["value"]).read_bytes(), picture.read_bytes())
         picture.unlink()
         self.assert_refused(run("export", "crt", "--source", picture, "--to", "portable", "-o", self.folder / "new"),
                             "picture.png")
@@ -100,15 +108,26 @@ class PortableTest(ProgramTest):
         notices = {notice["file"]: notice for notice in document["notices"]}
         self.assertEqual(notices["show.frag"]["license"], "CC0-1.0")
         self.assertIn("Written by A. Person", notices["show.frag"]["text"])
+        shutil.rmtree(self.folder / "exported")
+        look = self.look("includes", '#version 410 core\n#include "one/a.glsl"\n#include "two/a.glsl"\n' +
+                         CREDITS.split("core\n")[1])
+        self.write("includes/one/a.glsl", "// SPDX-License-Identifier: MIT\n")
+        self.write("includes/two/a.glsl", "// Copyright (c) B. Person\n")
+        _, document = self.export(look)
+        licenses = {notice["file"]: notice["license"] for notice in document["notices"]}
+        self.assertEqual((licenses["one/a.glsl"], licenses["two/a.glsl"]), ("MIT", "see comments"))
         _, document = self.export(self.look("bare", CREDITS.split("Person\n")[1]))
         self.assertEqual({n["license"] for n in document["notices"]}, {"not stated"})
 
     def test_an_earlier_export_is_replaced_and_nothing_else(self):
         folder, _ = self.export("crt")
-        (folder / "stale").write_text("old")
+        (folder / "shaders/9-stale.frag").write_text("old")
         self.export("crt")
-        self.assertFalse((folder / "stale").exists())
-        self.assertEqual([p.name for p in self.folder.glob("exported*")], ["exported"])
+        self.assertFalse((folder / "shaders/9-stale.frag").exists())
+        self.assertEqual([p.name for p in self.folder.iterdir()], ["exported"])
+        (folder / "player.js").write_text("mine")
+        self.assert_refused(run("export", "crt", "--to", "portable", "-o", folder), "player.js", "Move it")
+        self.assertEqual((folder / "player.js").read_text(), "mine")
         self.write("notes/mine.txt", "text")
         self.assert_refused(run("export", "crt", "--to", "portable", "-o", self.folder / "notes"), "not an exported look")
         self.assertEqual((self.folder / "notes/mine.txt").read_text(), "text")

@@ -71,7 +71,7 @@ Json target_json(const Pass& pass, Encoding encoding) {
               {"width", side_json(pass.size[0])},
               {"height", side_json(pass.size[1])},
               {"encoding", name_of(encoding_names(), encoding)},
-              {"rows", row_order_name(pass.rows)}};
+              {"rows", name_of(row_order_names(), pass.rows)}};
     if (!pass.one_channel.empty())
         json["one_channel"] = pass.one_channel;
     if (!pass.half_floats.empty())
@@ -119,7 +119,7 @@ Json bindings_json(const Look& look, int pass) {
 
 Json pass_json(const Look& look, int index, PortableFiles& files) {
     const Pass& pass = look.passes[static_cast<std::size_t>(index)];
-    const std::string stem = fmt::format("shaders/{}-{}", index, safe_name(pass.name));
+    const std::string stem = fmt::format("{}/{}-{}", shader_folder, index, safe_name(pass.name));
     files.texts[stem + ".vert"] = std::string(pass.vertex.text);
     files.texts[stem + ".frag"] = std::string(pass.fragment.text);
     Json json{{"name", pass.name},
@@ -154,14 +154,14 @@ Json image_json(const Image& image, MediaNames& media) {
     json["linear"] = image.is_linear;
     if (image.encoding)
         json["encoding"] = name_of(encoding_names(), *image.encoding);
-    json["rows"] = row_order_name(image.rows);
+    json["rows"] = name_of(row_order_names(), image.rows);
     json["format"] = name_of(format_names(), image.format);
-    json["shape"] = shape_name(image.shape);
+    json["shape"] = name_of(shape_names(), image.shape);
     json["needed"] = image.is_needed;
     return json;
 }
 
-Json notices_json(const std::map<std::string, SourceNotice>& notices) {
+Json notices_json(const SourceNotices& notices) {
     Json json = Json::array();
     for (const auto& [file, notice] : notices)
         json.push_back({{"file", file}, {"license", notice.license}, {"text", notice.text}});
@@ -185,7 +185,7 @@ Json signal_json(const Spec& signal, MediaNames& media) {
 
 Json source_json(const Look& look, const std::string& source, MediaNames& media) {
     Json json{{"encoding", name_of(encoding_names(), look.source_encoding)},
-              {"rows", row_order_name(look.source_rows)},
+              {"rows", name_of(row_order_names(), look.source_rows)},
               {"format", name_of(format_names(), look.source_format)}};
     json["content"] = media.add_source(source);
     return json;
@@ -204,7 +204,8 @@ Json parameter_entry(const PortableLook& described, const Parameter& parameter, 
     Json json = parameter_json(parameter, described.look, described.values);
     const Value& value = value_of(parameter, described.values);
     if (!value.path.empty())
-        json["value"] = media.add(value.path);
+        json["value"] = parameter.control == Control::image ? media.add_source(value.path)
+                                                            : media.add(value.path);
     if (const auto moving = described.modulations.find(parameter.name);
         moving != described.modulations.end())
         json["modulation"] = json_of(moving->second);
@@ -214,8 +215,7 @@ Json parameter_entry(const PortableLook& described, const Parameter& parameter, 
 }
 }  // namespace
 
-PortableFiles portable_files(const PortableLook& described,
-                             const std::map<std::string, SourceNotice>& notices) {
+PortableFiles portable_files(const PortableLook& described, const SourceNotices& notices) {
     const Look& look = described.look;
     PortableFiles files;
     MediaNames media;

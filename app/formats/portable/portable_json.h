@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A look with its values and content, to be described for other programs.
@@ -26,10 +27,14 @@ struct PortableFiles {
     std::map<std::string, std::filesystem::path> media;  // files to copy, by path
 };
 
-/// The name of the main file.
+/// What a portable folder contains: the main file and two folders.
 inline constexpr const char* portable_file = "portable.json";
+inline constexpr const char* shader_folder = "shaders";
+inline constexpr const char* copies_folder = "media";
+
+/// The notices of source files by name. Files in several folders can have the same name.
+using SourceNotices = std::vector<std::pair<std::string, SourceNotice>>;
 
 /// The complete description, docs/portable.md: `portable.json`, each shader as GLSL 4.10, and the
-/// media. `notices` are those of the look's source files, by file name.
-PortableFiles portable_files(const PortableLook& described,
-                             const std::map<std::string, SourceNotice>& notices);
+/// media.
+PortableFiles portable_files(const PortableLook& described, const SourceNotices& notices);

@@ -57,18 +57,15 @@ const Choices<SoundTexture::Holds>& sound_names() {
     return names;
 }
 
-std::string_view row_order_name(RowOrder rows) {
-    return rows == RowOrder::bottom_first ? "bottom-first" : "top-first";
+const Choices<RowOrder>& row_order_names() {
+    static const Choices<RowOrder> names{{"bottom-first", RowOrder::bottom_first},
+                                         {"top-first", RowOrder::top_first}};
+    return names;
 }
 
-std::string_view shape_name(PictureShape shape) {
-    switch (shape) {
-        case PictureShape::flat:
-            return "flat";
-        case PictureShape::cube:
-            return "cube";
-        case PictureShape::volume:
-            return "volume";
-    }
-    return "";
+const Choices<PictureShape>& shape_names() {
+    static const Choices<PictureShape> names{{"flat", PictureShape::flat},
+                                             {"cube", PictureShape::cube},
+                                             {"volume", PictureShape::volume}};
+    return names;
 }

@@ -8,8 +8,7 @@
 
 const std::vector<ExportTarget>& export_targets() {
     static const std::vector<ExportTarget> targets{
-        {"portable", "Portable folder",
-         "JSON, GLSL 4.10 and media: everything that another program needs to draw the look.",
+        {"portable", "a folder with JSON, GLSL 4.10 and media",
          [](const PreparedLook&) { return std::vector<std::string>(); }, export_portable},
     };
     return targets;

@@ -22,9 +22,8 @@ struct ExportRequest {
 
 /// A format for using a look in another program: one row of export_targets().
 struct ExportTarget {
-    std::string name;   // "portable"
-    std::string label;  // "Portable folder"
-    std::string help;
+    std::string name;  // "portable"
+    std::string help;  // what it writes: "a folder with ..."
     /// What would be lost, a sentence per item; empty: nothing.
     std::vector<std::string> (*losses)(const PreparedLook& prepared);
     /// Writes all or nothing. Errors name the file.

@@ -3,42 +3,43 @@
 #include "base/file.h"
 #include "formats/portable/portable_json.h"
 #include "io/files/atomic_file.h"
+#include "io/files/atomic_folder.h"
 #include "signals/signal_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace fs = std::filesystem;
 
 namespace {
-tl::unexpected<Diagnostics> refused(const fs::path& file, const std::error_code& error) {
-    return fail({file, 0, fmt::format("can't write: {}", error.message())});
+// The name of a source file: at most the last three parts of its path from the first look.
+std::string notice_name(const fs::path& file, const Stack& stack) {
+    constexpr std::ptrdiff_t most_parts = 3;
+    std::vector<fs::path> parts;
+    for (const fs::path& part : file.lexically_proximate(stack.front().path))
+        if (part != ".." && part != "/")
+            parts.push_back(part);
+    fs::path name;
+    for (auto part = parts.end() - std::min(most_parts, std::ssize(parts)); part != parts.end();
+         ++part)
+        name /= *part;
+    return name.generic_string();
 }
 
-// The name of a source file below the folder of its look, otherwise its last part.
-std::string notice_name(const fs::path& file, const fs::path& manifest) {
-    const fs::path relative = file.lexically_relative(manifest.parent_path());
-    const bool is_inside = !relative.empty() && *relative.begin() != "..";
-    return (is_inside ? relative : file.filename()).generic_string();
-}
-
-bool is_media(const Look& look, const fs::path& file) {
-    return std::ranges::any_of(look.images, [&](const Image& image) {
-        return image.file == file || std::ranges::find(image.faces, file) != image.faces.end();
-    });
-}
-
-Result<std::map<std::string, SourceNotice>> notices_of(const Look& look) {
-    std::map<std::string, SourceNotice> notices;
+// Pictures have no comments.
+Result<SourceNotices> notices_of(const Look& look) {
+    SourceNotices notices;
     std::error_code error;
     for (const fs::path& file : look.files) {  // also places where an include was searched
-        if (is_media(look, file) || !fs::exists(file, error))
+        if (!fs::exists(file, error))
             continue;
-        const auto text = read_text(file);
-        if (!text)
-            return fail(text.error());
-        notices.emplace(notice_name(file, look.manifest), source_notice(*text));
+        const auto bytes = read_bytes(file);
+        if (!bytes)
+            return fail(bytes.error());
+        if (bytes->find('\0') == std::string::npos)
+            notices.emplace_back(notice_name(file, look.stack), source_notice(*bytes));
     }
     return notices;
 }
@@ -67,46 +68,6 @@ Result<PortableFiles> files_of(const ExportRequest& request) {
                           *notices);
 }
 
-/// A new folder beside the target, removed by the destructor unless it replaced the target.
-class NewFolder {
-public:
-    explicit NewFolder(const fs::path& target)
-        : m_target(target.lexically_normal()), m_folder(m_target) {
-        if (!m_target.has_filename())  // "out/"
-            m_target = m_folder = m_target.parent_path();
-        m_folder += ".new";
-        fs::remove_all(m_folder, m_ignored);
-    }
-    NewFolder(const NewFolder&) = delete;
-    NewFolder& operator=(const NewFolder&) = delete;
-    ~NewFolder() { fs::remove_all(m_folder, m_ignored); }
-
-    const fs::path& path() const { return m_folder; }
-
-    Result<void> replace_target() {
-        std::error_code error;
-        fs::path old = m_target;
-        old += ".old";
-        fs::remove_all(old, m_ignored);
-        if (fs::exists(m_target, error))
-            fs::rename(m_target, old, error);
-        if (error)
-            return refused(m_target, error);
-        fs::rename(m_folder, m_target, error);
-        if (error) {
-            fs::rename(old, m_target, m_ignored);
-            return refused(m_target, error);
-        }
-        fs::remove_all(old, m_ignored);
-        return {};
-    }
-
-private:
-    fs::path m_target;
-    fs::path m_folder;
-    std::error_code m_ignored;
-};
-
 Result<std::uintmax_t> write_texts(const PortableFiles& files, const fs::path& folder) {
     std::uintmax_t bytes = 0;
     for (const auto& [path, text] : files.texts) {
@@ -130,13 +91,23 @@ Result<std::uintmax_t> copy_media(const PortableFiles& files, const fs::path& fo
     return bytes;
 }
 
-// Only an earlier export may be replaced.
+// Only an earlier export may be replaced, and only if the user has added nothing to it.
 Result<void> check_target(const fs::path& path) {
     std::error_code error;
-    if (!fs::exists(path, error) || fs::exists(path / portable_file, error) ||
-        (fs::is_directory(path, error) && fs::is_empty(path, error)))
+    const fs::file_status status = fs::status(path, error);
+    if (!fs::exists(status))
         return {};
-    return fail({path, 0, "exists and is not an exported look. Choose another path."});
+    std::error_code ignored;
+    const bool is_export = fs::exists(path / portable_file, ignored);
+    const fs::directory_iterator entries(path, error);
+    if (error || (!is_export && entries != fs::directory_iterator()))
+        return fail({path, 0, "exists and is not an exported look. Choose another path."});
+    for (const fs::directory_entry& entry : entries)
+        if (const fs::path name = entry.path().filename();
+            name != portable_file && name != shader_folder && name != copies_folder)
+            return fail({entry.path(), 0,
+                         "is not part of an exported look. Move it, or choose another path."});
+    return {};
 }
 }  // namespace
 
@@ -146,14 +117,16 @@ Result<ExportedLook> export_portable(const ExportRequest& request) {
     const auto files = files_of(request);
     if (!files)
         return fail(files.error());
-    NewFolder folder(request.path);
-    const auto texts = write_texts(*files, folder.path());
+    auto folder = AtomicFolder::create(request.path);
+    if (!folder)
+        return fail(folder.error());
+    const auto texts = write_texts(*files, folder->path());
     if (!texts)
         return fail(texts.error());
-    const auto media = copy_media(*files, folder.path());
+    const auto media = copy_media(*files, folder->path());
     if (!media)
         return fail(media.error());
-    if (auto done = folder.replace_target(); !done)
+    if (auto done = folder->finish(); !done)
         return fail(done.error());
     return ExportedLook{request.path, files->texts.size() + files->media.size(), *texts + *media};
 }

@@ -13,8 +13,8 @@ bool is_deep_film(const std::filesystem::path& file, const FilmChoice& choice);
 bool has_few_bits(const Look& look);
 
 /// Prepares a document for files with more than 8 bits per channel: a last pass of 8 or 10 bits
-/// becomes RGBA32F, and a parameter "dither" gets its `@identity` value. A format that the user
-/// chose stays.
+/// becomes RGBA32F, and its parameter "dither" gets its `@identity` value. If the user chose a
+/// format with few bits for it, nothing changes.
 void raise_precision(Document& document);
 
 /// The drawn document with the pass formats and the dithering of the original, for the preset in a
