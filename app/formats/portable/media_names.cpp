@@ -1,5 +1,6 @@
 #include "formats/portable/media_names.h"
 
+#include "formats/scene/scene_file.h"
 #include "io/pictures/frame_names.h"
 #include "model/picture/source_spec.h"
 
@@ -47,10 +48,22 @@ std::string MediaNames::add_sequence(const fs::path& names) {
 
 std::string MediaNames::add_source(const std::string& source) {
     auto spec = parse_source(source);
-    if (!spec || spec->is_pattern() || spec->picture.empty())
+    if (!spec || spec->is_pattern() || spec->picture.empty() || source.starts_with("solid:"))
         return source;
     const auto names = parse_frame_names(spec->picture);
     spec->picture =
         names && names->is_sequence() ? add_sequence(spec->picture) : add(spec->picture);
     return to_string(*spec);
+}
+
+std::string MediaNames::add_signal(const fs::path& file) {
+    const auto others = is_scene_file(file) ? files_of_scene(file) : std::vector<fs::path>();
+    if (others.empty())
+        return add(file);
+    const std::string folder = fmt::format("media/{}/", safe_name(file.stem().string()));
+    for (const fs::path& other : others)
+        m_files.emplace(folder + other.generic_string(), file.parent_path() / other);
+    const std::string copy = folder + safe_name(file.filename().string());
+    m_files.emplace(copy, file);
+    return copy;
 }

@@ -14,8 +14,11 @@ public:
     /// The path of a file's copy. The same file has one copy.
     std::string add(const std::filesystem::path& file);
     /// A source whose files are copies: "media/game.png,fit=whole". All pictures of a numbered
-    /// sequence are added. A pattern is unchanged.
+    /// sequence are added. Generated pictures ("pattern:smpte", "solid:sky") are unchanged.
     std::string add_source(const std::string& source);
+    /// The path of a signal's file. A scene gets a folder with the files of its items, which are
+    /// next to it.
+    std::string add_signal(const std::filesystem::path& file);
     const std::map<std::string, std::filesystem::path>& files() const { return m_files; }
 
 private:

@@ -174,7 +174,7 @@ Json signal_json(const Spec& signal, MediaNames& media) {
     for (const auto& [key, setting] : signal.settings) {
         const auto* text = std::get_if<std::string>(&setting);
         if (text && !file.empty() && *text == file)
-            settings[key] = media.add(*text);
+            settings[key] = media.add_signal(*text);
         else if (text)
             settings[key] = *text;
         else

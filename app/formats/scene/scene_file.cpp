@@ -106,6 +106,25 @@ Result<BeamScene> load_scene(const std::filesystem::path& file) {
     return parse_scene(*text, file);
 }
 
+std::vector<std::filesystem::path> files_of_scene(const std::filesystem::path& scene) {
+    std::vector<std::filesystem::path> files;
+    const auto text = read_text(scene);
+    const auto document = text ? parse_json(*text, scene) : fail(Diagnostics{});
+    Diagnostics problems;
+    if (!document || document->kind != JsonValue::Kind::object)
+        return files;
+    ObjectReader reader(*document, scene, problems);
+    const JsonValue* items = reader.find("items");
+    if (!items || items->kind != JsonValue::Kind::array)
+        return files;
+    for (const JsonValue& value : items->children) {
+        ObjectReader item(value, scene, problems);
+        if (const std::filesystem::path file = item.text("file"); is_in_scene_folder(file))
+            files.push_back(file);
+    }
+    return files;
+}
+
 bool is_scene_file(const std::filesystem::path& file) {
     if (is_obj_file(file))
         return true;

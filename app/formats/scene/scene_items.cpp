@@ -157,10 +157,7 @@ std::filesystem::path sibling_file(ObjectReader& reader) {
     if (!value || !reader.expect(*value, JsonValue::Kind::text))
         return {};
     const std::filesystem::path name(value->text);
-    bool is_inside = !name.empty() && name.is_relative();
-    for (const auto& part : name)
-        is_inside = is_inside && part != "..";
-    if (!is_inside) {
+    if (!is_in_scene_folder(name)) {
         reader.problem(*value, "'file' must be in the scene's folder or in a folder below it");
         return {};
     }
@@ -213,6 +210,11 @@ const Choices<ReadShape>& shapes() {
     return known;
 }
 }  // namespace
+
+bool is_in_scene_folder(const std::filesystem::path& name) {
+    return !name.empty() && name.is_relative() &&
+           std::ranges::find(name, std::filesystem::path("..")) == name.end();
+}
 
 SceneItem read_scene_item(ObjectReader& reader) {
     SceneItem item;

@@ -34,3 +34,17 @@ TEST_CASE("a source keeps its settings, and a sequence all its pictures") {
     CHECK(media.files().size() == 4);
     CHECK(media.files().at("media/f_-04d/f_0010.png") == folder / "f_0010.png");
 }
+
+TEST_CASE("a scene is copied with the files of its items, and none from outside its folder") {
+    const TemporaryFolder folder;
+    const auto scene = folder.write("my ship.json", R"({"format": "afterglow-scene", "version": 1,
+        "items": [{"shape": "wireframe", "file": "parts/cube.obj"}, {"shape": "text", "text": "A"},
+                  {"shape": "svg", "file": "../logo.svg"}, {"shape": "svg", "file": "/etc/passwd"}]})");
+    MediaNames media;
+    CHECK(media.add_signal(scene) == "media/my-ship/my-ship.json");
+    CHECK(media.files() == std::map<std::string, std::filesystem::path>{
+                               {"media/my-ship/my-ship.json", scene},
+                               {"media/my-ship/parts/cube.obj", folder / "parts/cube.obj"}});
+    CHECK(media.add_signal("/a/song.wav") == "media/song.wav");
+    CHECK(media.add_source("solid:sky") == "solid:sky");
+}
