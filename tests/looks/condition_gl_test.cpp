@@ -19,6 +19,9 @@ Offline started(const std::string& look) {
     request.look = look;
     auto prepared = prepare(request, Library(*roots));
     REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
+    if (prepared->document.look().driven_by == Driver::signal)  // each point covers this picture
+        prepared->document.amend(
+            [](DocumentState& state) { state.signal.settings["points"] = 256.0; });
     auto offline = Offline::create(std::move(*prepared), {32, 24}, 30.0);
     REQUIRE_MESSAGE(offline.has_value(), problems_of(offline));
     return std::move(*offline);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 const std::vector<StillFormat>& still_formats() {
     static const std::vector<StillFormat> formats{
         {"PNG, 8 bit", ".png", 8, "Display values. Opens as a preset."},
-        {"PNG, 16 bit", ".png", 16, "Display values without banding. Opens as a preset."},
+        {"PNG, 16 bit", ".png", 16, "Display values in 16 bits. Opens as a preset."},
         {"EXR", ".exr", 8, "Stored values, including those above 1."},
         {"AVIF", ".avif", 8, "Small 10-bit file for web pages."},
     };
