@@ -63,7 +63,7 @@ std::string MediaNames::add_signal(const fs::path& file) {
     const std::string folder = fmt::format("media/{}/", safe_name(file.stem().string()));
     for (const fs::path& other : others)
         m_files.emplace(folder + other.generic_string(), file.parent_path() / other);
-    const std::string copy = folder + safe_name(file.filename().string());
+    std::string copy = folder + safe_name(file.filename().string());
     m_files.emplace(copy, file);
     return copy;
 }

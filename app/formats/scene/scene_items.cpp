@@ -6,6 +6,7 @@
 #include "signals/drawing/shapes.h"
 #include "signals/drawing/stroke_font.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
