@@ -49,8 +49,8 @@ private:
 /// The library of looks and presets in the folders of `data`.
 Result<Library> open_library(const DataFolders& data);
 
-/// Prepares the look, reports errors and warnings, and returns the exit code of `work`. For commands
-/// that need no GL.
+/// Prepares the look, reports errors and warnings, and returns the exit code of `work`. For
+/// commands that need no GL.
 int run_prepared(
     const RenderRequest& request, const DataFolders& data,
     const std::function<int(const PreparedLook& prepared, const Library& library)>& work);
