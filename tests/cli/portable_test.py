@@ -67,8 +67,13 @@ class PortableTest(ProgramTest):
         self.assertEqual(parameters["decay"]["value"], 0.5)
         self.assertEqual((document["signal"]["kind"], document["signal"]["settings"]["x"]), ("lissajous", 3))
         self.assertEqual(document["size"], [64, 48])
-        _, document = self.export("crt", "--source", "pattern:smpte,fit=whole")
-        self.assertEqual(document["source"]["content"], "pattern:smpte,fit=whole")
+        folder, document = self.export("crt", "--source", "pattern:smpte,fit=whole")
+        self.assertEqual(document["source"]["content"], "media/smpte.png,fit=whole")
+        self.assertEqual(document["source"]["generated"], "pattern:smpte,fit=whole")
+        self.assertTrue((folder / "media/smpte.png").exists())
+        _, document = self.export("vector-beam", "--signal", "text:HI")
+        item = document["signal"]["paths"]["items"][0]
+        self.assertEqual((item["perspective"], len(item["paths"][0]["points"]) % 4), (3, 0))
 
     def test_media_are_copied_under_safe_names_and_missing_ones_are_named(self):
         song = self.folder / "my song.wav"
@@ -87,7 +92,7 @@ class PortableTest(ProgramTest):
                                '{"NAME": "other", "TYPE": "image"}]}*/\n'
                                "void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage) + IMG_THIS_PIXEL(other); }\n")
         _, document = self.export(filter_file)
-        self.assertTrue(document["parameters"][0]["value"].startswith("pattern:"), document["parameters"])
+        self.assertTrue(document["parameters"][0]["generated"].startswith("pattern:"), document["parameters"])
         folder, document = self.export(filter_file, "--set", f"other={picture}")
         self.assertEqual((folder / document["parameters"][0]["value"]).read_bytes(), picture.read_bytes())
         picture.unlink()

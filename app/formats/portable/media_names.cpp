@@ -3,6 +3,7 @@
 #include "formats/scene/scene_file.h"
 #include "io/pictures/frame_names.h"
 #include "model/picture/source_spec.h"
+#include "signals/patterns/generated_picture.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +28,7 @@ std::string MediaNames::add(const fs::path& file) {
             return copy;
     const fs::path name = safe_name(file.filename().string());
     std::string copy = "media/" + name.string();
-    for (int number = 2; m_files.contains(copy); ++number)
+    for (int number = 2; m_files.contains(copy) || m_generated.contains(copy); ++number)
         copy =
             fmt::format("media/{}-{}{}", name.stem().string(), number, name.extension().string());
     m_files.emplace(copy, file);
@@ -46,14 +47,39 @@ std::string MediaNames::add_sequence(const fs::path& names) {
     return folder + names.filename().string();
 }
 
-std::string MediaNames::add_source(const std::string& source) {
+Result<std::string> MediaNames::add_source(const std::string& source) {
     auto spec = parse_source(source);
-    if (!spec || spec->is_pattern() || spec->picture.empty() || source.starts_with("solid:"))
+    if (!spec || spec->picture.empty())
         return source;
+    if (made_name(spec->picture)) {
+        auto copy = add_generated(spec->picture);
+        if (!copy)
+            return fail(copy.error());
+        spec->picture = std::move(*copy);
+        return to_string(*spec);
+    }
     const auto names = parse_frame_names(spec->picture);
     spec->picture =
         names && names->is_sequence() ? add_sequence(spec->picture) : add(spec->picture);
     return to_string(*spec);
+}
+
+Result<std::string> MediaNames::add_generated(const std::string& name) {
+    if (const auto known = m_generated_paths.find(name); known != m_generated_paths.end())
+        return known->second;
+    const auto picture = made_picture(name);
+    if (!picture)
+        return fail(picture.error());
+    auto file = exact_picture_file(*picture);
+    if (!file)
+        return fail(file.error());
+    const std::string stem = safe_name(std::string(*made_name(name)));
+    std::string path = fmt::format("media/{}{}", stem, file->extension);
+    for (int number = 2; m_files.contains(path) || m_generated.contains(path); ++number)
+        path = fmt::format("media/{}-{}{}", stem, number, file->extension);
+    m_generated.emplace(path, std::move(*file));
+    m_generated_paths.emplace(name, path);
+    return path;
 }
 
 std::string MediaNames::add_signal(const fs::path& file) {

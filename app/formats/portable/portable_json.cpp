@@ -6,7 +6,10 @@
 #include "formats/look/parameter_json.h"
 #include "formats/portable/media_names.h"
 #include "formats/portable/portable_names.h"
+#include "formats/portable/signal_paths.h"
 #include "formats/preset/modulation_format.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/generated_picture.h"
 #include "signals/signal_table.h"
 
 #include <fmt/format.h>
@@ -105,6 +108,8 @@ void add_rare_members(const Pass& pass, Json& json) {
         json["frame_modulo"] = pass.frame_modulo;
     if (!pass.source.empty())
         json["source"] = pass.source;
+    if (!pass.scope.empty())
+        json["scope"] = pass.scope;
 }
 
 // The parameters that set uniforms of a pass.
@@ -142,10 +147,15 @@ Json pass_json(const Look& look, int index, PortableFiles& files) {
     return json;
 }
 
-Json image_json(const Image& image, MediaNames& media) {
+Result<Json> image_json(const Image& image, MediaNames& media) {
     Json json{{"name", image.name}};
-    if (!image.made.empty())
+    if (!image.made.empty()) {
+        auto file = media.add_generated(image.made);
+        if (!file)
+            return fail(file.error());
+        json["file"] = std::move(*file);
         json["generated"] = image.made;
+    }
     for (const std::filesystem::path& face : image.faces)
         json["faces"].push_back(media.add(face));
     if (image.faces.empty() && !image.file.empty())
@@ -183,29 +193,56 @@ Json signal_json(const Spec& signal, MediaNames& media) {
     return {{"kind", signal.kind}, {"settings", std::move(settings)}};
 }
 
-Json source_json(const Look& look, const std::string& source, MediaNames& media) {
+// A source, with its name if the program generates it. Its file has the picture at time 0.
+Result<void> add_source(const std::string& source, const char* key, MediaNames& media, Json& json) {
+    auto copy = media.add_source(source);
+    if (!copy)
+        return fail(copy.error());
+    if (const auto spec = parse_source(source); spec && made_name(spec->picture))
+        json["generated"] = source;
+    json[key] = std::move(*copy);
+    return {};
+}
+
+Result<Json> source_json(const Look& look, const std::string& source, MediaNames& media) {
     Json json{{"encoding", name_of(encoding_names(), look.source_encoding)},
               {"rows", name_of(row_order_names(), look.source_rows)},
               {"format", name_of(format_names(), look.source_format)}};
-    json["content"] = media.add_source(source);
+    if (auto added = add_source(source, "content", media, json); !added)
+        return fail(added.error());
     return json;
 }
 
-void add_content(const PortableLook& described, Json& json, MediaNames& media) {
+Result<void> add_content(const PortableLook& described, Json& json, MediaNames& media) {
     const Look& look = described.look;
     json["driven_by"] = name_of(driver_names(), look.driven_by);
-    if (look.driven_by == Driver::signal)
+    if (look.driven_by == Driver::signal) {
         json["signal"] = signal_json(described.signal, media);
-    if (!described.source.empty())
-        json["source"] = source_json(look, described.source, media);
+        auto paths = signal_paths(described.signal, described.media);
+        if (!paths)
+            return fail(paths.error());
+        if (!paths->is_null())
+            json["signal"]["paths"] = std::move(*paths);
+    }
+    if (described.source.empty())
+        return {};
+    auto source = source_json(look, described.source, media);
+    if (!source)
+        return fail(source.error());
+    json["source"] = std::move(*source);
+    return {};
 }
 
-Json parameter_entry(const PortableLook& described, const Parameter& parameter, MediaNames& media) {
+Result<Json> parameter_entry(const PortableLook& described, const Parameter& parameter,
+                             MediaNames& media) {
     Json json = parameter_json(parameter, described.look, described.values);
     const Value& value = value_of(parameter, described.values);
-    if (!value.path.empty())
-        json["value"] = parameter.control == Control::image ? media.add_source(value.path)
-                                                            : media.add(value.path);
+    if (!value.path.empty() && parameter.control == Control::image) {
+        if (auto added = add_source(value.path, "value", media, json); !added)
+            return fail(added.error());
+    } else if (!value.path.empty()) {
+        json["value"] = media.add(value.path);
+    }
     if (const auto moving = described.modulations.find(parameter.name);
         moving != described.modulations.end())
         json["modulation"] = json_of(moving->second);
@@ -213,36 +250,63 @@ Json parameter_entry(const PortableLook& described, const Parameter& parameter, 
         json["orbit"] = name_of(orbit_names(), parameter.orbit);
     return json;
 }
+
+Json heading_json(const PortableLook& described, const SourceNotices& notices) {
+    const Look& look = described.look;
+    return {{"format", "afterglow-portable"},
+            {"version", 1},
+            {"name", look.name},
+            {"about", look.about},
+            {"author", look.author},
+            {"license", look.license.empty() ? "not stated" : look.license},
+            {"notices", notices_json(notices)},
+            {"size", {described.size.width, described.size.height}},
+            {"output", name_of(encoding_names(), look.output)},
+            {"settle_frames", look.settle_frames}};
+}
+
+Result<void> add_images(const Look& look, Json& json, MediaNames& media) {
+    json["images"] = Json::array();
+    for (const Image& image : look.images) {
+        auto entry = image_json(image, media);
+        if (!entry)
+            return fail(entry.error());
+        json["images"].push_back(std::move(*entry));
+    }
+    return {};
+}
+
+Result<void> add_parameters(const PortableLook& described, Json& json, MediaNames& media) {
+    json["parameters"] = Json::array();
+    for (const Parameter& parameter : described.look.parameters) {
+        auto entry = parameter_entry(described, parameter, media);
+        if (!entry)
+            return fail(entry.error());
+        json["parameters"].push_back(std::move(*entry));
+    }
+    return {};
+}
 }  // namespace
 
-PortableFiles portable_files(const PortableLook& described, const SourceNotices& notices) {
+Result<PortableFiles> portable_files(const PortableLook& described, const SourceNotices& notices) {
     const Look& look = described.look;
     PortableFiles files;
     MediaNames media;
-    Json json{{"format", "afterglow-portable"},
-              {"version", 1},
-              {"name", look.name},
-              {"about", look.about},
-              {"author", look.author},
-              {"license", look.license.empty() ? "not stated" : look.license},
-              {"notices", notices_json(notices)},
-              {"size", {described.size.width, described.size.height}},
-              {"output", name_of(encoding_names(), look.output)},
-              {"settle_frames", look.settle_frames}};
-    add_content(described, json, media);
+    Json json = heading_json(described, notices);
+    if (auto added = add_content(described, json, media); !added)
+        return fail(added.error());
     json["passes"] = Json::array();
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         json["passes"].push_back(pass_json(look, static_cast<int>(i), files));
-    json["images"] = Json::array();
-    for (const Image& image : look.images)
-        json["images"].push_back(image_json(image, media));
-    json["parameters"] = Json::array();
-    for (const Parameter& parameter : look.parameters)
-        json["parameters"].push_back(parameter_entry(described, parameter, media));
+    if (auto added = add_images(look, json, media); !added)
+        return fail(added.error());
+    if (auto added = add_parameters(described, json, media); !added)
+        return fail(added.error());
     json["constants"] = Json::object();
     for (const auto& [name, value] : look.constants)
         json["constants"][name] = json_of(value);
     files.texts[portable_file] = json_text(json);
+    files.generated = media.generated();
     files.media = media.files();
     return files;
 }

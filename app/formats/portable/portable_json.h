@@ -1,8 +1,10 @@
 #pragma once
 
+#include "formats/portable/exact_picture.h"
 #include "formats/portable/source_notice.h"
 #include "model/look/look.h"
 #include "model/tuning/modulation.h"
+#include "signals/signal/signal.h"
 
 #include <filesystem>
 #include <map>
@@ -16,6 +18,7 @@ struct PortableLook {
     const Values& values;
     const Modulations& modulations;
     Spec signal;         // completed; only of looks driven by a signal
+    SignalMedia media;   // of the signal
     std::string source;  // only of looks driven by a picture
     Extent size;         // that it was exported for
 };
@@ -23,7 +26,8 @@ struct PortableLook {
 /// A description in files. All paths are relative to its folder and contain neither ".." nor a
 /// leading "/".
 struct PortableFiles {
-    std::map<std::string, std::string> texts;            // contents by path
+    std::map<std::string, std::string> texts;            // JSON and GLSL, by path
+    std::map<std::string, PictureFile> generated;        // generated pictures, by path
     std::map<std::string, std::filesystem::path> media;  // files to copy, by path
 };
 
@@ -37,4 +41,4 @@ using SourceNotices = std::vector<std::pair<std::string, SourceNotice>>;
 
 /// The complete description, docs/portable.md: `portable.json`, each shader as GLSL 4.10, and the
 /// media.
-PortableFiles portable_files(const PortableLook& described, const SourceNotices& notices);
+Result<PortableFiles> portable_files(const PortableLook& described, const SourceNotices& notices);

@@ -1,6 +1,7 @@
 #include "lab/export/export_target.h"
 
 #include "lab/export/portable_export.h"
+#include "lab/export/web_export.h"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@ const std::vector<ExportTarget>& export_targets() {
     static const std::vector<ExportTarget> targets{
         {"portable", "a folder with JSON, GLSL 4.10 and media",
          [](const PreparedLook&) { return std::vector<std::string>(); }, export_portable},
+        {"web", "one HTML file that draws the look live in a browser", web_losses, export_web},
     };
     return targets;
 }

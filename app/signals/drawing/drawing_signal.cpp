@@ -1,5 +1,6 @@
 // The signal of a drawing by the user: keyframes that morph into each other.
 #include "signals/drawing/drawing.h"
+#include "signals/drawing/drawn_paths.h"
 #include "signals/drawing/drawn_settings.h"
 #include "signals/drawing/keyframe_order.h"
 #include "signals/drawing/line_morph.h"
@@ -55,6 +56,17 @@ public:
         if (m_order.loops && cycle > 0.0)
             repetition.add(1.0 / cycle);
         return repetition;
+    }
+
+    DrawnSteps drawn() const {
+        return {.steps = m_steps,
+                .loops = m_order.loops,
+                .hold_seconds = m_order.hold_seconds,
+                .morph_seconds = m_order.morph_seconds,
+                .is_eased = m_order.is_eased,
+                .spin = m_spin,
+                .beam_speed = m_beam.beam_speed,
+                .refresh = m_beam.refresh};
     }
 
     std::size_t max_points() const {
@@ -225,6 +237,12 @@ std::vector<SettingInfo> drawing_settings() {
     return settings;
 }
 }  // namespace
+
+Result<DrawnSteps> drawing_steps(const SignalMedia& media, const Settings& settings) {
+    const auto drawing = drawing_in(settings, media);
+    return drawing ? Result<DrawnSteps>(MovingDrawing(*drawing, settings).drawn())
+                   : fail(drawing.error());
+}
 
 SignalKind drawing_kind() {
     return {.kind = "drawing",

@@ -33,16 +33,25 @@ std::string with_line_ends(std::string_view text) {
 }
 
 Result<std::unique_ptr<Signal>> make_text(const Settings& settings, const SignalMedia&) {
+    return signal_of(text_scene(settings), settings, "text");
+}
+
+Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const SignalMedia& media) {
+    auto scene = file_scene(media, settings);
+    return scene ? signal_of(std::move(*scene), settings, "scene") : fail(scene.error());
+}
+}  // namespace
+
+BeamScene text_scene(const Settings& settings) {
     SceneItem item;
     item.paths = text_paths(with_line_ends(settings.word("text")), settings.number("size"),
                             TextAlign::middle);
     item.spin[1] = settings.number("spin");
     item.perspective = 3.0;
-    return signal_of({.items = {std::move(item)}, .beam_speed = settings.number("beam_speed")},
-                     settings, "text");
+    return {.items = {std::move(item)}, .beam_speed = settings.number("beam_speed")};
 }
 
-Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const SignalMedia& media) {
+Result<BeamScene> file_scene(const SignalMedia& media, const Settings& settings) {
     if (!media.scene)
         return fail({{},
                      0,
@@ -54,9 +63,8 @@ Result<std::unique_ptr<Signal>> make_scene(const Settings& settings, const Signa
     BeamScene scene = *media.scene;
     scene.beam_speed *= settings.number("speed");
     scene.move_speed *= settings.number("speed");
-    return signal_of(std::move(scene), settings, "scene");
+    return scene;
 }
-}  // namespace
 
 SignalKind text_kind() {
     return {.kind = "text",

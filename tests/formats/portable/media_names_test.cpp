@@ -1,6 +1,7 @@
 #include "formats/portable/media_names.h"
 
 #include "io/temporary_folder.h"
+#include "signals/patterns/generated_picture.h"
 
 #include <doctest/doctest.h>
 
@@ -27,7 +28,8 @@ TEST_CASE("a source keeps its settings, and a sequence all its pictures") {
     for (const char* name : {"f_0001.png", "f_0002.png", "f_0010.png", "f_x.png"})
         folder.write(name, "");
     MediaNames media;
-    CHECK(media.add_source("pattern:smpte,fit=whole") == "pattern:smpte,fit=whole");
+    CHECK(media.add_source("pattern:smpte,fit=whole") == "media/smpte.png,fit=whole");
+    CHECK(media.generated().at("media/smpte.png").picture == *made_picture("pattern:smpte"));
     CHECK(media.add_source("/a/game.png,fit=whole") == "media/game.png,fit=whole");
     CHECK(media.add_source((folder / "f_%04d.png").string() + ",rate=25") ==
           "media/f_-04d/f_%04d.png,rate=25");
@@ -46,5 +48,5 @@ TEST_CASE("a scene is copied with the files of its items, and none from outside 
                                {"media/my-ship/my-ship.json", scene},
                                {"media/my-ship/parts/cube.obj", folder / "parts/cube.obj"}});
     CHECK(media.add_signal("/a/song.wav") == "media/song.wav");
-    CHECK(media.add_source("solid:sky") == "solid:sky");
+    CHECK(media.add_source("solid:sky") == "media/sky.png");
 }

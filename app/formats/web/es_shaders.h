@@ -1,0 +1,16 @@
+#pragma once
+
+#include "model/look/look.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The shaders of a look in GLSL ES 3.00. Equal texts are stored once.
+struct EsShaders {
+    std::vector<std::string> texts;
+    std::vector<std::pair<std::size_t, std::size_t>> passes;  // vertex and fragment, in `texts`
+};
+
+/// Translates all passes. The error names the pass and the feature that GLSL ES 3.00 lacks.
+Result<EsShaders> es_shaders(const Look& look);
