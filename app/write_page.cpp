@@ -1,5 +1,6 @@
 // Writes the parts of the exported web page as C++; runs at build time.
 #include "base/file.h"
+#include "formats/web/packed_text.h"
 
 #include <fmt/format.h>
 
@@ -18,7 +19,7 @@ std::string literal_of(std::string_view text) {
 }
 }  // namespace
 
-/// write_page OUTPUT FILE...: the files are the members of PageParts, in order.
+/// write_page OUTPUT FILE...: the files are the members of PageParts, in order. Scripts are packed.
 int main(int count, char** arguments) {
     if (count < 3)
         return 2;
@@ -30,7 +31,8 @@ int main(int count, char** arguments) {
             std::fputs(to_string(bytes.error()).c_str(), stderr);
             return 1;
         }
-        output << (i > 2 ? ",\n    " : "") << literal_of(*bytes);
+        const bool is_script = std::string_view(arguments[i]).ends_with(".js");
+        output << (i > 2 ? ",\n    " : "") << literal_of(is_script ? gzip_base64(*bytes) : *bytes);
     }
     output << "};\n}\n";
     return output.flush() ? 0 : 1;

@@ -1,5 +1,6 @@
 #include "cli/common.h"
 #include "lab/export/export_target.h"
+#include "lab/export/verification.h"
 #include "lab/files/file_rows.h"
 
 #include <fmt/format.h>
@@ -9,9 +10,10 @@
 
 namespace {
 constexpr std::array export_examples{
-    "afterglow export phosphor --to portable -o phosphor-look",
-    "afterglow export crt --preset arcade-cabinet --to portable -o cabinet",
-    "afterglow export crt --to portable --dry-run",
+    "afterglow export phosphor --to web -o phosphor.html",
+    "afterglow export crt --preset arcade-cabinet --to web -o cabinet.html --verify",
+    "afterglow export crt --to portable -o crt-look",
+    "afterglow export phosphor+crt --to web --dry-run",
 };
 
 struct ExportArguments {
@@ -19,31 +21,42 @@ struct ExportArguments {
     std::string target;
     std::string output;
     bool is_dry_run = false;
+    bool verifies = false;
+    double timeout = 60.0;  // s
 };
 
 std::string about() {
     std::string text = "Export a look for other programs\n\n";
     for (const ExportTarget& target : export_targets())
         text += fmt::format("TARGET '{}' writes {}. ", target.name, target.help);
-    return text + "This works without OpenGL.";
+    return text + "Only --verify needs OpenGL.";
 }
 
 int print_losses(const ExportTarget& target, const PreparedLook& prepared) {
     const auto losses = target.losses(prepared);
-    for (const std::string& loss : losses)
+    if (!losses)
+        return report(losses.error());
+    for (const std::string& loss : *losses)
         std::cout << loss << '\n';
-    if (losses.empty())
+    if (losses->empty())
         std::cout << "nothing is lost\n";
     return exit_done;
 }
 
-int write(const ExportTarget& target, const ExportRequest& request) {
-    const auto made = target.write(request);
+int verify(const ExportTarget& target, const ExportRequest& request, double timeout) {
+    const Verification verification = verify_export(target, request, timeout);
+    std::cout << verification.text << '\n';
+    return verification.outcome == Verification::Outcome::verified ? exit_done : exit_failure;
+}
+
+int write(const ExportTarget& target, const ExportRequest& request,
+          const ExportArguments& arguments) {
+    const auto made = export_look(target, request);
     if (!made)
         return report(made.error());
-    std::cout << fmt::format("{}: {} files, {}\n", made->path.string(), made->files,
-                             file_size_text(made->bytes));
-    return exit_done;
+    std::cout << fmt::format("{}: {} {}, {}\n", made->path.string(), made->files,
+                             made->files == 1 ? "file" : "files", file_size_text(made->bytes));
+    return arguments.verifies ? verify(target, request, arguments.timeout) : exit_done;
 }
 }  // namespace
 
@@ -53,20 +66,27 @@ Command add_export(CommandLine& program) {
     auto arguments = std::make_shared<ExportArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
     options.add("--to TARGET", arguments->target, "Program or format to export for").required();
-    options.add("-o,--output PATH", arguments->output, "Folder to write");
+    options.add("-o,--output PATH", arguments->output, "File or folder to write");
     options.add_flag("--dry-run", arguments->is_dry_run,
                      "Print what would be lost, and write nothing");
+    options.add_flag("--verify", arguments->verifies,
+                     "Also draw the export in Chromium and compare the pictures. A difference "
+                     "or a missing Chromium is an error");
+    options.add("--timeout S", arguments->timeout,
+                "With --verify: seconds that Chromium may take (default: 60)");
     return [arguments](const DataFolders& data) {
         const auto target = find_export_target(arguments->target);
         if (!target)
             throw UsageError("--to: " + target.error().front().message);
         if (arguments->output.empty() && !arguments->is_dry_run)
             throw UsageError("-o: missing. Add -o PATH, or --dry-run.");
+        if (arguments->timeout <= 0.0)
+            throw UsageError("--timeout: must be above 0");
         const RenderRequest request = arguments->look.request();
         return run_prepared(request, data, [&](const PreparedLook& prepared, const Library&) {
             return arguments->is_dry_run
                        ? print_losses(**target, prepared)
-                       : write(**target, {prepared, request.size, arguments->output});
+                       : write(**target, {prepared, request.size, arguments->output}, *arguments);
         });
     };
 }

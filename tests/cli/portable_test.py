@@ -145,7 +145,8 @@ class PortableTest(ProgramTest):
     def test_a_dry_run_writes_nothing(self):
         done = run("export", "crt", "--to", "portable", "--dry-run", cwd=self.folder)
         self.assert_done(done)
-        self.assertIn("nothing is lost", done.stdout)
+        self.assertIn("The moving test picture becomes a still picture.", done.stdout)
+        self.assertIn("nothing is lost", run("export", "phosphor", "--to", "portable", "--dry-run").stdout)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_wrong_usage_is_told(self):

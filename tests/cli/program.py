@@ -24,7 +24,7 @@ def run(*arguments, cwd=None, timeout=120, **environment):
 
 
 def read_png(file):
-    """Width, height and rows of RGB bytes of an 8-bit RGB PNG."""
+    """Width, height and rows of RGB bytes of an 8-bit RGB or RGBA PNG."""
     data = Path(file).read_bytes()
     assert data[:8] == b"\x89PNG\r\n\x1a\n", f"{file} is not a PNG"
     at, packed = 8, b""
@@ -33,25 +33,31 @@ def read_png(file):
         body = data[at + 8:at + 8 + length]
         if kind == b"IHDR":
             width, height, depth, color = struct.unpack(">IIBB", body[:10])
-            assert (depth, color) == (8, 2), f"{file}: depth {depth}, colour type {color}"
+            assert (depth, color) in ((8, 2), (8, 6)), f"{file}: depth {depth}, colour type {color}"
         elif kind == b"IDAT":
             packed += body
         at += 12 + length
-    raw, stride = zlib.decompress(packed), width * 3
+    channels = 3 if color == 2 else 4
+    raw, stride = zlib.decompress(packed), width * channels
     rows, above = [], bytearray(stride)
     for y in range(height):
         start = y * (stride + 1)
-        row = unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + stride]), above)
-        rows.append(row)
+        row = unfiltered(raw[start], bytearray(raw[start + 1:start + 1 + stride]), above, channels)
         above = row
+        colors = bytearray(row)
+        if channels == 4:
+            del colors[3::4]
+        rows.append(colors)
     return width, height, rows
 
 
-def unfiltered(kind, row, above):
+def unfiltered(kind, row, above, channels=3):
     """A PNG row with its filter undone (PNG 1.2, chapter 6)."""
+    if kind == 0:
+        return row
     for i, value in enumerate(row):
-        left = row[i - 3] if i >= 3 else 0
-        up, corner = above[i], above[i - 3] if i >= 3 else 0
+        left = row[i - channels] if i >= channels else 0
+        up, corner = above[i], above[i - channels] if i >= channels else 0
         if kind == 1:
             row[i] = (value + left) & 255
         elif kind == 2:

@@ -124,7 +124,7 @@ Json bindings_json(const Look& look, int pass) {
 
 Json pass_json(const Look& look, int index, PortableFiles& files) {
     const Pass& pass = look.passes[static_cast<std::size_t>(index)];
-    const std::string stem = fmt::format("{}/{}-{}", shader_folder, index, safe_name(pass.name));
+    const std::string stem = shader_stem(look, static_cast<std::size_t>(index));
     files.texts[stem + ".vert"] = std::string(pass.vertex.text);
     files.texts[stem + ".frag"] = std::string(pass.fragment.text);
     Json json{{"name", pass.name},
@@ -246,6 +246,8 @@ Result<Json> parameter_entry(const PortableLook& described, const Parameter& par
     if (const auto moving = described.modulations.find(parameter.name);
         moving != described.modulations.end())
         json["modulation"] = json_of(moving->second);
+    if (parameter.limit)
+        json["limit"] = {parameter.limit->low, parameter.limit->high};
     if (parameter.orbit != OrbitPart::none)
         json["orbit"] = name_of(orbit_names(), parameter.orbit);
     return json;
@@ -262,6 +264,8 @@ Json heading_json(const PortableLook& described, const SourceNotices& notices) {
             {"notices", notices_json(notices)},
             {"size", {described.size.width, described.size.height}},
             {"output", name_of(encoding_names(), look.output)},
+            {"source_encoding", name_of(encoding_names(), look.source_encoding)},
+            {"tempo", json_of(described.tempo)},
             {"settle_frames", look.settle_frames}};
 }
 
@@ -287,6 +291,10 @@ Result<void> add_parameters(const PortableLook& described, Json& json, MediaName
     return {};
 }
 }  // namespace
+
+std::string shader_stem(const Look& look, std::size_t pass) {
+    return fmt::format("{}/{}-{}", shader_folder, pass, safe_name(look.passes[pass].name));
+}
 
 Result<PortableFiles> portable_files(const PortableLook& described, const SourceNotices& notices) {
     const Look& look = described.look;

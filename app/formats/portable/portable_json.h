@@ -17,6 +17,7 @@ struct PortableLook {
     const Look& look;
     const Values& values;
     const Modulations& modulations;
+    Tempo tempo;         // of the modulations
     Spec signal;         // completed; only of looks driven by a signal
     SignalMedia media;   // of the signal
     std::string source;  // only of looks driven by a picture
@@ -38,6 +39,9 @@ inline constexpr const char* copies_folder = "media";
 
 /// The notices of source files by name. Files in several folders can have the same name.
 using SourceNotices = std::vector<std::pair<std::string, SourceNotice>>;
+
+/// The path of a pass's shaders without extension.
+std::string shader_stem(const Look& look, std::size_t pass);
 
 /// The complete description, docs/portable.md: `portable.json`, each shader as GLSL 4.10, and the
 /// media.

@@ -2,7 +2,7 @@
 
 #include "base/file.h"
 #include "base/text.h"
-#include "formats/preset/base64url.h"
+#include "formats/web/packed_text.h"
 #include "io/pictures/picture_file.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,6 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
-#include <zlib.h>
 
 namespace {
 struct MediaType {
@@ -47,14 +46,6 @@ bool is_deep_png(std::string_view bytes) {
     return bytes.starts_with("\x89PNG") && bytes.size() > depth_at && bytes[depth_at] == 16;
 }
 
-std::string base64(std::string_view bytes) {
-    std::string text = base64url_encode(bytes);
-    std::ranges::replace(text, '-', '+');
-    std::ranges::replace(text, '_', '/');
-    text.append((4 - text.size() % 4) % 4, '=');
-    return text;
-}
-
 // IEEE 754 binary16, rounded to nearest even. NaN becomes 0.
 std::uint16_t half_of(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -71,21 +62,6 @@ std::uint16_t half_of(float value) {
     return static_cast<std::uint16_t>(sign | ((rounded - 0x38000000u) >> 13));
 }
 
-std::string gzipped(const std::string& bytes) {
-    z_stream stream{};
-    constexpr int gzip_window = 15 + 16;
-    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, gzip_window, 8, Z_DEFAULT_STRATEGY);
-    std::string result(deflateBound(&stream, static_cast<uLong>(bytes.size())) + 32, '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(result.data());
-    stream.avail_out = static_cast<uInt>(result.size());
-    deflate(&stream, Z_FINISH);
-    result.resize(stream.total_out);
-    deflateEnd(&stream);
-    return result;
-}
-
 std::string picture_json(const Picture& picture) {
     std::string halfs;
     for (const float value : picture.pixels) {
@@ -98,7 +74,7 @@ std::string picture_json(const Picture& picture) {
         {"height", picture.extent.height},
         {"channels", picture.channels},
         {"encoding", picture.encoding == Encoding::linear ? "linear" : "display"},
-        {"halfs", base64(gzipped(halfs))}};
+        {"halfs", gzip_base64(halfs)}};
     return json.dump();
 }
 

@@ -1,6 +1,7 @@
 #include "formats/web/web_page.h"
 
 #include "base/text.h"
+#include "formats/web/page_members.h"
 #include "formats/web/page_parts.h"
 #include "formats/web/web_media.h"
 #include "model/picture/source_spec.h"
@@ -205,12 +206,13 @@ std::string filled(std::string_view page, const std::map<std::string, std::strin
 }
 }  // namespace
 
-Result<WebPage> web_page(const PortableFiles& described, const EsShaders& shaders,
+Result<WebPage> web_page(const Look& look, const PortableFiles& described, const EsShaders& shaders,
                          const std::string& media_folder, std::uintmax_t max_embedded) {
     Json json = Json::parse(described.texts.at(portable_file));
     for (std::size_t i = 0; i < shaders.passes.size(); ++i)
         use_shaders(shaders, i, json["passes"][i]);
     json["shaders"] = shaders.texts;
+    add_page_members(look, json);
     for (Json& parameter : json["parameters"])
         shorten_parameter(parameter);
     const auto media = media_of(described, unread_files(json));

@@ -1,6 +1,7 @@
 #include "glsl/es/es_program.h"
 
 #include "glsl/compile/compiler_log.h"
+#include "glsl/es/es_check.h"
 #include "glsl/es/es_source.h"
 #include "glsl/limits/start.h"
 #include "glsl/text/tokens.h"
@@ -94,16 +95,6 @@ std::string written_es(std::vector<std::uint32_t> code) {
     return compiler.compile();
 }
 
-// Built-in functions of later versions are written unchanged.
-Result<void> check_es(const std::string& text, const Stage& author, EShLanguage language) {
-    glslang::TShader shader(language);
-    const char* const piece = text.c_str();
-    shader.setStrings(&piece, 1);
-    if (!shader.parse(GetDefaultResources(), es_version, EEsProfile, false, false, EShMsgDefault))
-        return fail(lacking(author, first_error(shader.getInfoLog())));
-    return {};
-}
-
 std::vector<std::uint32_t> code_of(const glslang::TProgram& program, EShLanguage language) {
     glslang::SpvOptions options;
     options.disableOptimizer = true;
@@ -142,8 +133,9 @@ Result<std::string> es_text(std::vector<std::uint32_t> code, const Stage& author
     } catch (const spirv_cross::CompilerError& error) {
         return fail(lacking(author, error.what()));
     }
-    if (auto good = check_es(text, author, language); !good)
-        return fail(good.error());
+    // Built-in functions of later versions are written unchanged.
+    if (const std::string error = es_error(text, language == EShLangFragment); !error.empty())
+        return fail(lacking(author, error));
     return text;
 }
 }  // namespace

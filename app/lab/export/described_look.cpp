@@ -72,6 +72,7 @@ Result<PortableFiles> described_files(const ExportRequest& request) {
     return portable_files({.look = look,
                            .values = document.values(),
                            .modulations = document.state().modulations,
+                           .tempo = document.state().tempo,
                            .signal = std::move(signal),
                            .media = std::move(media),
                            .source = source,

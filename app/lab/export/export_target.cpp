@@ -9,9 +9,27 @@
 
 const std::vector<ExportTarget>& export_targets() {
     static const std::vector<ExportTarget> targets{
-        {"portable", "a folder with JSON, GLSL 4.10 and media",
-         [](const PreparedLook&) { return std::vector<std::string>(); }, export_portable},
-        {"web", "one HTML file that draws the look live in a browser", web_losses, export_web},
+        {.name = "portable",
+         .label = "Portable look",
+         .extension = {},
+         .help = "a folder with JSON, GLSL 4.10 and media",
+         .keeps = {"all passes, parameters and values", "the signal or source with its files",
+                   "licences and authors"},
+         .losses = portable_losses,
+         .write = export_portable,
+         .check = check_portable,
+         .page = page_of_portable},
+        {.name = "web",
+         .label = "Web page",
+         .extension = ".html",
+         .help = "one HTML file that draws the look live in a browser",
+         .keeps = {"all passes and parameters, with sliders",
+                   "live signals, sound, pictures, videos and the camera",
+                   "presets as links and as lines of text"},
+         .losses = web_losses,
+         .write = export_web,
+         .check = check_web,
+         .page = page_of_web},
     };
     return targets;
 }
@@ -25,4 +43,13 @@ Result<const ExportTarget*> find_export_target(const std::string& name) {
     for (const ExportTarget& target : targets)
         names += (names.empty() ? "" : ", ") + target.name;
     return fail({{}, 0, fmt::format("can't export to '{}'. Choose from: {}.", name, names)});
+}
+
+Result<ExportedLook> export_look(const ExportTarget& target, const ExportRequest& request) {
+    auto made = target.write(request);
+    if (!made)
+        return made;
+    if (auto good = target.check(request); !good)
+        return fail(good.error());
+    return made;
 }

@@ -22,14 +22,26 @@ struct ExportRequest {
 
 /// A format for using a look in another program: one row of export_targets().
 struct ExportTarget {
-    std::string name;  // "portable"
-    std::string help;  // what it writes: "a folder with ..."
-    /// What would be lost, a sentence per item; empty: nothing.
-    std::vector<std::string> (*losses)(const PreparedLook& prepared);
+    std::string name;                // "portable"
+    std::string label;               // in the window: "Web page"
+    std::string extension;           // ".html"; "" for a folder
+    std::string help;                // what it writes: "a folder with ..."
+    std::vector<std::string> keeps;  // what it can carry, a phrase per item
+    /// What would be lost, a sentence per item; empty: nothing. The error is the reason why the
+    /// look can't be exported.
+    Result<std::vector<std::string>> (*losses)(const PreparedLook& prepared);
     /// Writes all or nothing. Errors name the file.
     Result<ExportedLook> (*write)(const ExportRequest& request);
+    /// Opens the written files again, and compiles and compares their contents.
+    Result<void> (*check)(const ExportRequest& request);
+    /// A web page that draws what was written, for verify_page(). It may be in `folder`.
+    Result<std::filesystem::path> (*page)(const ExportRequest& request,
+                                          const std::filesystem::path& folder);
 };
 const std::vector<ExportTarget>& export_targets();
 
 /// Fails with the names of all targets.
 Result<const ExportTarget*> find_export_target(const std::string& name);
+
+/// Writes and checks.
+Result<ExportedLook> export_look(const ExportTarget& target, const ExportRequest& request);

@@ -1,8 +1,13 @@
 #include "lab/export/portable_export.h"
 
+#include "base/file.h"
+#include "glsl/compile/check.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
 #include "lab/export/described_look.h"
+#include "lab/export/web_export.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
 
 #include <fmt/format.h>
 
@@ -75,4 +80,73 @@ Result<ExportedLook> export_portable(const ExportRequest& request) {
     return ExportedLook{request.path,
                         files->texts.size() + files->generated.size() + files->media.size(),
                         *contents + *media};
+}
+
+Result<std::vector<std::string>> portable_losses(const PreparedLook& prepared) {
+    const Document& document = prepared.document;
+    std::vector<std::string> losses;
+    const auto source = parse_source(document.state().source);
+    if (document.look().driven_by == Driver::picture && source && source->is_pattern() &&
+        is_moving_pattern(source->picture.substr(std::string_view("pattern:").size())))
+        losses.push_back("The moving test picture becomes a still picture.");
+    return losses;
+}
+
+namespace {
+// The files that a folder has, as if they had just been described.
+Result<PortableFiles> read_portable(const ExportRequest& request) {
+    auto files = described_files(request);
+    if (!files)
+        return files;
+    for (auto& [path, text] : files->texts) {
+        auto bytes = read_bytes(request.path / path);
+        if (!bytes)
+            return fail(bytes.error());
+        text = std::move(*bytes);
+    }
+    for (auto& [path, file] : files->media)
+        file = request.path / path;
+    for (const auto& [path, picture] : files->generated)
+        files->media.emplace(path, request.path / path);
+    files->generated.clear();
+    std::error_code error;
+    for (const auto& [path, file] : files->media)
+        if (!fs::exists(file, error))
+            return fail({file, 0, "is missing. Export the look again."});
+    return files;
+}
+
+// The look with the shaders of the folder.
+Look look_of(const ExportRequest& request, const PortableFiles& files) {
+    Look look = request.prepared.document.drawn_look();
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
+        Pass& pass = look.passes[i];
+        const std::string stem = shader_stem(look, i);
+        pass.vertex = {request.path / (stem + ".vert"), files.texts.at(stem + ".vert"), {}};
+        pass.fragment = {request.path / (stem + ".frag"), files.texts.at(stem + ".frag"), {}};
+    }
+    return look;
+}
+}  // namespace
+
+Result<void> check_portable(const ExportRequest& request) {
+    const auto described = described_files(request);
+    const auto files = read_portable(request);
+    if (!described || !files)
+        return fail(described ? files.error() : described.error());
+    if (files->texts != described->texts)
+        return fail({request.path / portable_file, 0, "differs from the look. Export it again."});
+    const Look look = look_of(request, *files);
+    for (const Pass& pass : look.passes)
+        if (const auto good = check_program(pass.vertex, pass.fragment, look.shader_limits); !good)
+            return fail(good.error());
+    return {};
+}
+
+Result<fs::path> page_of_portable(const ExportRequest& request, const fs::path& folder) {
+    const auto files = read_portable(request);
+    if (!files)
+        return fail(files.error());
+    return write_page(look_of(request, *files), *files, folder / "page.html")
+        .map([](const ExportedLook& page) { return page.path; });
 }

@@ -1,6 +1,8 @@
 #include "lab/export/web_export.h"
 
+#include "base/file.h"
 #include "formats/web/es_shaders.h"
+#include "formats/web/page_check.h"
 #include "formats/web/web_page.h"
 #include "io/files/atomic_file.h"
 #include "lab/export/described_look.h"
@@ -11,34 +13,75 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::uintmax_t max_embedded = 10'000'000;  // bytes
-}
 
-Result<ExportedLook> export_web(const ExportRequest& request) {
-    const auto described = described_files(request);
-    if (!described)
-        return fail(described.error());
-    const Look look = request.prepared.document.drawn_look();
+// A directory would be found only after the media were written.
+Result<void> check_path(const fs::path& path) {
+    std::error_code error;
+    if (fs::is_directory(path, error))
+        return fail({path, 0, "is a folder. Add a file name, such as page.html."});
+    if (const std::string ending = path.extension().string(); ending != ".html" && ending != ".htm")
+        return fail({path, 0, "a web page needs the ending .html"});
+    return {};
+}
+}  // namespace
+
+Result<ExportedLook> write_page(const Look& look, const PortableFiles& described,
+                                const fs::path& path) {
     const auto shaders = es_shaders(look);
     if (!shaders)
         return fail(shaders.error());
-    const std::string folder = request.path.stem().string() + "_media";
-    const auto page = web_page(*described, *shaders, folder, max_embedded);
+    const std::string folder = path.stem().string() + "_media";
+    const auto page = web_page(look, described, *shaders, folder, max_embedded);
     if (!page)
         return fail(page.error());
-    ExportedLook made{request.path, 0, 0};
-    const auto write = [&](const fs::path& path, const std::string& text) {
+    ExportedLook made{path, 0, 0};
+    const auto write = [&](const fs::path& file, const std::string& text) {
         ++made.files;
         made.bytes += text.size();
-        return write_atomically(path, text);
+        return write_atomically(file, text);
     };
-    for (const auto& [path, text] : page->scripts)
-        if (auto written = write(request.path.parent_path() / path, text); !written)
+    for (const auto& [name, text] : page->scripts)
+        if (auto written = write(path.parent_path() / name, text); !written)
             return fail(written.error());
-    if (auto written = write(request.path, page->html); !written)
+    if (auto written = write(path, page->html); !written)
         return fail(written.error());
     return made;
 }
 
-std::vector<std::string> web_losses(const PreparedLook&) {
+Result<ExportedLook> export_web(const ExportRequest& request) {
+    if (auto good = check_path(request.path); !good)
+        return fail(good.error());
+    const auto described = described_files(request);
+    if (!described)
+        return fail(described.error());
+    return write_page(request.prepared.document.drawn_look(), *described, request.path);
+}
+
+Result<std::vector<std::string>> web_losses(const PreparedLook& prepared) {
+    const Document& document = prepared.document;
+    const Look look = document.drawn_look();
+    if (const auto shaders = es_shaders(look); !shaders)
+        return fail(shaders.error());
+    std::vector<std::string> losses;
+    const std::string& kind = document.state().signal.kind;
+    if (look.driven_by == Driver::signal && (kind == "stdin" || kind == "socket"))
+        losses.push_back(
+            "The beam of another program. The page draws nothing until a signal is chosen.");
+    return losses;
+}
+
+Result<void> check_web(const ExportRequest& request) {
+    const auto html = read_bytes(request.path);
+    if (!html)
+        return fail(html.error());
+    const auto described = described_files(request);
+    if (!described)
+        return fail(described.error());
+    if (const std::string fault = page_fault(*html, *described); !fault.empty())
+        return fail({request.path, 0, fault + " Export the look again."});
     return {};
+}
+
+Result<fs::path> page_of_web(const ExportRequest& request, const fs::path&) {
+    return fs::absolute(request.path);
 }

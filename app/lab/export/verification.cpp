@@ -1,0 +1,126 @@
+#include "lab/export/verification.h"
+
+#include "base/file_uri.h"
+#include "io/files/atomic_file.h"
+#include "io/files/scratch_folder.h"
+#include "io/pictures/picture_file.h"
+#include "io/system/browser.h"
+#include "lab/export/page_picture.h"
+#include "lab/offline/offline.h"
+#include "model/picture/display_bytes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace fs = std::filesystem;
+
+namespace {
+using Outcome = Verification::Outcome;
+
+Verification not_verified(const Diagnostics& reasons) {
+    return {Outcome::not_verified, "not verified: " + reasons.front().message};
+}
+
+// The shape of the export, at most 640x360.
+Extent compared_size(Extent size) {
+    constexpr double width = 640.0;
+    constexpr double height = 360.0;
+    const double scale = std::min({1.0, width / size.width, height / size.height});
+    return {std::max(1, static_cast<int>(std::lround(size.width * scale))),
+            std::max(1, static_cast<int>(std::lround(size.height * scale)))};
+}
+
+// Frames with a history differ more the more frames there are.
+int compared_frames(const Look& look) {
+    return std::clamp(look.settle_frames, 16, 60);
+}
+
+std::string why_not_comparable(const PreparedLook& prepared) {
+    const Document& document = prepared.document;
+    const std::string& kind = document.state().signal.kind;
+    const bool is_live = kind == "microphone" || kind == "stdin" || kind == "socket";
+    return document.look().driven_by == Driver::signal && is_live
+               ? fmt::format("the signal '{}' is different in every run", kind)
+               : std::string();
+}
+
+Verification compared(const std::vector<std::uint8_t>& ours,
+                      const std::vector<std::uint8_t>& theirs) {
+    constexpr int channels = 3;
+    if (ours.size() != theirs.size())
+        return {Outcome::failed, "failed: the picture has another size"};
+    int maximum = 0;
+    std::size_t different = 0;
+    std::size_t far_off = 0;
+    for (std::size_t at = 0; at < ours.size(); at += channels) {
+        int largest = 0;
+        for (std::size_t i = at; i < at + channels; ++i)
+            largest = std::max(largest, std::abs(ours[i] - theirs[i]));
+        maximum = std::max(maximum, largest);
+        different += largest > 0 ? 1 : 0;
+        far_off += largest > 1 ? 1 : 0;
+    }
+    const double pixels = static_cast<double>(ours.size()) / channels;
+    const bool is_good = maximum <= 3 && static_cast<double>(far_off) <= 0.001 * pixels;
+    return {
+        is_good ? Outcome::verified : Outcome::failed,
+        fmt::format("{}: max {}/255, {:.2g} % of pixels differ", is_good ? "verified" : "failed",
+                    maximum, 100.0 * static_cast<double>(different) / pixels)};
+}
+
+// Drawn by the system's GL, or by the browser's own software GL. The error is that of the browser.
+Result<PagePicture> drawn_by_browser(const std::string& url, const fs::path& profiles,
+                                     double seconds) {
+    PagePicture drawn;
+    for (const bool uses_software : {false, true}) {
+        const fs::path profile = profiles / (uses_software ? "software" : "system");
+        const auto html = run_in_browser({url, profile, seconds, uses_software});
+        if (!html)
+            return fail(html.error());
+        drawn = picture_in_page(*html);
+        if (!drawn.lacks_webgl())
+            break;
+    }
+    return drawn;
+}
+
+Result<Picture> decoded(const std::string& png, const fs::path& file) {
+    if (auto written = write_atomically(file, png); !written)
+        return fail(written.error());
+    return load_picture(file);
+}
+}  // namespace
+
+Verification verify_export(const ExportTarget& target, const ExportRequest& request,
+                           double seconds) {
+    if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
+        return {Outcome::not_verified, "not verified: " + reason};
+    const auto scratch = ScratchFolder::create();
+    if (!scratch)
+        return not_verified(scratch.error());
+    const auto page = target.page(request, scratch->path());
+    if (!page)
+        return {Outcome::failed, "failed: " + page.error().front().message};
+    const Extent size = compared_size(request.size);
+    const int frames = compared_frames(request.prepared.document.look());
+    if (find_browser().empty())
+        return {Outcome::not_verified, "not verified: chromium is not installed"};
+    auto offline = Offline::create(request.prepared, size, 60.0);
+    if (!offline)
+        return not_verified(offline.error());
+    const Picture ours = offline->picture_after(frames);
+    const std::string url =
+        fmt::format("file://{}?frames={}&size={}x{}", percent_encoded(page->string()), frames,
+                    size.width, size.height);
+    const auto drawn = drawn_by_browser(url, scratch->path(), seconds);
+    if (!drawn)
+        return not_verified(drawn.error());
+    if (!drawn->fault.empty())
+        return {Outcome::failed, "failed: " + drawn->fault};
+    const auto theirs = decoded(drawn->png, scratch->path() / "page.png");
+    return theirs ? compared(display_bytes(ours), display_bytes(*theirs))
+                  : not_verified(theirs.error());
+}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "lab/export/export_target.h"
+
+/// The result of redrawing an export with another program.
+struct Verification {
+    enum class Outcome { verified, not_verified, failed };
+
+    Outcome outcome = Outcome::not_verified;
+    std::string text;  // "verified: max 1/255, 0.02 % of pixels differ"
+};
+
+/// Draws a look and what was exported of it, the latter in Chromium, and compares the last frames:
+/// up to 60, at most 640x360 pixels. Verified means at most 1/255 in 99.9 % of the pixels and 3/255
+/// anywhere. Needs GL. `seconds`: timeout of the browser.
+Verification verify_export(const ExportTarget& target, const ExportRequest& request,
+                           double seconds);
