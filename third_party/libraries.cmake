@@ -49,8 +49,16 @@ add_external(glslang glslang::glslang glslang::glslang-default-resource-limits g
 # The C++ interface, which has no CMake file. The package is named after the C interface.
 find_path(spirv_cross_headers spirv_cross/spirv_glsl.hpp REQUIRED)
 find_library(spirv_cross_glsl spirv-cross-glsl REQUIRED)
+find_library(spirv_cross_hlsl spirv-cross-hlsl REQUIRED)
+find_library(spirv_cross_msl spirv-cross-msl REQUIRED)
+find_library(spirv_cross_reflect spirv-cross-reflect REQUIRED)
 find_library(spirv_cross_core spirv-cross-core REQUIRED)
-add_external(spirv_cross ${spirv_cross_glsl} ${spirv_cross_core})
+add_external(spirv_cross ${spirv_cross_reflect} ${spirv_cross_hlsl} ${spirv_cross_msl}
+    ${spirv_cross_glsl} ${spirv_cross_core})
+pkg_check_modules(spirv_tools REQUIRED IMPORTED_TARGET SPIRV-Tools)
+add_external(spirv_tools PkgConfig::spirv_tools)
+pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
+add_external(zip PkgConfig::zip)
 target_include_directories(external_spirv_cross SYSTEM INTERFACE ${spirv_cross_headers})
 add_external(openimageio PkgConfig::openimageio)
 add_external(librsvg PkgConfig::librsvg)

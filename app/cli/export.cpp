@@ -21,6 +21,7 @@ struct ExportArguments {
     std::string target;
     std::string output;
     bool is_dry_run = false;
+    bool has_stages = false;
     bool verifies = false;
     double timeout = 60.0;  // s
 };
@@ -66,7 +67,11 @@ Command add_export(CommandLine& program) {
     auto arguments = std::make_shared<ExportArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
     options.add("--to TARGET", arguments->target, "Program or format to export for").required();
-    options.add("-o,--output PATH", arguments->output, "File or folder to write");
+    options.add("-o,--output PATH", arguments->output,
+                "File or folder to write. A portable look can be a .zip");
+    options.add_flag("--stages", arguments->has_stages,
+                     "With 'portable': also write the shaders as SPIR-V, GLSL ES 3.00, HLSL and "
+                     "MSL");
     options.add_flag("--dry-run", arguments->is_dry_run,
                      "Print what would be lost, and write nothing");
     options.add_flag("--verify", arguments->verifies,
@@ -80,13 +85,17 @@ Command add_export(CommandLine& program) {
             throw UsageError("--to: " + target.error().front().message);
         if (arguments->output.empty() && !arguments->is_dry_run)
             throw UsageError("-o: missing. Add -o PATH, or --dry-run.");
+        if (arguments->has_stages && arguments->target != "portable")
+            throw UsageError("--stages: only with --to portable");
         if (arguments->timeout <= 0.0)
             throw UsageError("--timeout: must be above 0");
         const RenderRequest request = arguments->look.request();
         return run_prepared(request, data, [&](const PreparedLook& prepared, const Library&) {
             return arguments->is_dry_run
                        ? print_losses(**target, prepared)
-                       : write(**target, {prepared, request.size, arguments->output}, *arguments);
+                       : write(**target,
+                               {prepared, request.size, arguments->output, arguments->has_stages},
+                               *arguments);
         });
     };
 }

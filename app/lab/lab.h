@@ -8,7 +8,7 @@
 #include "lab/drawing/drawing_tool.h"
 #include "lab/frame/frame_loop.h"
 #include "lab/frame/workspace.h"
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 #include "lab/playback/audio_control.h"
 #include "lab/reload/look_loader.h"
 #include "lab/remote/remote_control.h"

@@ -1,6 +1,8 @@
 """Looks exported for other programs: docs/portable.md."""
 
 import json
+import zipfile
+import os
 import shutil
 import subprocess
 import unittest
@@ -60,6 +62,47 @@ class PortableTest(ProgramTest):
             files = [folder / item[stage] for item in document["passes"] for stage in ("vertex", "fragment")]
             checked = subprocess.run(["glslangValidator", *files], capture_output=True, text=True)
             self.assertEqual(checked.returncode, 0, checked.stdout[-2000:])
+
+    @unittest.skipUnless(shutil.which("glslangValidator") and shutil.which("spirv-val"),
+                         "glslangValidator or spirv-val is not installed")
+    def test_other_compilers_accept_every_stage(self):
+        for look in ("phosphor", "crt"):
+            folder, document = self.export(look, "--stages")
+            files = {"spirv": [], "es": [], "hlsl": []}
+            for item in document["passes"]:
+                for name, stage in item["stages"].items():
+                    self.assertEqual(set(stage["not_compiled"]), {"msl"}, stage)
+                    self.assertIn("metal", (folder / stage["msl"]).read_text())
+                    reflection = json.loads((folder / stage["reflection"]).read_text())
+                    self.assertEqual(reflection["entryPoints"][0]["name"], "main")
+                    for language, paths in files.items():
+                        paths.append((name, folder / stage[language]))
+            for name, file in files["spirv"]:
+                self.compile("spirv-val", "--target-env", "vulkan1.0", file)
+            for name, file in files["es"]:
+                self.compile("glslangValidator", "-S", name[:4], file)
+            for name, file in files["hlsl"]:
+                self.compile("glslangValidator", "-D", "-V", "-S", name[:4], "-e", "main", "-o", os.devnull, file)
+
+    def compile(self, *command):
+        checked = subprocess.run(command, capture_output=True, text=True)
+        self.assertEqual(checked.returncode, 0, f"{command}: {checked.stdout[-1000:]}{checked.stderr[-1000:]}")
+
+    def test_an_archive_has_the_same_files_and_is_reproducible(self):
+        archives = []
+        for name in ("one.zip", "two.zip"):
+            self.assert_done(run("export", "vector-beam", "--to", "portable", "-o", self.folder / name))
+            archives.append((self.folder / name).read_bytes())
+        self.assertEqual(archives[0], archives[1])
+        folder, document = self.export("vector-beam")
+        with zipfile.ZipFile(self.folder / "one.zip") as archive:
+            self.assertIsNone(archive.testzip())
+            self.assertEqual(sorted(archive.namelist()),
+                             sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()))
+            self.assertEqual(json.loads(archive.read("portable.json")), document)
+        (self.folder / "note.txt").write_text("mine")
+        self.assert_refused(run("export", "crt", "--to", "portable", "-o", self.folder / "none" / ".." / "x.zip" / "y.zip",
+                                "--stages"), "y.zip")
 
     def test_values_signal_and_source_are_those_of_the_command(self):
         _, document = self.export("phosphor", "--set", "decay=0.5", "--signal", "lissajous:x=3,y=2", "--size", "64x48")

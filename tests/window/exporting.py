@@ -151,3 +151,22 @@ class Exporting(Person):
         subprocess.run(["xclip", "-selection", "clipboard", "-i"], env=screen, input=b"text", check=True, timeout=20,
                        stdout=subprocess.DEVNULL)
         self.assertEqual(pasted("UTF8_STRING"), b"text")
+
+    def test_a_look_is_exported_as_a_page_and_compared(self):
+        program = self.program
+        program.choose("File", "Export look…")
+        program.place("look_export_losses")
+        self.snapshot("look_export")
+        page = program.folder / "page"
+        self.fill(dialog_file=str(page))
+        if not shutil.which("chromium"):
+            self.assertIn("look_export_verify", program.state()["widgets"])
+        program.key("Return")
+        program.place("look_export_done")
+        self.snapshot("look_exported")
+        html = page.with_suffix(".html").read_text(encoding="utf-8")
+        self.assertIn('"name":"Phosphor"', html)
+        if shutil.which("chromium"):
+            program.place("look_export_verification")
+        program.key("Return")
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)

@@ -40,7 +40,7 @@ Result<PictureFile> exact_picture_file(const Picture& picture) {
         const auto codec = picture_codec();
         if (!codec)
             return fail(codec.error());
-        auto bytes = (*codec)->encode_exr(picture, false);
+        auto bytes = (*codec)->encode_exr(picture, true);
         return bytes ? Result<PictureFile>(PictureFile{".exr", std::move(*bytes), picture})
                      : fail(bytes.error());
     }

@@ -13,5 +13,5 @@ struct PictureFile {
 };
 
 /// The smallest file that has a picture's values: PNG with 8 bits if it has no others, else with 16
-/// bits, or EXR for linear light.
+/// bits, or EXR with 16-bit floats for linear light.
 Result<PictureFile> exact_picture_file(const Picture& picture);

@@ -32,10 +32,11 @@ struct PortableFiles {
     std::map<std::string, std::filesystem::path> media;  // files to copy, by path
 };
 
-/// What a portable folder contains: the main file and two folders.
+/// What a portable folder contains: the main file and folders.
 inline constexpr const char* portable_file = "portable.json";
 inline constexpr const char* shader_folder = "shaders";
 inline constexpr const char* copies_folder = "media";
+inline constexpr const char* stages_folder = "stages";
 
 /// The notices of source files by name. Files in several folders can have the same name.
 using SourceNotices = std::vector<std::pair<std::string, SourceNotice>>;

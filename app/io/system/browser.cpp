@@ -50,7 +50,7 @@ Result<std::string> run_in_browser(const BrowserRun& run) {
     auto child = ChildProcess::start(command_of(browser, run));
     if (!child)
         return fail(child.error());
-    auto page = child->read_all_within(run.seconds, longest);
+    auto page = child->read_all_within(run.seconds, longest, run.is_cancelled);
     if (!page)
         return fail(
             {{}, 0, fmt::format("{} took more than {} s. Raise --timeout.", browser, run.seconds)});

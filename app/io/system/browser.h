@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -14,6 +15,7 @@ struct BrowserRun {
     std::filesystem::path profile;  // an empty folder of its own
     double seconds = 60.0;          // timeout
     bool uses_software = false;     // its own software GL instead of the system's GL
+    const std::atomic<bool>* is_cancelled = nullptr;
 };
 
 /// Runs a page without a window, without network and without the user's profile. Returns the page's

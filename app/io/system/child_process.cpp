@@ -234,7 +234,9 @@ std::string ChildProcess::read_all(std::size_t maximum) {
     return text;
 }
 
-std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t maximum) {
+std::optional<std::string> ChildProcess::read_all_within(double seconds, std::size_t maximum,
+                                                         const std::atomic<bool>* is_cancelled) {
+    constexpr long between_looks = 100;  // ms
     using Clock = std::chrono::steady_clock;
     const auto end = Clock::now() + std::chrono::duration<double>(seconds);
     std::string text;
@@ -243,10 +245,11 @@ std::optional<std::string> ChildProcess::read_all_within(double seconds, std::si
         const auto left =
             std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
         pollfd waits{m_output.get(), POLLIN, 0};
-        const int ready = ::poll(&waits, 1, static_cast<int>(std::clamp<long>(left, 0, 1 << 30)));
-        if (ready < 0 && errno == EINTR)
+        const int ready = ::poll(&waits, 1, static_cast<int>(std::clamp(left, 0L, between_looks)));
+        const bool is_over = left <= 0 || (is_cancelled && *is_cancelled);
+        if ((ready < 0 && errno == EINTR) || (ready == 0 && !is_over))
             continue;
-        if (ready <= 0)
+        if (ready <= 0 || is_over)
             return std::nullopt;
         const ssize_t got =
             ::read(m_output.get(), piece.data(), std::min(piece.size(), maximum - text.size()));

@@ -4,6 +4,7 @@
 #include "io/system/descriptor.h"
 
 #include <array>
+#include <atomic>
 #include <limits>
 #include <optional>
 #include <string>
@@ -38,8 +39,9 @@ public:
     std::size_t read(char* bytes, std::size_t size);
     /// Reads the remaining output, at most `maximum` bytes.
     std::string read_all(std::size_t maximum);
-    /// As read_all; nullopt if the output has not ended within `seconds`.
-    std::optional<std::string> read_all_within(double seconds, std::size_t maximum);
+    /// As read_all; nullopt if the output has not ended within `seconds`, or when cancelled.
+    std::optional<std::string> read_all_within(double seconds, std::size_t maximum,
+                                               const std::atomic<bool>* is_cancelled = nullptr);
     /// Ends a child that uses no processor time for this long, while feed(0) or finish() waits.
     void set_timeout(double seconds);
     /// Writes to one of its inputs, from 0, and blocks while its buffer is full. False if the child

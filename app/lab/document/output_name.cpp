@@ -60,3 +60,8 @@ bool has_own_folder(const std::string& text) {
 fs::path typed_file(const std::string& text, const fs::path& folder) {
     return parse_typed_path(text, folder, home_folder()).file();
 }
+
+fs::path usual_folder(const fs::path& last) {
+    std::error_code error;
+    return fs::is_directory(last, error) ? last : fs::current_path(error);
+}

@@ -20,6 +20,9 @@ std::string unused_name(
     const std::filesystem::path& folder, const std::string& stem, const std::string& ending,
     const IsTaken& is_taken = [](const std::filesystem::path&) { return false; });
 
+/// The folder of the last file, or the current one if it no longer exists.
+std::filesystem::path usual_folder(const std::filesystem::path& last);
+
 /// Whether a typed text is a whole path, so that no folder is used.
 bool has_own_folder(const std::string& text);
 

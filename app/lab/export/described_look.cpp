@@ -1,6 +1,7 @@
 #include "lab/export/described_look.h"
 
 #include "base/file.h"
+#include "formats/portable/stage_files.h"
 #include "lab/playback/signal_file.h"
 #include "signals/signal_table.h"
 
@@ -69,13 +70,16 @@ Result<PortableFiles> described_files(const ExportRequest& request) {
     }
     const std::string source =
         look.driven_by == Driver::picture ? document.state().source : std::string();
-    return portable_files({.look = look,
-                           .values = document.values(),
-                           .modulations = document.state().modulations,
-                           .tempo = document.state().tempo,
-                           .signal = std::move(signal),
-                           .media = std::move(media),
-                           .source = source,
-                           .size = request.size},
-                          *notices);
+    auto files = portable_files({.look = look,
+                                 .values = document.values(),
+                                 .modulations = document.state().modulations,
+                                 .tempo = document.state().tempo,
+                                 .signal = std::move(signal),
+                                 .media = std::move(media),
+                                 .source = source,
+                                 .size = request.size},
+                                *notices);
+    if (files && request.has_stages)
+        add_stages(look, *files);
+    return files;
 }

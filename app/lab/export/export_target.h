@@ -18,6 +18,7 @@ struct ExportRequest {
     const PreparedLook& prepared;
     Extent size;
     std::filesystem::path path;
+    bool has_stages = false;  // also other shader languages, if the target has them
 };
 
 /// A format for using a look in another program: one row of export_targets().

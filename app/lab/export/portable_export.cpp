@@ -4,6 +4,8 @@
 #include "glsl/compile/check.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
+#include "io/files/scratch_folder.h"
+#include "io/files/zip.h"
 #include "lab/export/described_look.h"
 #include "lab/export/web_export.h"
 #include "model/picture/source_spec.h"
@@ -53,14 +55,20 @@ Result<void> check_target(const fs::path& path) {
         return fail({path, 0, "exists and is not an exported look. Choose another path."});
     for (const fs::directory_entry& entry : entries)
         if (const fs::path name = entry.path().filename();
-            name != portable_file && name != shader_folder && name != copies_folder)
+            name != portable_file && name != shader_folder && name != copies_folder &&
+            name != stages_folder)
             return fail({entry.path(), 0,
                          "is not part of an exported look. Move it, or choose another path."});
     return {};
 }
 }  // namespace
 
-Result<ExportedLook> export_portable(const ExportRequest& request) {
+namespace {
+bool is_zip(const fs::path& path) {
+    return path.extension() == ".zip";
+}
+
+Result<ExportedLook> export_folder(const ExportRequest& request) {
     if (auto good = check_target(request.path); !good)
         return fail(good.error());
     const auto files = described_files(request);
@@ -82,6 +90,38 @@ Result<ExportedLook> export_portable(const ExportRequest& request) {
                         *contents + *media};
 }
 
+// An earlier archive is replaced.
+Result<ExportedLook> export_zip(const ExportRequest& request) {
+    const auto scratch = ScratchFolder::create();
+    if (!scratch)
+        return fail(scratch.error());
+    ExportRequest unpacked = request;
+    unpacked.path = scratch->path() / "look";
+    auto made = export_folder(unpacked);
+    if (!made)
+        return made;
+    if (auto written = zip_folder(unpacked.path, request.path); !written)
+        return fail(written.error());
+    std::error_code error;
+    return ExportedLook{request.path, made->files, fs::file_size(request.path, error)};
+}
+
+// Where the files are: the folder, or the contents of an archive in `scratch`.
+Result<ExportRequest> unpacked(const ExportRequest& request, const fs::path& scratch) {
+    if (!is_zip(request.path))
+        return request;
+    ExportRequest folder = request;
+    folder.path = scratch / "look";
+    if (auto extracted = unzip(request.path, folder.path); !extracted)
+        return fail(extracted.error());
+    return folder;
+}
+}  // namespace
+
+Result<ExportedLook> export_portable(const ExportRequest& request) {
+    return is_zip(request.path) ? export_zip(request) : export_folder(request);
+}
+
 Result<std::vector<std::string>> portable_losses(const PreparedLook& prepared) {
     const Document& document = prepared.document;
     std::vector<std::string> losses;
@@ -93,24 +133,21 @@ Result<std::vector<std::string>> portable_losses(const PreparedLook& prepared) {
 }
 
 namespace {
-// The files that a folder has, as if they had just been described.
-Result<PortableFiles> read_portable(const ExportRequest& request) {
-    auto files = described_files(request);
-    if (!files)
-        return files;
-    for (auto& [path, text] : files->texts) {
+// The files that a folder has instead of those that were described.
+Result<PortableFiles> read_portable(const ExportRequest& request, PortableFiles files) {
+    for (auto& [path, text] : files.texts) {
         auto bytes = read_bytes(request.path / path);
         if (!bytes)
             return fail(bytes.error());
         text = std::move(*bytes);
     }
-    for (auto& [path, file] : files->media)
+    for (auto& [path, file] : files.media)
         file = request.path / path;
-    for (const auto& [path, picture] : files->generated)
-        files->media.emplace(path, request.path / path);
-    files->generated.clear();
+    for (const auto& [path, picture] : files.generated)
+        files.media.emplace(path, request.path / path);
+    files.generated.clear();
     std::error_code error;
-    for (const auto& [path, file] : files->media)
+    for (const auto& [path, file] : files.media)
         if (!fs::exists(file, error))
             return fail({file, 0, "is missing. Export the look again."});
     return files;
@@ -129,11 +166,14 @@ Look look_of(const ExportRequest& request, const PortableFiles& files) {
 }
 }  // namespace
 
-Result<void> check_portable(const ExportRequest& request) {
+namespace {
+Result<void> check_folder(const ExportRequest& request) {
     const auto described = described_files(request);
-    const auto files = read_portable(request);
-    if (!described || !files)
-        return fail(described ? files.error() : described.error());
+    if (!described)
+        return fail(described.error());
+    const auto files = read_portable(request, *described);
+    if (!files)
+        return fail(files.error());
     if (files->texts != described->texts)
         return fail({request.path / portable_file, 0, "differs from the look. Export it again."});
     const Look look = look_of(request, *files);
@@ -142,11 +182,26 @@ Result<void> check_portable(const ExportRequest& request) {
             return fail(good.error());
     return {};
 }
+}  // namespace
+
+Result<void> check_portable(const ExportRequest& request) {
+    const auto scratch = ScratchFolder::create();
+    if (!scratch)
+        return fail(scratch.error());
+    const auto folder = unpacked(request, scratch->path());
+    return folder ? check_folder(*folder) : fail(folder.error());
+}
 
 Result<fs::path> page_of_portable(const ExportRequest& request, const fs::path& folder) {
-    const auto files = read_portable(request);
+    const auto read = unpacked(request, folder);
+    if (!read)
+        return fail(read.error());
+    const auto described = described_files(*read);
+    if (!described)
+        return fail(described.error());
+    const auto files = read_portable(*read, *described);
     if (!files)
         return fail(files.error());
-    return write_page(look_of(request, *files), *files, folder / "page.html")
-        .map([](const ExportedLook& page) { return page.path; });
+    const auto page = write_page(look_of(*read, *files), *files, folder / "page.html");
+    return page ? Result<fs::path>(page->path) : fail(page.error());
 }

@@ -73,11 +73,12 @@ Verification compared(const std::vector<std::uint8_t>& ours,
 
 // Drawn by the system's GL, or by the browser's own software GL. The error is that of the browser.
 Result<PagePicture> drawn_by_browser(const std::string& url, const fs::path& profiles,
-                                     double seconds) {
+                                     double seconds, const JobProgress* work) {
     PagePicture drawn;
     for (const bool uses_software : {false, true}) {
         const fs::path profile = profiles / (uses_software ? "software" : "system");
-        const auto html = run_in_browser({url, profile, seconds, uses_software});
+        const auto html = run_in_browser(
+            {url, profile, seconds, uses_software, work ? &work->is_cancelled : nullptr});
         if (!html)
             return fail(html.error());
         drawn = picture_in_page(*html);
@@ -94,8 +95,12 @@ Result<Picture> decoded(const std::string& png, const fs::path& file) {
 }
 }  // namespace
 
-Verification verify_export(const ExportTarget& target, const ExportRequest& request,
-                           double seconds) {
+bool can_verify() {
+    return !find_browser().empty();
+}
+
+Verification verify_export(const ExportTarget& target, const ExportRequest& request, double seconds,
+                           JobProgress* work) {
     if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
         return {Outcome::not_verified, "not verified: " + reason};
     const auto scratch = ScratchFolder::create();
@@ -106,16 +111,18 @@ Verification verify_export(const ExportTarget& target, const ExportRequest& requ
         return {Outcome::failed, "failed: " + page.error().front().message};
     const Extent size = compared_size(request.size);
     const int frames = compared_frames(request.prepared.document.look());
-    if (find_browser().empty())
+    if (!can_verify())
         return {Outcome::not_verified, "not verified: chromium is not installed"};
     auto offline = Offline::create(request.prepared, size, 60.0);
     if (!offline)
         return not_verified(offline.error());
     const Picture ours = offline->picture_after(frames);
+    if (work)
+        work->share = 0.5;
     const std::string url =
         fmt::format("file://{}?frames={}&size={}x{}", percent_encoded(page->string()), frames,
                     size.width, size.height);
-    const auto drawn = drawn_by_browser(url, scratch->path(), seconds);
+    const auto drawn = drawn_by_browser(url, scratch->path(), seconds, work);
     if (!drawn)
         return not_verified(drawn.error());
     if (!drawn->fault.empty())

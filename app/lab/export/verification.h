@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/job_progress.h"
 #include "lab/export/export_target.h"
 
 /// The result of redrawing an export with another program.
@@ -10,8 +11,11 @@ struct Verification {
     std::string text;  // "verified: max 1/255, 0.02 % of pixels differ"
 };
 
+/// Whether Chromium is installed.
+bool can_verify();
+
 /// Draws a look and what was exported of it, the latter in Chromium, and compares the last frames:
 /// up to 60, at most 640x360 pixels. Verified means at most 1/255 in 99.9 % of the pixels and 3/255
-/// anywhere. Needs GL. `seconds`: timeout of the browser.
-Verification verify_export(const ExportTarget& target, const ExportRequest& request,
-                           double seconds);
+/// anywhere. Needs GL. `seconds`: timeout of the browser. `work`: null, or its progress.
+Verification verify_export(const ExportTarget& target, const ExportRequest& request, double seconds,
+                           JobProgress* work = nullptr);

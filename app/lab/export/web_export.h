@@ -4,8 +4,8 @@
 
 struct PortableFiles;
 
-/// Writes a look as a web page that draws it with WebGL 2, see docs/web.md. Media above 10 MB are
-/// in a folder next to it. Fails if GLSL ES 3.00 or WebGL 2 lack something that the look needs.
+/// Writes a look as a web page that draws it with WebGL 2, see docs/export.md. Media above 10 MB
+/// are in a folder next to it. Fails if GLSL ES 3.00 or WebGL 2 lack something that the look needs.
 Result<ExportedLook> export_web(const ExportRequest& request);
 
 /// The page of a look that has already been described.

@@ -252,13 +252,6 @@ std::string quality_hint(const ExportSettings& settings) {
                        quality.best, quality.worst);
 }
 
-namespace {
-fs::path usual_folder(const fs::path& last) {
-    std::error_code error;
-    return fs::is_directory(last, error) ? last : fs::current_path(error);
-}
-}  // namespace
-
 ExportForm initial_export_form(ExportForm last, const ExportFacts& facts, const Date& date) {
     const auto kind = export_kind_of(last.file);
     const bool is_lossless = facts.sound_seconds > 0.0 && is_drawn_as_xy(facts.signal);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <cstddef>
 #include <string>
 
 /// The fields of the export dialog, as typed or chosen. "" is the default of a field.
@@ -29,4 +30,14 @@ struct StillForm {
     int format = 0;           // index in still_formats()
 
     bool operator==(const StillForm&) const = default;
+};
+
+/// The fields of the dialog that exports a look.
+struct LookExportForm {
+    std::string file;
+    std::filesystem::path folder;
+    std::size_t target = 1;  // index of export_targets(): a web page
+    bool verifies = true;
+
+    bool operator==(const LookExportForm&) const = default;
 };

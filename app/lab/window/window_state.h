@@ -87,6 +87,7 @@ struct WindowState {
     ScrolledTo scrolled;
     ExportForm exporting;
     StillForm saving;
+    LookExportForm look_export;
     FileDialogChoices file_dialogs;
     FirstSteps first_steps;
     Dialog dialog;

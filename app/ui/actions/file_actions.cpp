@@ -5,6 +5,7 @@
 #include "lab/commands/preset_commands.h"
 #include "lab/document/opened_preset.h"
 #include "lab/storage/name_check.h"
+#include "ui/dialogs/look_export_dialog.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
@@ -271,6 +272,13 @@ std::vector<Action> sharing_actions() {
          {'M', true, true},
          false,
          show<Kind::export_frames>,
+         has_document},
+        {ActionId::export_look,
+         Menu::file,
+         "Export look…",
+         {'X', true, true},
+         false,
+         export_look,
          has_document},
     };
 }

@@ -11,6 +11,7 @@
 #include "ui/dialogs/help_dialogs.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
+#include "ui/dialogs/look_export_dialog.h"
 #include "ui/dialogs/name_field.h"
 #include "ui/dialogs/new_look_dialog.h"
 #include "ui/dialogs/palette_dialog.h"
@@ -167,6 +168,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::export_frames:
             draw_export_dialog(scene, edits);
+            return;
+        case Kind::export_look:
+            draw_look_export_dialog(scene, edits);
             return;
         case Kind::quit_exporting:
             draw_quit_exporting_dialog(scene, edits);

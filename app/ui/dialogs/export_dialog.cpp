@@ -1,7 +1,7 @@
 #include "ui/dialogs/export_dialog.h"
 
 #include "lab/document/output_name.h"
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 #include "lab/offline/export_plan.h"
 #include "lab/rendering/named_size.h"
 #include "lab/sequencer/sequencer.h"

@@ -1,6 +1,6 @@
 #include "ui/dialogs/rates_dialog.h"
 
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 #include "ui/dialogs/dialog_frame.h"
 #include "ui/dialogs/work_dialog.h"
 #include "ui/widgets/scoped.h"

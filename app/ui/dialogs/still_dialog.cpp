@@ -1,7 +1,7 @@
 #include "ui/dialogs/still_dialog.h"
 
 #include "lab/document/output_name.h"
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 #include "lab/offline/export_plan.h"
 #include "lab/sequencer/sequencer.h"
 #include "lab/storage/local_date.h"

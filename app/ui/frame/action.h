@@ -37,6 +37,7 @@ enum class ActionId {
     save_picture,
     copy_picture,
     export_frames,
+    export_look,
     use_desktop_dialog,
     quit,
     undo,

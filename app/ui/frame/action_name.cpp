@@ -33,6 +33,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::save_picture, "save_picture"},
     {ActionId::copy_picture, "copy_picture"},
     {ActionId::export_frames, "export"},
+    {ActionId::export_look, "export_look"},
     {ActionId::use_desktop_dialog, "use_desktop_dialog"},
     {ActionId::quit, "quit"},
     {ActionId::undo, "undo"},

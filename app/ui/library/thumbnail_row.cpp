@@ -16,7 +16,7 @@ float thumbnail_row_height() {
 
 namespace {
 // The middle of the picture, cropped to the shape of the frame.
-void draw_image(const ViewImage& image, const ImVec2& low, const ImVec2& high) {
+void draw_view_image(const ViewImage& image, const ImVec2& low, const ImVec2& high) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, theme::packed(theme::surround));
     if (image.handle == 0)
@@ -56,7 +56,7 @@ RowClick draw_thumbnail_row(const ThumbnailRow& row, const Scene& scene, Edits& 
     const float inset = std::floor(2.0f * scene.scale);
     const float image_height = height - 2.0f * inset;
     const float image_width = std::floor(image_height * 16.0f / 9.0f);
-    draw_image(row.image, {low.x + inset, low.y + inset},
+    draw_view_image(row.image, {low.x + inset, low.y + inset},
                {low.x + inset + image_width, low.y + inset + image_height});
     const bool shows_star = row.star && (*row.star || is_hovered);
     const float left = low.x + image_width + inset + ImGui::GetFontSize() * 0.55f;

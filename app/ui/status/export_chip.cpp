@@ -1,7 +1,7 @@
 #include "ui/status/export_chip.h"
 
 #include "lab/editor/external_programs.h"
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"

@@ -1,4 +1,4 @@
-#include "lab/offline/background_jobs.h"
+#include "lab/jobs/background_jobs.h"
 
 #include "base/text.h"
 #include "lab/editor/external_programs.h"
@@ -91,6 +91,7 @@ void BackgroundJobs::update() {
     if (const auto& compared = m_rates.outcome(); was_comparing && compared && *compared)
         show_rate_pair((*compared)->worst_index());
     m_impulse.update();
+    m_look_export.update();
     for (ExportQueue* queue : {&m_exports, &m_stills})
         for (const QueuedExport& ended : queue->update())
             report(ended);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lab/export/look_exporter.h"
 #include "lab/media/render_size.h"
 #include "lab/messages/messages.h"
 #include "lab/offline/export_queue.h"
@@ -42,9 +43,14 @@ public:
         return m_exports.is_target(file) || m_stills.is_target(file);
     }
 
+    /// Exports a look for other programs.
+    LookExporter& look_export() { return m_look_export; }
+    const LookExporter& look_export() const { return m_look_export; }
+
     void update();
     bool is_running() const {
-        return m_rates.is_running() || m_impulse.is_running() || is_exporting();
+        return m_look_export.is_running() || m_rates.is_running() || m_impulse.is_running() ||
+               is_exporting();
     }
 
 private:
@@ -58,5 +64,6 @@ private:
     RatePictures m_rate_pictures;
     BackgroundWork<ImpulseResponse> m_impulse;
     ExportQueue m_exports;
+    LookExporter m_look_export;
     ExportQueue m_stills;  // pictures that are drawn already
 };
