@@ -42,7 +42,7 @@ STAND_INS = {
         printf '%s\\n' '#!/bin/bash' 'echo "in $PWD"' '[ $# = 0 ] || printf "<%s>\\n" "$@"' 'exit 7' > "$1"
         chmod +x "$1" """,
     "ninja": '[ -x "$2/app/afterglow" ] && echo "ninja: no work to do."',
-    "ctest": 'echo "ctest $*" >> "$BOX/log"; cat "$BOX/ctest_output"; [ ! -e "$BOX/tests_fail" ]',
+    "ctest": 'echo "golden=${AFTERGLOW_UPDATE_GOLDEN:-} ctest $*" >> "$BOX/log"; cat "$BOX/ctest_output"; [ ! -e "$BOX/tests_fail" ]',
 }
 
 
@@ -125,6 +125,24 @@ class RunTest(unittest.TestCase):
     def test_check_and_bench_of_a_look_are_the_programs(self):
         self.assertIn("<check>\n<crt>", self.run_it("check", "crt").stdout)
         self.assertIn("<bench>\n<crt>\n<--json>", self.run_it("bench", "crt", "--json").stdout)
+
+    def test_golden_with_arguments_is_the_programs(self):
+        done = self.run_it("golden", "my looks", "--update", "a")
+        self.assertIn("<golden>\n<my looks>\n<--update>\n<a>", done.stdout)
+        self.assertIn("<golden>\n<--help>", self.run_it("golden", "--help").stdout)
+        self.assertNotIn("ctest --", self.log())
+
+    def test_golden_pictures_of_the_tests_are_redrawn_only_by_their_own_option(self):
+        for arguments in ((), ("--redraw-tests", "crt"), ("--redraw-test",), ("crt", "--redraw-tests"), ("",)):
+            with self.subTest(arguments):
+                done = self.run_it("golden", *arguments)
+                self.assertNotEqual(done.returncode, 0)
+                self.assertNotIn("ctest --", self.log())
+        self.assertIn("--redraw-tests", self.run_it("golden").stderr)
+        done = self.run_it("golden", "--redraw-tests")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("golden=1 ctest --test-dir", self.log())
+        self.assertIn("-L golden", self.log())
 
     def test_it_says_what_it_installs_and_how_much_before_it_does(self):
         said = self.run_it("build").stderr

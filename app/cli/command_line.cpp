@@ -135,6 +135,11 @@ Option& Option::repeated() {
     return *this;
 }
 
+Option& Option::or_alone(const std::string& value) {
+    m_option->expected(0, CLI::detail::expected_max_vector_size)->default_str(value);
+    return *this;
+}
+
 Option& Option::excludes(const Option& other) {
     m_option->excludes(other.m_option);
     return *this;

@@ -42,6 +42,8 @@ public:
     Option& one_of(const std::vector<std::string>& words);
     /// Each value needs the option's name: --set a --set b.
     Option& repeated();
+    /// For a list: without values, the option gives the list `value`.
+    Option& or_alone(const std::string& value);
     Option& excludes(const Option& other);
 
 private:

@@ -56,7 +56,7 @@ std::string notes_of(const CLI::Option& option) {
         notes.emplace_back("required");
     if (is_list(option))
         notes.emplace_back("repeatable");
-    if (!option.get_default_str().empty())
+    if (!option.get_default_str().empty() && option.get_expected_min() > 0)
         notes.push_back(fmt::format("default: {}", option.get_default_str()));
     for (const CLI::Option* other : option.get_excludes())
         notes.push_back(fmt::format("not with {}", other->get_name()));

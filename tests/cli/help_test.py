@@ -18,7 +18,7 @@ void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
 
 
 class Help(ProgramTest):
-    DRAWS = ("render", "bench", "sheet", "sweep", "impulse")
+    DRAWS = ("render", "bench", "sheet", "sweep", "impulse", "golden")
 
     def commands(self):
         listed = run("--help").stdout.partition("\nCommands:\n")[2].partition("\n\n")[0]
@@ -30,7 +30,7 @@ class Help(ProgramTest):
 
     def test_each_help_fits_80_columns_and_ends_with_its_own_examples(self):
         commands = self.commands()
-        self.assertEqual(len(commands), 13, commands)
+        self.assertEqual(len(commands), 14, commands)
         for command in ((), *((name,) for name in commands)):
             with self.subTest(command):
                 done = run(*command, "--help")
@@ -57,6 +57,9 @@ class Help(ProgramTest):
         self.write("crt-geom.slangp", "shaders = 1\nshader0 = slang-shaders/crt/a.slang\n")
         self.write("slang-shaders/crt/a.slang", SLANG)
         self.write("slang-shaders/crt/a.slangp", "shaders = 1\nshader0 = a.slang\n")
+        shutil.copytree(SOURCE / "shaders/crt", self.folder / "my-looks/glow")
+        self.assert_done(run("preset", "crt", "-o", self.folder / "my-looks/warm.json"))
+        self.write("my-looks/warm.json", (self.folder / "my-looks/warm.json").read_text().replace('"crt"', '"glow"'))
         self.write("shadertoy/a.glsl", "void mainImage(out vec4 c, in vec2 p) { c = vec4(iTime); }")
 
     def test_the_examples_work(self):

@@ -45,6 +45,8 @@ export class Browser {
         this.nextId = 0;
         this.session = undefined;
         this.isPressed = false;
+        /** Whether evaluate() counts as a click, after which a page may play sound. */
+        this.isClicking = true;
         let rest = Buffer.alloc(0);
         this.process.stdio[4].on('data', (data) => {
             rest = Buffer.concat([rest, data]);
@@ -133,16 +135,17 @@ export class Browser {
     /** The value of an expression. Promises are awaited. Throws what the page throws. */
     async evaluate(expression) {
         const { result, exceptionDetails } = await this.send('Runtime.evaluate',
-            { expression, awaitPromise: true, returnByValue: true, userGesture: true });
+            { expression, awaitPromise: true, returnByValue: true,
+                userGesture: this.isClicking });
         if (exceptionDetails)
             throw new Error(exceptionDetails.exception?.description || exceptionDetails.text);
         return result.value;
     }
 
-    /** Waits until an expression is true. */
+    /** Waits until an expression, or its promise, is true. */
     async until(expression) {
         const end = Date.now() + this.timeout;
-        while (!await this.evaluate(`!!(${expression})`)) {
+        while (!await this.evaluate(`(async () => !!await (${expression}))()`)) {
             if (Date.now() > end) throw new Error(`never true: ${expression}`);
             await new Promise((resolve) => setTimeout(resolve, 20));
         }
@@ -154,12 +157,45 @@ export class Browser {
         return Buffer.from(data, 'base64');
     }
 
-    /** `type`: 'mouseMoved', 'mousePressed' or 'mouseReleased'. */
-    mouse(type, x, y) {
+    /** `type`: 'mouseMoved', 'mousePressed' or 'mouseReleased'. `button`: 'left' or 'right'. */
+    mouse(type, x, y, button = 'left') {
         this.isPressed = type === 'mousePressed' || (this.isPressed && type === 'mouseMoved');
         const isPlainMove = type === 'mouseMoved' && !this.isPressed;
         return this.send('Input.dispatchMouseEvent', { type, x, y, clickCount: isPlainMove ? 0 : 1,
-            button: isPlainMove ? 'none' : 'left', buttons: this.isPressed ? 1 : 0 });
+            button: isPlainMove ? 'none' : button,
+            buttons: !this.isPressed ? 0 : button === 'left' ? 1 : 2 });
+    }
+
+    /** Presses a button at a place, moves through the others and releases it at the last one. */
+    async drag(places, button = 'left') {
+        await this.mouse('mouseMoved', ...places[0]);
+        await this.mouse('mousePressed', ...places[0], button);
+        for (const place of places.slice(1)) await this.mouse('mouseMoved', ...place, button);
+        await this.mouse('mouseReleased', ...places[places.length - 1], button);
+    }
+
+    /** Drops files on a place, as from a file manager. */
+    async drop(paths, x, y) {
+        const data = { items: [], files: paths, dragOperationsMask: 1 };
+        for (const type of ['dragEnter', 'dragOver', 'drop'])
+            await this.send('Input.dispatchDragEvent', { type, x, y, data });
+    }
+
+    /** Touches the places of fingers: lists of [x, y] one after the other. */
+    async touch(steps) {
+        const points = (fingers) => fingers.map(([x, y], id) => ({ x, y, id }));
+        await this.send('Input.dispatchTouchEvent',
+            { type: 'touchStart', touchPoints: points(steps[0]) });
+        for (const step of steps.slice(1))
+            await this.send('Input.dispatchTouchEvent',
+                { type: 'touchMove', touchPoints: points(step) });
+        await this.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
+    }
+
+    /** Runs a script in each new document before its own scripts. Returns a function to stop. */
+    async beforeEachPage(source) {
+        const { identifier } = await this.send('Page.addScriptToEvaluateOnNewDocument', { source });
+        return () => this.send('Page.removeScriptToEvaluateOnNewDocument', { identifier });
     }
 
     /** Clicks the middle of the first element of a selector. */

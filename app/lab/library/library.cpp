@@ -67,6 +67,8 @@ std::vector<LookEntry> Library::looks() const {
             if (fs::is_regular_file(folder / "look.json", error))
                 add_or_shadow(looks, {folder.filename(), folder, is_shipped(folder / "look.json")},
                               &LookEntry::id);
+    for (const LookEntry& look : m_added)
+        add_or_shadow(looks, look, &LookEntry::id);
     return looks;
 }
 

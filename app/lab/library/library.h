@@ -35,9 +35,12 @@ bool is_listed_before(const PresetEntry& one, std::string_view one_name, const P
 /// The looks and presets on disk. Each call reads the folders, because files can change.
 class Library {
 public:
-    explicit Library(Roots roots, ShippedFiles shipped = files_of_build())
+    /// `added` are looks outside the roots. They take precedence over others with the same id.
+    explicit Library(Roots roots, ShippedFiles shipped = files_of_build(),
+                     std::vector<LookEntry> added = {})
         : m_roots(std::move(roots)),
-          m_shipped(std::make_shared<const ShippedFiles>(std::move(shipped))) {}
+          m_shipped(std::make_shared<const ShippedFiles>(std::move(shipped))),
+          m_added(std::move(added)) {}
 
     const Roots& roots() const { return m_roots; }
     std::vector<LookEntry> looks() const;  // by id; the program's first
@@ -81,4 +84,5 @@ private:
 
     Roots m_roots;
     std::shared_ptr<const ShippedFiles> m_shipped;
+    std::vector<LookEntry> m_added;
 };

@@ -119,10 +119,12 @@ std::vector<fs::path> corpus_files(const fs::path& folder, const CorpusChoice& c
         if (error)
             break;
         const fs::path& path = entry->path();
+        std::error_code ignored;
         if (path.filename().string().starts_with('.')) {
-            if (entry->is_directory(error))
+            if (entry->is_directory(ignored))
                 entry.disable_recursion_pending();
-        } else if (may_be_of_corpus(path) && path.string().find(choice.only) != std::string::npos) {
+        } else if (may_be_of_corpus(path) && entry->is_regular_file(ignored) &&
+                   path.string().find(choice.only) != std::string::npos) {
             named.push_back(path);
         }
     }
