@@ -270,8 +270,8 @@ TEST_CASE("a shader with audio inputs reads the sound of the signal") {
 TEST_CASE("a cube is read by direction: a sky by default, then the chosen faces") {
     DrawnIsf drawn(R"("INPUTS": [{"NAME": "room", "TYPE": "cube"}], )" + float_picture,
                    "void main() {\n"
-                   "    float up = textureCube(room, vec3(0.1, 1.0, 0.1)).b;\n"
-                   "    float down = texture(room, vec3(0.1, -1.0, 0.1)).b;\n"
+                   "    float up = textureCube(room, vec3(0.0, 1.0, 0.0)).b;\n"
+                   "    float down = texture(room, vec3(0.0, -1.0, 0.0)).b;\n"
                    "    gl_FragColor = vec4(up, down, 0.0, 1.0);\n"
                    "}\n");
     const std::vector<float> sky = texel(drawn.after(1), 0, 0);

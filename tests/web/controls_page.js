@@ -1,6 +1,7 @@
 // Writes a page with the real controls and a mock player, in the way in which the exporter does.
 
 import { readFileSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
 import { dirname, join, normalize } from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -93,6 +94,7 @@ export function controlsLook() {
 export function controlsPage(description, setUp = '') {
     const files = inOrder(join(webFolder, 'controls', 'controls.js'));
     const script = joinedScript([...files, join(testFolder, 'mock_player.js')]) + `
+        (async () => {
         const description = JSON.parse(document.getElementById('data').textContent);
         const player = new MockPlayer(description, document.getElementById('picture'));
         window.player = player;
@@ -102,10 +104,11 @@ export function controlsPage(description, setUp = '') {
         const controls = buildControls(player, document.body,
             { isBare: shared.isBare, search: location.search });
         startNotes.forEach(controls.say);
-        window.isReady = true;`;
+        window.isReady = true;
+        })();`;
     const parts = {
         TITLE: 'Test', ABOUT: '', STYLE: readFileSync(join(webFolder, 'style.css'), 'utf8'),
-        SCRIPT: script, DATA: JSON.stringify(description).replace(/</g, '\\u003c'),
+        SCRIPT: gzipSync(script).toString('base64'), DATA: JSON.stringify(description).replace(/</g, '\\u003c'),
     };
     return readFileSync(join(webFolder, 'page.html'), 'utf8')
         .replace(/\{\{(\w+)\}\}/g, (_, name) => parts[name] || '');

@@ -25,8 +25,8 @@ export class MockPlayer extends EventTarget {
         this.signal = description.signal || null;
         this.isPaused = false;
         this.notes = [];
-        this.state = { hasSound: false, needsClick: false, sourceName: '', signalName: '', frame: 0,
-            seconds: 0, isHalved: false, framesPerSecond: 60 };
+        this.state = { hasSound: false, needsClick: false, sourceName: '', signalName: '',
+            isMediaChanged: false, frame: 0, seconds: 0, isHalved: false, framesPerSecond: 60 };
         this.calls = [];
         this.nameContent();
     }
@@ -58,10 +58,6 @@ export class MockPlayer extends EventTarget {
         this.calls.push(`resetValue ${name}`);
     }
 
-    resetAll() {
-        this.calls.push('resetAll');
-    }
-
     setSignal(spec) {
         if (spec.kind === 'text') throw new Error('Text can\'t be made in a page.');
         this.signal = spec;
@@ -78,14 +74,16 @@ export class MockPlayer extends EventTarget {
         this.calls.push('restart');
     }
 
-    async openSound(file) {
-        this.calls.push(`sound ${file.name}`);
-        this.state.signalName = file.name;
+    async openFile(kind, file) {
+        this.calls.push(`${kind} ${file.name}`);
+        if (kind === 'sound') this.state.signalName = file.name;
         this.fire('signal');
     }
 
-    async openMicrophone() {
-        throw new Error('The browser refused the microphone. Allow it and try again.');
+    async openDevice(kind) {
+        if (kind === 'microphone')
+            throw new Error('The browser refused the microphone. Allow it and try again.');
+        this.calls.push(kind);
     }
 
     async startSound() {
@@ -93,23 +91,7 @@ export class MockPlayer extends EventTarget {
         this.fire('state');
     }
 
-    async openPicture(file) {
-        this.calls.push(`picture ${file.name}`);
-    }
-
-    async openVideo(file) {
-        this.calls.push(`video ${file.name}`);
-    }
-
-    async openCamera() {
-        this.calls.push('camera');
-    }
-
-    async openScreen() {
-        this.calls.push('screen');
-    }
-
-    resetSource() {
+    async resetSource() {
         this.calls.push('resetSource');
         this.signal = this.description.signal || null;
         this.nameContent();

@@ -30,6 +30,9 @@ function exportedPlayer(look, folder, run, ...options) {
     const out = join(folder, look);
     run('export', look, ...options, '--to', 'portable', '-o', out);
     const description = JSON.parse(readFileSync(join(out, 'portable.json'), 'utf8'));
+    for (const parameter of description.parameters)  // as the exporter of pages writes limits
+        if (parameter.limit)
+            parameter.limit = { min: parameter.limit[0], max: parameter.limit[1] };
     return new MockPlayer({ ...description, id: look });
 }
 

@@ -125,7 +125,7 @@ test('the harbour has a new picture six times per second', async () => {
         }
     }
     assert.deepEqual(changes, [1, 10, 20, 30]);
-    assert.equal(source.name, 'harbour');
+    assert.equal(source.name, 'Harbour');
     assert.deepEqual(source.naturalSize(), { width: 320, height: 240 });
 });
 

@@ -32,6 +32,14 @@ bool needs_blank(const Token& before, const Token& token) {
     const bool were_apart = before.text.data() + before.text.size() != token.text.data();
     return (is_word(before) && is_word(token)) || (are_signs && were_apart);
 }
+// What separates two tokens: a line end, a blank, or nothing.
+std::string_view between(const Token& before, const Token& token) {
+    const bool were_apart = before.text.data() + before.text.size() != token.text.data();
+    if (token.starts_directive || (before.in_directive && !token.in_directive))
+        return "\n";
+    const bool is_in_one_line = token.in_directive && before.line == token.line;
+    return (is_in_one_line && were_apart) || needs_blank(before, token) ? " " : "";
+}
 }  // namespace
 
 std::string compact_glsl(std::string_view text) {
@@ -42,14 +50,8 @@ std::string compact_glsl(std::string_view text) {
     for (const Token& token : tokens.all) {
         if (token.kind == Token::Kind::comment)
             continue;
-        const bool was_directive = before && before->in_directive;
-        if (before && (token.starts_directive || (was_directive && !token.in_directive)))
-            result += '\n';
-        else if (token.in_directive && before && before->line == token.line &&
-                 before->text.data() + before->text.size() != token.text.data())
-            result += ' ';
-        else if (before && needs_blank(*before, token))
-            result += ' ';
+        if (before)
+            result += between(*before, token);
         result += token.kind == Token::Kind::number && !token.in_directive
                       ? short_number(token.text)
                       : std::string(token.text);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "glsl/es/es_constants.h"
 #include "model/look/look.h"
 
 #include <string>
@@ -10,6 +11,9 @@
 struct EsShaders {
     std::vector<std::string> texts;
     std::vector<std::pair<std::size_t, std::size_t>> passes;  // vertex and fragment, in `texts`
+    /// Constant parameters that a page can change: macros SPIRV_CROSS_CONSTANT_ID_n, where n is the
+    /// index of the parameter.
+    std::vector<EsConstant> constants;
 };
 
 /// Translates all passes. The error names the pass and the feature that GLSL ES 3.00 lacks.

@@ -12,8 +12,9 @@
 using Json = nlohmann::ordered_json;
 
 namespace {
-// Signals without files and devices.
-constexpr std::array generators{"lissajous", "waveform", "harmonics", "am", "fm"};
+// Signals that a page can draw without files of the look. A user opens the sound.
+constexpr std::array generators{"lissajous", "waveform", "harmonics", "am",
+                                "fm",        "audio",    "microphone"};
 
 std::string condition_text(const SettingCondition& condition) {
     std::string text;
@@ -82,6 +83,8 @@ void add_control(const Parameter& parameter, Json& json) {
 void add_page_members(const Look& look, Json& json) {
     json["id"] = look.id;
     json["digest"] = look_digest(look);
+    if (look.manifest.filename() != "look.json")
+        json["foreign"] = true;
     if (look.driven_by == Driver::signal)
         json["generators"] = generators_json();
     for (std::size_t i = 0; i < look.parameters.size(); ++i)

@@ -50,7 +50,7 @@ bool is_deep_png(std::string_view bytes) {
 std::uint16_t half_of(float value) {
     const auto bits = std::bit_cast<std::uint32_t>(value);
     const auto sign = static_cast<std::uint16_t>((bits >> 16) & 0x8000u);
-    const float magnitude = std::bit_cast<float>(bits & 0x7fffffffu);
+    const auto magnitude = std::bit_cast<float>(bits & 0x7fffffffu);
     if (!(magnitude >= 5.9604645e-8f / 2.0f))
         return sign;
     if (magnitude >= 65520.0f)

@@ -171,6 +171,14 @@ void use_shaders(const EsShaders& shaders, std::size_t pass, Json& json) {
     shorten_target(json["target"]);
 }
 
+// A page can change the constant: it compiles the shaders again.
+void use_constant(const Look& look, const EsConstant& constant, Json& json) {
+    const NumberType& type = look.parameters[static_cast<std::size_t>(constant.id)].type;
+    json.erase("constant");
+    json["constant_id"] = constant.id;
+    json["constant_type"] = glsl_name(type);
+}
+
 void shorten_parameter(Json& json) {
     leave_out({{"step", 0.0},
                {"scale", "linear"},
@@ -213,6 +221,8 @@ Result<WebPage> web_page(const Look& look, const PortableFiles& described, const
         use_shaders(shaders, i, json["passes"][i]);
     json["shaders"] = shaders.texts;
     add_page_members(look, json);
+    for (const EsConstant& constant : shaders.constants)
+        use_constant(look, constant, json["parameters"][static_cast<std::size_t>(constant.id)]);
     for (Json& parameter : json["parameters"])
         shorten_parameter(parameter);
     const auto media = media_of(described, unread_files(json));

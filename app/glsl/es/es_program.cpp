@@ -1,8 +1,10 @@
 #include "glsl/es/es_program.h"
 
+#include "base/text.h"
 #include "glsl/compile/compiler_log.h"
 #include "glsl/es/es_check.h"
 #include "glsl/es/es_source.h"
+#include "glsl/es/nested_arrays.h"
 #include "glsl/limits/start.h"
 #include "glsl/text/tokens.h"
 
@@ -13,6 +15,8 @@
 #include <spirv_cross/spirv_glsl.hpp>
 
 #include <array>
+#include <unordered_set>
+#include <utility>
 
 namespace {
 constexpr int desktop_version = 410;
@@ -30,8 +34,19 @@ std::string first_error(const char* log) {
     return refused_without_reason;
 }
 
-Result<std::string> preprocessed(const Stage& stage, EShLanguage language) {
-    const std::string text = without_line_directives(stage.text);
+// glslang has arrays of arrays from GLSL 4.30 on, and does not know their extension.
+std::string with_nested_arrays(std::string text) {
+    const std::size_t begin = text.find("#extension GL_ARB_arrays_of_arrays");
+    if (begin == text.npos)
+        return text;
+    text.erase(begin, text.find('\n', begin) - begin);
+    return replace_all(text, "#version 410", "#version 430");
+}
+
+Result<std::string> preprocessed(const Stage& stage, EShLanguage language,
+                                 const std::vector<EsConstant>& constants) {
+    const std::string text =
+        with_es_constants(with_nested_arrays(without_line_directives(stage.text)), constants);
     glslang::TShader shader(language);
     const char* const piece = text.c_str();
     shader.setStrings(&piece, 1);
@@ -43,17 +58,24 @@ Result<std::string> preprocessed(const Stage& stage, EShLanguage language) {
     return without_line_directives(std::move(result));
 }
 
+/// What a translation depends on besides its texts.
+struct Terms {
+    const std::map<std::string, Sampler>& samplers;
+    const std::vector<EsConstant>& constants;
+    bool is_impure;
+};
+
 /// A stage on its way to SPIR-V for OpenGL.
 class DesktopStage {
 public:
     DesktopStage(const Stage& stage, EShLanguage language)
         : m_stage(stage), m_language(language), m_shader(language) {}
 
-    Result<void> parse(const std::map<std::string, Sampler>& samplers) {
-        auto text = preprocessed(m_stage, m_language);
+    Result<void> parse(const Terms& terms) {
+        auto text = preprocessed(m_stage, m_language, terms.constants);
         if (!text)
             return fail(text.error());
-        m_text = es_source(*text, samplers, m_language == EShLangFragment);
+        m_text = es_source(*text, terms.samplers, {m_language == EShLangFragment, terms.is_impure});
         m_piece = m_text.c_str();
         m_shader.setStrings(&m_piece, 1);
         m_shader.setEnvInput(glslang::EShSourceGlsl, m_language, glslang::EShClientOpenGL, 100);
@@ -77,23 +99,62 @@ private:
     glslang::TShader m_shader;
 };
 
-std::string written_es(std::vector<std::uint32_t> code) {
-    spirv_cross::CompilerGLSL compiler(std::move(code));
-    spirv_cross::CompilerGLSL::Options options;
-    options.version = es_version;
-    options.es = true;
-    options.fragment.default_float_precision = options.Highp;
-    options.fragment.default_int_precision = options.Highp;
-    options.vertex.support_nonzero_base_instance = false;
-    compiler.set_common_options(options);
-    const auto active = compiler.get_active_interface_variables();
-    compiler.set_enabled_interface_variables(active);
-    for (const auto& sampler : compiler.get_shader_resources(active).sampled_images) {
-        compiler.unset_decoration(sampler.id, spv::DecorationDescriptorSet);
-        compiler.unset_decoration(sampler.id, spv::DecorationBinding);
+/// Writes a stage in GLSL ES.
+class EsCompiler {
+public:
+    explicit EsCompiler(std::vector<std::uint32_t> code)
+        : m_compiler(without_nested_arrays(std::move(code))),
+          m_active(m_compiler.get_active_interface_variables()),
+          m_resources(m_compiler.get_shader_resources()) {
+        spirv_cross::CompilerGLSL::Options options;
+        options.version = es_version;
+        options.es = true;
+        options.fragment.default_float_precision = options.Highp;
+        options.fragment.default_int_precision = options.Highp;
+        options.vertex.support_nonzero_base_instance = false;
+        m_compiler.set_common_options(options);
+        for (const auto& sampler : m_resources.sampled_images) {
+            m_compiler.unset_decoration(sampler.id, spv::DecorationDescriptorSet);
+            m_compiler.unset_decoration(sampler.id, spv::DecorationBinding);
+        }
+        // Quads are flat, and pixels have one sample.
+        for (const auto* const varyings : {&m_resources.stage_inputs, &m_resources.stage_outputs})
+            for (const auto& varying : *varyings) {
+                m_compiler.unset_decoration(varying.id, spv::DecorationNoPerspective);
+                m_compiler.unset_decoration(varying.id, spv::DecorationSample);
+            }
     }
-    return compiler.compile();
-}
+
+    /// Gives the outputs that the next stage reads its names. GLSL ES connects stages by name.
+    void connect(EsCompiler& next) {
+        for (const auto& output : m_resources.stage_outputs)
+            for (const auto& input : next.m_resources.stage_inputs) {
+                const std::uint32_t location = location_of(output);
+                if (location != next.location_of(input) || !next.m_active.contains(input.id))
+                    continue;
+                m_active.insert(output.id);  // even if it is never written
+                for (const auto& [compiler, id] :
+                     {std::pair{this, output.id}, std::pair{&next, input.id}}) {
+                    if (output.name != input.name)
+                        compiler->m_compiler.set_name(id, fmt::format("es_varying_{}", location));
+                }
+            }
+    }
+
+    std::string text() {
+        m_compiler.set_enabled_interface_variables(m_active);
+        return m_compiler.compile();
+    }
+
+private:
+    std::uint32_t location_of(const spirv_cross::Resource& resource) const {
+        return m_compiler.get_decoration(resource.id, spv::DecorationLocation);
+    }
+
+    spirv_cross::CompilerGLSL m_compiler;
+    std::unordered_set<spirv_cross::VariableID> m_active;
+    spirv_cross::ShaderResources m_resources;
+};
 
 std::vector<std::uint32_t> code_of(const glslang::TProgram& program, EShLanguage language) {
     glslang::SpvOptions options;
@@ -111,12 +172,12 @@ struct DesktopCode {
 };
 
 Result<DesktopCode> compile_for_desktop(const Stage& vertex, const Stage& fragment,
-                                        const std::map<std::string, Sampler>& samplers) {
+                                        const Terms& terms) {
     DesktopStage vertex_stage(vertex, EShLangVertex);
     DesktopStage fragment_stage(fragment, EShLangFragment);
     glslang::TProgram program;
     for (DesktopStage* stage : std::array{&vertex_stage, &fragment_stage}) {
-        if (auto parsed = stage->parse(samplers); !parsed)
+        if (auto parsed = stage->parse(terms); !parsed)
             return fail(parsed.error());
         program.addShader(&stage->shader());
     }
@@ -125,32 +186,43 @@ Result<DesktopCode> compile_for_desktop(const Stage& vertex, const Stage& fragme
     return DesktopCode{code_of(program, EShLangVertex), code_of(program, EShLangFragment)};
 }
 
-Result<std::string> es_text(std::vector<std::uint32_t> code, const Stage& author,
-                            EShLanguage language) {
-    std::string text;
+Result<EsProgram> written_es(DesktopCode code, const Stage& fragment) {
     try {
-        text = written_es(std::move(code));
+        EsCompiler vertex_compiler(std::move(code.vertex));
+        EsCompiler fragment_compiler(std::move(code.fragment));
+        vertex_compiler.connect(fragment_compiler);
+        return EsProgram{vertex_compiler.text(), fragment_compiler.text()};
     } catch (const spirv_cross::CompilerError& error) {
-        return fail(lacking(author, error.what()));
+        return fail(lacking(fragment, error.what()));
     }
-    // Built-in functions of later versions are written unchanged.
-    if (const std::string error = es_error(text, language == EShLangFragment); !error.empty())
-        return fail(lacking(author, error));
-    return text;
+}
+
+// Built-in functions of later versions are written unchanged.
+Result<void> check_es(const std::string& text, const Stage& author, bool is_fragment) {
+    const std::string error = es_error(text, is_fragment);
+    return error.empty() ? Result<void>() : fail(lacking(author, error));
 }
 }  // namespace
 
 Result<EsProgram> translate_to_es(const Stage& vertex, const Stage& fragment,
-                                  const std::map<std::string, Sampler>& samplers) {
+                                  const std::map<std::string, Sampler>& samplers,
+                                  const std::vector<EsConstant>& constants) {
     start_glslang();
-    auto code = compile_for_desktop(vertex, fragment, samplers);
-    if (!code)
-        return fail(code.error());
-    auto vertex_text = es_text(std::move(code->vertex), vertex, EShLangVertex);
-    if (!vertex_text)
-        return fail(vertex_text.error());
-    auto fragment_text = es_text(std::move(code->fragment), fragment, EShLangFragment);
-    if (!fragment_text)
-        return fail(fragment_text.error());
-    return EsProgram{std::move(*vertex_text), std::move(*fragment_text)};
+    Result<EsProgram> program = fail({fragment.file, 0, ""});
+    // SPIRV-Cross fails on some functions that only write their own variables.
+    for (const bool is_impure : {false, true}) {
+        auto code = compile_for_desktop(vertex, fragment, {samplers, constants, is_impure});
+        if (!code)
+            return fail(code.error());
+        program = written_es(std::move(*code), fragment);
+        if (program)
+            break;
+    }
+    if (!program)
+        return program;
+    if (auto good = check_es(program->vertex, vertex, false); !good)
+        return fail(good.error());
+    if (auto good = check_es(program->fragment, fragment, true); !good)
+        return fail(good.error());
+    return program;
 }

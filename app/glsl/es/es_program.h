@@ -1,5 +1,6 @@
 #pragma once
 
+#include "glsl/es/es_constants.h"
 #include "model/look/input.h"
 #include "model/look/look.h"
 
@@ -14,6 +15,8 @@ struct EsProgram {
 };
 
 /// Translates the shaders of a pass, which check_program() has accepted. `samplers`: see
-/// es_source(). Errors name the feature that GLSL ES 3.00 lacks, at the author's file.
+/// es_source(). `constants` become macros SPIRV_CROSS_CONSTANT_ID_n, unless they are defined
+/// before. Errors name the feature that GLSL ES 3.00 lacks, at the author's file.
 Result<EsProgram> translate_to_es(const Stage& vertex, const Stage& fragment,
-                                  const std::map<std::string, Sampler>& samplers);
+                                  const std::map<std::string, Sampler>& samplers,
+                                  const std::vector<EsConstant>& constants = {});

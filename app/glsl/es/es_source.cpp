@@ -1,5 +1,6 @@
 #include "glsl/es/es_source.h"
 
+#include "base/text.h"
 #include "glsl/es/es_functions.h"
 #include "glsl/text/tokens.h"
 
@@ -13,7 +14,11 @@
 #include <vector>
 
 namespace {
-EsWrap es_wrap_of(const Sampler& sampler) {
+EsWrap border_of(const Sampler& sampler) {
+    return sampler.filter == Filter::linear ? EsWrap::linear_border : EsWrap::nearest_border;
+}
+
+EsWrap wrap_of(const Sampler& sampler) {
     switch (sampler.wrap) {
         case Wrap::edge:
             return EsWrap::edge;
@@ -22,10 +27,18 @@ EsWrap es_wrap_of(const Sampler& sampler) {
         case Wrap::mirror:
             return EsWrap::mirror;
         case Wrap::border:
-            return sampler.filter == Filter::linear ? EsWrap::linear_border
-                                                    : EsWrap::nearest_border;
+            return border_of(sampler);
     }
     return EsWrap::edge;
+}
+
+// How a sampler wraps, with its levels.
+int wrap_number(const Sampler& sampler) {
+    const int wrap = static_cast<int>(wrap_of(sampler));
+    if (!sampler.mipmap)
+        return wrap;
+    const bool mixes = sampler.between_levels.value_or(sampler.filter) == Filter::linear;
+    return wrap + es_mipmapped + (mixes ? es_mixes_levels : 0);
 }
 
 const EsFunction* find_function(std::string_view name) {
@@ -35,10 +48,15 @@ const EsFunction* find_function(std::string_view name) {
 
 // Functions that read no filtered texels, so they need not know how a sampler wraps.
 bool reads_texels_only(std::string_view name) {
-    return name.starts_with("texelFetch") || name == "textureSize" || name == "textureQueryLevels";
+    return std::ranges::find(es_texel_functions, name) != es_texel_functions.end();
 }
 
-/// Which names stand for a sampler2D at a token of a text.
+// Of flat pictures.
+bool is_sampler_type(const Token& token) {
+    return token.is("sampler2D") || token.is("isampler2D") || token.is("usampler2D");
+}
+
+/// Which names stand for a sampler of a flat picture at a token of a text.
 class SamplerScope {
 public:
     explicit SamplerScope(const std::vector<Token>& tokens) : m_tokens(tokens) {}
@@ -52,9 +70,13 @@ public:
     std::string_view callee() const {
         return m_callees.empty() ? std::string_view() : m_callees.back();
     }
-    /// Whether the token declares a sampler2D parameter of a function.
+    /// Whether the token opens the body of a function.
+    bool opens_body(std::size_t at) const {
+        return m_braces == 1 && at > 0 && is(at, "{") && is(at - 1, ")");
+    }
+    /// Whether the token declares a sampler parameter of a function.
     bool declares_parameter(std::size_t at) const {
-        return m_braces == 0 && !m_callees.empty() && is(at - 1, "sampler2D") &&
+        return m_braces == 0 && !m_callees.empty() && is_sampler_type(m_tokens[at - 1]) &&
                (is(at + 1, ",") || is(at + 1, ")"));
     }
     bool is_sampler(std::string_view name) const {
@@ -71,8 +93,8 @@ private:
 
     const std::vector<Token>& m_tokens;
     std::vector<std::string_view> m_callees;   // of the open brackets
-    std::set<std::string_view> m_uniforms;     // sampler2D
-    std::set<std::string_view> m_parameters;   // sampler2D, of the current function
+    std::set<std::string_view> m_uniforms;     // samplers
+    std::set<std::string_view> m_parameters;   // samplers, of the current function
     std::map<std::string_view, int> m_locals;  // other variables in scope, with their depth
     int m_braces = 0;
 };
@@ -120,14 +142,20 @@ bool SamplerScope::declares_local(std::size_t at) const {
 class EsWriter {
 public:
     EsWriter(const std::string& text, const std::map<std::string, Sampler>& samplers,
-             bool is_fragment)
-        : m_text(text), m_samplers(samplers), m_scope(m_tokens), m_is_fragment(is_fragment) {
+             const EsStage& stage)
+        : m_text(text), m_samplers(samplers), m_scope(m_tokens), m_stage(stage) {
         for (const Token& token : scan(text).all)
             if (token.kind != Token::Kind::comment && !token.in_directive)
                 m_tokens.push_back(token);
         m_has_border = std::ranges::any_of(
             samplers, [](const auto& item) { return item.second.wrap == Wrap::border; });
-        m_passes_wraps = m_has_border || names("textureGather") || names("textureGatherOffset");
+        m_mixes_border = std::ranges::any_of(samplers, [](const auto& item) {
+            return item.second.wrap == Wrap::border && item.second.mipmap;
+        });
+        m_passes_wraps =
+            m_has_border || std::ranges::any_of(es_functions, [&](const auto& function) {
+                return function.reads_sampler && !function.is_of_border && names(function.name);
+            });
     }
 
     std::string write();
@@ -149,6 +177,7 @@ private:
     std::size_t skip_initialiser(std::size_t at);
     void note_sampler(std::size_t at);
     void write_word(std::size_t at);
+    std::string border_functions() const;
     std::string functions() const;
 
     const std::string& m_text;
@@ -159,10 +188,11 @@ private:
     std::set<std::string_view> m_used;  // replaced functions
     std::string m_result;
     std::size_t m_copied = 0;
-    bool m_is_fragment;
+    EsStage m_stage;
     bool m_is_in_uniform = false;     // statement
-    bool m_declares_sampler = false;  // of type sampler2D
+    bool m_declares_sampler = false;  // of a flat picture
     bool m_has_border = false;
+    bool m_mixes_border = false;  // and mip levels
     bool m_passes_wraps = false;
 };
 
@@ -196,8 +226,8 @@ void EsWriter::note_sampler(std::size_t at) {
     const std::string name(m_tokens[at].text);
     m_scope.add_uniform(at);
     const auto found = m_samplers.find(name);
-    const EsWrap wrap = found == m_samplers.end() ? EsWrap::edge : es_wrap_of(found->second);
-    m_declared += fmt::format("const int {}_es_wrap = {};\n", name, static_cast<int>(wrap));
+    const int wrap = found == m_samplers.end() ? 0 : wrap_number(found->second);
+    m_declared += fmt::format("const int {}_es_wrap = {};\n", name, wrap);
 }
 
 void EsWriter::write_word(std::size_t at) {
@@ -224,23 +254,53 @@ void EsWriter::write_word(std::size_t at) {
         return;
     const std::string_view callee = m_scope.callee();
     const EsFunction* called = find_function(callee);
-    const bool is_unchanged = called ? called->is_of_border && !m_has_border
-                                     : reads_texels_only(callee) || callee.starts_with("texture");
+    const bool is_unchanged =
+        called ? called->is_of_border && !m_has_border : reads_texels_only(callee);
     if (!callee.empty() && !is_unchanged)
         replace(at, fmt::format("{0}, {0}_es_wrap", word));
 }
 
+// For pictures and numbers of both kinds.
+std::string of_integers(std::string_view functions) {
+    return replace_all(std::string(functions), "NUMBERS", "i") +
+           replace_all(std::string(functions), "NUMBERS", "u");
+}
+
+std::string EsWriter::border_functions() const {
+    std::string text(es_border_functions);
+    if (m_mixes_border) {
+        text += es_mipmap_functions;
+        text += m_stage.is_fragment ? es_fragment_mipmap_functions : es_vertex_mipmap_functions;
+    } else {
+        text += es_flat_functions;
+        text += m_stage.is_fragment ? es_flat_bias_function : std::string_view();
+    }
+    text += es_composed_functions;
+    text += m_stage.is_fragment ? es_bias_functions : std::string_view();
+    return text + of_integers(es_integer_border_functions);
+}
+
 std::string EsWriter::functions() const {
-    const bool gathers = m_used.contains("textureGather") || m_used.contains("textureGatherOffset");
-    const bool has_bits =
-        std::ranges::any_of(m_used, [](std::string_view name) { return name.starts_with("bit"); });
-    const auto when = [](bool is_needed, std::string_view functions) {
-        return is_needed ? functions : std::string_view();
+    const auto uses = [&](std::string_view part) {
+        return std::ranges::any_of(
+            m_used, [&](std::string_view name) { return name.find(part) != name.npos; });
     };
-    return fmt::format("{}{}{}{}{}", when(gathers, es_gather_functions),
-                       when(m_has_border, es_border_functions),
-                       when(m_has_border && m_is_fragment, es_bias_function),
-                       when(has_bits, es_bit_functions), m_declared);
+    std::string text;
+    if (m_stage.is_impure)
+        text += "int es_touched;\n";
+    if (uses("Gather"))
+        text += es_gather_functions;
+    if (m_mixes_border || uses("Query"))
+        text += es_level_functions;
+    if (uses("Query") && m_stage.is_fragment)
+        text += es_fragment_level_functions;
+    if (m_has_border)
+        text += border_functions();
+    if (uses("bit") || uses("find"))
+        text += std::string(es_bit_functions) + of_integers(es_bit_vector_functions);
+    if (uses("pack") || uses("ldexp"))
+        text += es_pack_functions;
+    return text + m_declared;
 }
 
 void EsWriter::note_uniform_statement(std::size_t at) {
@@ -250,7 +310,7 @@ void EsWriter::note_uniform_statement(std::size_t at) {
         m_is_in_uniform = true;
     else if (is(at, ";"))
         m_is_in_uniform = m_declares_sampler = false;
-    else if (m_is_in_uniform && is(at, "sampler2D"))
+    else if (m_is_in_uniform && is_sampler_type(m_tokens[at]))
         m_declares_sampler = true;
     else if (m_declares_sampler && m_tokens[at].kind == Token::Kind::word &&
              (is(at + 1, ",") || is(at + 1, ";")))
@@ -267,6 +327,8 @@ std::string EsWriter::write() {
             at = skip_initialiser(at) - 1;
         else if (m_tokens[at].kind == Token::Kind::word && !m_is_in_uniform)
             write_word(at);
+        else if (m_stage.is_impure && m_scope.opens_body(at))
+            replace(at, "{ es_touched = 0;");
     }
     copy_until(m_text.size());
     return m_result.insert(start, functions());
@@ -274,6 +336,6 @@ std::string EsWriter::write() {
 }  // namespace
 
 std::string es_source(const std::string& preprocessed,
-                      const std::map<std::string, Sampler>& samplers, bool is_fragment) {
-    return EsWriter(preprocessed, samplers, is_fragment).write();
+                      const std::map<std::string, Sampler>& samplers, const EsStage& stage) {
+    return EsWriter(preprocessed, samplers, stage).write();
 }

@@ -12,7 +12,8 @@ DrawScope::DrawScope() {
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glEnable(GL_PROGRAM_POINT_SIZE);
-    glEnable(GL_FRAMEBUFFER_SRGB);  // only affects sRGB targets
+    glEnable(GL_FRAMEBUFFER_SRGB);           // only affects sRGB targets
+    glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);  // as in WebGL, which foreign shaders are written for
     set_blend(Blend::replace);
 }
 
@@ -21,6 +22,7 @@ DrawScope::~DrawScope() {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_PROGRAM_POINT_SIZE);
     glDisable(GL_FRAMEBUFFER_SRGB);
+    glDisable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     glUseProgram(0);
     glBindVertexArray(0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
-#include <stdlib.h>
 #include <system_error>
 #include <utility>
 

@@ -128,7 +128,7 @@ Result<std::vector<std::string>> portable_losses(const PreparedLook& prepared) {
     const auto source = parse_source(document.state().source);
     if (document.look().driven_by == Driver::picture && source && source->is_pattern() &&
         is_moving_pattern(source->picture.substr(std::string_view("pattern:").size())))
-        losses.push_back("The moving test picture becomes a still picture.");
+        losses.emplace_back("The moving test picture becomes a still picture.");
     return losses;
 }
 

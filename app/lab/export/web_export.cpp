@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -60,12 +62,21 @@ Result<ExportedLook> export_web(const ExportRequest& request) {
 Result<std::vector<std::string>> web_losses(const PreparedLook& prepared) {
     const Document& document = prepared.document;
     const Look look = document.drawn_look();
-    if (const auto shaders = es_shaders(look); !shaders)
+    const auto shaders = es_shaders(look);
+    if (!shaders)
         return fail(shaders.error());
     std::vector<std::string> losses;
+    for (const Parameter& parameter : look.parameters)
+        if (parameter.is_constant &&
+            std::ranges::find(shaders->constants, parameter.name, &EsConstant::name) ==
+                shaders->constants.end())
+            losses.push_back(fmt::format(
+                "The control '{}'. The page keeps its value, which is fixed before the shaders are "
+                "compiled.",
+                parameter.label));
     const std::string& kind = document.state().signal.kind;
     if (look.driven_by == Driver::signal && (kind == "stdin" || kind == "socket"))
-        losses.push_back(
+        losses.emplace_back(
             "The beam of another program. The page draws nothing until a signal is chosen.");
     return losses;
 }

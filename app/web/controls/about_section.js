@@ -20,8 +20,8 @@ export function makeNotes(player) {
         element.hidden = !notes.length;
         if (text === shown) return;
         shown = text;
-        summary.textContent = notes.length === 1 ? '1 note about this browser'
-            : `${notes.length} notes about this browser`;
+        summary.textContent = notes.length === 1 ? notes[0].replace(/^(.*?[a-z])[.,:] .*$/, '$1')
+            : `${notes.length} notes`;
         list.replaceChildren(...notes.map((note) => makeElement('li', {}, note)));
     };
     return { element, update };

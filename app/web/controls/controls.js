@@ -6,6 +6,7 @@ import { EditHistory } from './edit_history.js';
 import { makeElement, makeIconButton, makeTextButton, oncePerFrame, setIcon } from './element.js';
 import { dropHint, makeMediaSection, openDroppedFile } from './media_section.js';
 import { makeMessages, showKeys } from './messages.js';
+import { listenForOrbit } from './orbit_gestures.js';
 import { makeParameterList } from './parameter_list.js';
 import { applyShared, linkFragment, readShared } from './shared_link.js';
 
@@ -46,6 +47,7 @@ export function buildControls(player, root, { isBare, search }) {
     const actions = new PageActions(player, history, root, say);
     const stage = player.canvas.parentElement || root;
     followAddress(player, history, actions, isBare);
+    listenForOrbit(player, history);
     if (isBare) {
         window.addEventListener('pointerdown', () => {
             if (player.state.needsClick) player.startSound().catch(() => {});

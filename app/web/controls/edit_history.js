@@ -29,6 +29,7 @@
  * @property {boolean} needsClick
  * @property {string} sourceName
  * @property {string} signalName
+ * @property {boolean} isMediaChanged something else is played than in the export
  * @property {number} frame
  * @property {number} seconds
  * @property {boolean} isHalved
@@ -42,20 +43,15 @@
  * @property {Map<string, number[]>} values
  * @property {(name: string, numbers: number[]) => void} setValue
  * @property {(name: string) => void} resetValue
- * @property {() => void} resetAll
  * @property {HistorySignal | null} signal
  * @property {(spec: HistorySignal) => void} setSignal
  * @property {boolean} isPaused
  * @property {(isPaused: boolean) => void} setPaused
  * @property {() => void} restart
- * @property {(file: File) => Promise<void>} openSound
- * @property {() => Promise<void>} openMicrophone
+ * @property {(kind: 'sound' | 'picture' | 'video', file: File) => Promise<void>} openFile
+ * @property {(kind: 'microphone' | 'camera' | 'screen') => Promise<void>} openDevice
  * @property {() => Promise<void>} startSound
- * @property {(file: File) => Promise<void>} openPicture
- * @property {(file: File) => Promise<void>} openVideo
- * @property {() => Promise<void>} openCamera
- * @property {() => Promise<void>} openScreen
- * @property {() => void} resetSource
+ * @property {() => Promise<void>} resetSource
  * @property {(name: string, file: File) => Promise<void>} [openParameterFile]
  * @property {PlayerState} state
  * @property {string[]} notes

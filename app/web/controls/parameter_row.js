@@ -1,5 +1,6 @@
 // The control of one parameter: label, number, slider or another input, reset and help.
 
+import { modulationText } from '../look/modulation.js';
 import { chooseFile, makeElement, makeIconButton } from './element.js';
 import { durationText, encodeSrgb, halfLife, hexOfLight, isDecayFactor } from './parameter_text.js';
 import { isFileParameter, isSwitch, parseDecay, parseValueText } from './parameter_text.js';
@@ -360,7 +361,8 @@ export function makeParameterRow(parameter, binding) {
         `Reset ${parameter.label}${initial && ` to ${initial}`}`, binding.reset, 'reset');
     const element = makeElement('div', { className: 'row' },
         makeElement('div', { className: 'head' }, label, ...(input.head || []), reset),
-        ...input.nodes, help);
+        ...input.nodes, ...(parameter.modulation ? [makeElement('p', { className: 'help' },
+            `Modulated: ${modulationText(parameter.modulation)}.`)] : []), help);
     let shown = '-';
     const update = (/** @type {string} */ needs) => {
         const numbers = binding.get();

@@ -30,7 +30,8 @@
  * @property {boolean} [hidden] no control
  * @property {boolean} [constant] part of the shader's text, cannot be changed
  * @property {string} [was] previous name
- * @property {object} [modulation]
+ * @property {string} [orbit] part of an orbit: turn, azimuth, elevation or distance
+ * @property {import('../look/modulation.js').ModulationDescription} [modulation]
  */
 
 /**

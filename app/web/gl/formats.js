@@ -52,6 +52,7 @@ export function pixelFormat(gl, name) {
         r8: floats(gl.R8, 1, gl.UNSIGNED_BYTE, 0),
         rg8: floats(gl.RG8, 2, gl.UNSIGNED_BYTE, 0),
         rgba8: floats(gl.RGBA8, 4, gl.UNSIGNED_BYTE, 0),
+        rgb8: floats(gl.RGB8, 3, gl.UNSIGNED_BYTE, 0),
         srgb8_alpha8: floats(gl.SRGB8_ALPHA8, 4, gl.UNSIGNED_BYTE, 0),
         rgb10_a2: floats(gl.RGB10_A2, 4, gl.UNSIGNED_INT_2_10_10_10_REV, 0),
         r11f_g11f_b10f: floats(gl.R11F_G11F_B10F, 3, gl.HALF_FLOAT, 10),
@@ -60,6 +61,7 @@ export function pixelFormat(gl, name) {
         rgba16f: floats(gl.RGBA16F, 4, gl.HALF_FLOAT, 16),
         r32f: floats(gl.R32F, 1, gl.FLOAT, 32),
         rg32f: floats(gl.RG32F, 2, gl.FLOAT, 32),
+        rgb32f: floats(gl.RGB32F, 3, gl.FLOAT, 32),
         rgba32f: floats(gl.RGBA32F, 4, gl.FLOAT, 32),
         rgb10_a2ui: {
             internal: gl.RGB10_A2UI, format: gl.RGBA_INTEGER, type: gl.UNSIGNED_INT_2_10_10_10_REV,

@@ -1,8 +1,9 @@
 // Linked programs and their uniforms.
 
 /**
- * @typedef {{location: WebGLUniformLocation, type: number, size: number, name: string}}
- *     ActiveUniform
+ * @typedef {{location: WebGLUniformLocation, type: number, size: number, name: string,
+ *     written: number[]}} ActiveUniform
+ *     `written` has the current numbers, and is empty before the first ones.
  * @typedef {{program: WebGLProgram, uniforms: Map<string, ActiveUniform>}} LinkedProgram
  */
 
@@ -60,7 +61,8 @@ export function linkedProgram(gl, program, name) {
         if (!info || !location)
             continue;
         const plain = info.name.replace(/\[0\]$/, '');
-        uniforms.set(plain, { location, type: info.type, size: info.size, name: plain });
+        uniforms.set(plain, { location, type: info.type, size: info.size, name: plain,
+                written: [] });
     }
     return { program, uniforms };
 }
@@ -76,12 +78,29 @@ export function isSamplerType(gl, type) {
 }
 
 /**
- * Writes numbers to a uniform of the current program. Matrices are column-major.
+ * Writes numbers to a uniform of the current program, if they differ. Matrices are column-major.
  * @param {WebGL2RenderingContext} gl
  * @param {ActiveUniform} uniform
  * @param {number[]} numbers
  */
 export function writeUniform(gl, uniform, numbers) {
+    const { written } = uniform;
+    let isWritten = written.length === numbers.length;
+    for (let i = 0; isWritten && i < numbers.length; i++)
+        isWritten = written[i] === numbers[i];
+    if (isWritten)
+        return;
+    for (let i = 0; i < numbers.length; i++)
+        written[i] = numbers[i];
+    setUniform(gl, uniform, numbers);
+}
+
+/**
+ * @param {WebGL2RenderingContext} gl
+ * @param {ActiveUniform} uniform
+ * @param {number[]} numbers
+ */
+function setUniform(gl, uniform, numbers) {
     const at = uniform.location;
     switch (uniform.type) {
         case gl.FLOAT: return gl.uniform1fv(at, numbers);
@@ -99,6 +118,12 @@ export function writeUniform(gl, uniform, numbers) {
         case gl.FLOAT_MAT2: return gl.uniformMatrix2fv(at, false, numbers);
         case gl.FLOAT_MAT3: return gl.uniformMatrix3fv(at, false, numbers);
         case gl.FLOAT_MAT4: return gl.uniformMatrix4fv(at, false, numbers);
+        case gl.FLOAT_MAT2x3: return gl.uniformMatrix2x3fv(at, false, numbers);
+        case gl.FLOAT_MAT2x4: return gl.uniformMatrix2x4fv(at, false, numbers);
+        case gl.FLOAT_MAT3x2: return gl.uniformMatrix3x2fv(at, false, numbers);
+        case gl.FLOAT_MAT3x4: return gl.uniformMatrix3x4fv(at, false, numbers);
+        case gl.FLOAT_MAT4x2: return gl.uniformMatrix4x2fv(at, false, numbers);
+        case gl.FLOAT_MAT4x3: return gl.uniformMatrix4x3fv(at, false, numbers);
         default: return undefined;
     }
 }

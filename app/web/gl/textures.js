@@ -26,6 +26,27 @@ export function makeTexture(gl, format, width, height, isMipmapped) {
 }
 
 /**
+ * A cube map or a volume of transparent black.
+ * @param {WebGL2RenderingContext} gl
+ * @param {TexelFormat} format
+ * @param {number} side px
+ * @param {'cube'|'volume'} shape
+ * @param {boolean} isMipmapped
+ * @returns {GlTexture}
+ */
+export function makeSolidTexture(gl, format, side, shape, isMipmapped) {
+    const texture = /** @type {WebGLTexture} */ (gl.createTexture());
+    const levels = isMipmapped ? 1 + Math.floor(Math.log2(side)) : 1;
+    const target = shape === 'cube' ? gl.TEXTURE_CUBE_MAP : gl.TEXTURE_3D;
+    gl.bindTexture(target, texture);
+    if (shape === 'cube')
+        gl.texStorage2D(target, levels, format.internal, side, side);
+    else
+        gl.texStorage3D(target, levels, format.internal, side, side, side);
+    return { texture, target, width: side, height: side, format, levels };
+}
+
+/**
  * A texture that can be drawn into, cleared. Throws if the browser can't draw into its format.
  * @param {WebGL2RenderingContext} gl
  * @param {TexelFormat} format
@@ -81,6 +102,20 @@ export function copyGlCanvas(gl, from, to) {
 }
 
 /**
+ * Copies the texels of a canvas with a linear filter to another size.
+ * @param {WebGL2RenderingContext} gl
+ * @param {GlCanvas} from
+ * @param {GlCanvas} to
+ */
+export function stretchGlCanvas(gl, from, to) {
+    gl.bindFramebuffer(gl.READ_FRAMEBUFFER, from.framebuffer);
+    gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, to.framebuffer);
+    gl.blitFramebuffer(0, 0, from.width, from.height, 0, 0, to.width, to.height,
+        gl.COLOR_BUFFER_BIT, gl.LINEAR);
+    updateLevels(gl, to);
+}
+
+/**
  * Makes the mip levels from the largest one.
  * @param {WebGL2RenderingContext} gl
  * @param {GlTexture} texture
@@ -108,6 +143,8 @@ export class Samplers {
         this.gl = gl;
         /** @type {Map<string, WebGLSampler>} */
         this.made = new Map();
+        /** @type {Map<TexelSampler, WebGLSampler>} the same, by their settings */
+        this.known = new Map();
     }
 
     /**
@@ -120,9 +157,14 @@ export class Samplers {
         const gl = this.gl;
         gl.activeTexture(gl.TEXTURE0 + unit);
         gl.bindTexture(texture.target, texture.texture);
-        const isInteger = texture.format.kind !== 'float';
-        gl.bindSampler(unit, this.find(isInteger
-            ? { filter: 'nearest', wrap: sampler.wrap, mipmap: false } : sampler));
+        if (texture.format.kind !== 'float') {
+            gl.bindSampler(unit,
+                this.find({ filter: 'nearest', wrap: sampler.wrap, mipmap: false }));
+            return;
+        }
+        const known = this.known.get(sampler) || this.find(sampler);
+        this.known.set(sampler, known);
+        gl.bindSampler(unit, known);
     }
 
     /**

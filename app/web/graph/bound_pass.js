@@ -9,11 +9,13 @@ import { readPass } from './plan.js';
  * @typedef {import('../look/types.js').SamplerDescription} BoundSampler
  * @typedef {{unit: number, kind: 'flat'|'cube'|'volume', numbers: 'float'|'signed'|'unsigned',
  *     from: string, name: string, pass: number, framesAgo: number, sampler: BoundSampler,
- *     holds: string, columns: number}} BoundInput
+ *     holds: string, columns: number,
+ *     texture: import('../gl/textures.js').GlTexture|null}} BoundInput
+ *     `texture` is the one that was bound last.
  */
 
 /** @type {BoundSampler} */
-const unboundSampler = { filter: 'nearest', wrap: 'edge', mipmap: false };
+const unboundSampler = { filter: 'linear', wrap: 'edge', mipmap: false };
 
 /** The linked program of a pass and what it reads. */
 export class BoundPass {
@@ -22,11 +24,13 @@ export class BoundPass {
      * @param {BoundLook} look
      * @param {number} index of the pass
      * @param {WebGLProgram} program
+     * @param {string} text of its shaders
      */
-    constructor(gl, look, index, program) {
+    constructor(gl, look, index, program, text) {
         this.gl = gl;
         this.look = look;
         this.index = index;
+        this.text = text;
         this.description = look.passes[index];
         this.linked = linkedProgram(gl, program, this.description.name);
         gl.useProgram(program);
@@ -65,6 +69,7 @@ export class BoundPass {
             sampler: declared || unboundSampler,
             holds: (declared && declared.holds) || '',
             columns: (declared && declared.columns) || 0,
+            texture: null,
         });
     }
 

@@ -46,6 +46,20 @@ function namesOfPass(pass, terms) {
 }
 
 /**
+ * The names of parameters in the expressions for targets and spots.
+ * @param {PlannedLook} look
+ * @returns {Set<string>}
+ */
+export function plannedNames(look) {
+    /** @type {Set<string>} */
+    const names = new Set();
+    for (const { scope = '', target, spot } of look.passes)
+        for (const [, name] of JSON.stringify([target, spot]).matchAll(/\$(\w+)/g))
+            names.add(scope + name);
+    return names;
+}
+
+/**
  * @param {string|undefined} expression
  * @param {PlannedPass} pass
  * @param {PlanTerms} terms

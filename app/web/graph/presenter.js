@@ -20,7 +20,7 @@ uniform highp sampler2D picture;
 uniform ivec2 shown;
 uniform bool is_linear;
 uniform bool top_first;
-uniform bool has_alpha;
+uniform int alpha;  // 0: opaque, 1: its own, 2: transparent where it is black
 out vec4 color;
 vec3 encoded(vec3 c)
 {
@@ -36,14 +36,20 @@ void main()
     color = clamp(texelFetch(picture, at, 0), 0.0, 1.0);
     if (is_linear)
         color.rgb = encoded(color.rgb);
-    if (!has_alpha)
+    if (alpha == 0)
         color.a = 1.0;
+    if (alpha == 2) {
+        color.a = max(max(color.r, color.g), color.b);
+        color.rgb /= max(color.a, 1e-6);
+    }
 }
 `;
 
 /**
- * @typedef {{isLinear: boolean, isTopFirst: boolean, hasAlpha: boolean}} PresentedAs
- *     what the texels of the picture hold
+ * @typedef {{isLinear: boolean, isTopFirst: boolean, alpha: 'opaque'|'own'|'from-black'}}
+ *     PresentedAs
+ *     What the texels of the picture hold, and the alpha that is shown. From black, alpha is the
+ *     largest component, and the colour is divided by it.
  */
 
 /** Draws a texture onto the canvas, or into bytes. */
@@ -73,7 +79,7 @@ export class Presenter {
         this.write('shown', [width, height]);
         this.write('is_linear', [as.isLinear ? 1 : 0]);
         this.write('top_first', [as.isTopFirst ? 1 : 0]);
-        this.write('has_alpha', [as.hasAlpha ? 1 : 0]);
+        this.write('alpha', [['opaque', 'own', 'from-black'].indexOf(as.alpha)]);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.NEAREST);
         gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MAG_FILTER, gl.NEAREST);
         gl.bindVertexArray(null);

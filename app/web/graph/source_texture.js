@@ -30,7 +30,16 @@ uniform ivec4 place;    // left, top, repeats
 uniform int encoding;   // 0: as it is, 1: display to linear, 2: linear to display
 uniform int shrink;     // pixels per side whose mean is taken
 uniform bool top_first;
+uniform bool is_grey;
+uniform bool has_bytes;
 out vec4 color;
+// n / 255 rounded to the nearest float, as the program computes it. Texels are n * (1 / 255).
+vec4 exact_bytes(vec4 c)
+{
+    vec4 n = floor(c * 255.0 + 0.5);
+    vec4 quotient = n / 255.0;
+    return quotient + ((n - quotient * 256.0) + quotient) / 255.0;
+}
 vec3 recoded(vec3 c)
 {
     if (encoding == 1)
@@ -58,8 +67,10 @@ void main()
     for (int y = first.y; y < end.y; ++y)
         for (int x = first.x; x < end.x; ++x)
             sum += texelFetch(picture, ivec2(x, y), 0);
+    if (shrink == 1 && has_bytes)
+        sum = exact_bytes(sum);
     color = sum / float(max((end.x - first.x) * (end.y - first.y), 1));
-    color = vec4(recoded(color.rgb), color.a);
+    color = vec4(recoded(is_grey ? color.rrr : color.rgb), color.a);
 }
 `;
 
@@ -82,7 +93,8 @@ export class PicturePlacer {
     upload(picture) {
         const gl = this.context.gl;
         const isFloat = picture.pixels instanceof Float32Array;
-        const format = pixelFormat(gl, isFloat ? 'rgba32f' : 'rgba8');
+        const channels = ['', 'r', '', 'rgb', 'rgba'][picture.channels];
+        const format = pixelFormat(gl, channels + (isFloat ? '32f' : '8'));
         if (!this.staged || this.staged.width !== picture.width
             || this.staged.height !== picture.height
             || this.staged.format.internal !== format.internal) {
@@ -99,11 +111,32 @@ export class PicturePlacer {
         const { pixels, width, height } = picture;
         if (ArrayBuffer.isView(pixels))
             gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format.format, format.type,
-                fourChannels(pixels, picture.channels, isFloat ? 1 : 255));
+                pixels instanceof Uint8ClampedArray
+                    ? new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.length) : pixels);
         else
             gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, gl.RGBA, gl.UNSIGNED_BYTE,
                 /** @type {TexImageSource} */ (pixels));
         return this.staged;
+    }
+
+    /**
+     * The texels of a picture.
+     * @param {GivenPicture} picture
+     * @returns {Uint8Array|Float32Array} RGBA, row 0 at the top
+     */
+    texelsOf(picture) {
+        const gl = this.context.gl;
+        const isFloat = picture.pixels instanceof Float32Array;
+        const { width, height } = picture;
+        const canvas = makeGlCanvas(gl, pixelFormat(gl, isFloat ? 'rgba32f' : 'rgba8'), width,
+            height, false);
+        this.draw(picture, canvas, { placing: { width, height, left: 0, top: 0, repeatX: 1,
+            repeatY: 1, shrink: 1 }, encoding: null, isTopFirst: true });
+        const texels = isFloat ? new Float32Array(4 * width * height)
+            : new Uint8Array(4 * width * height);
+        gl.readPixels(0, 0, width, height, gl.RGBA, isFloat ? gl.FLOAT : gl.UNSIGNED_BYTE, texels);
+        deleteGlCanvas(gl, canvas);
+        return texels;
     }
 
     /**
@@ -126,6 +159,8 @@ export class PicturePlacer {
         this.write('encoding', [recodes ? encoding : 0]);
         this.write('shrink', [placing.shrink]);
         this.write('top_first', [as.isTopFirst ? 1 : 0]);
+        this.write('is_grey', [picture.channels === 1 ? 1 : 0]);
+        this.write('has_bytes', [picture.pixels instanceof Float32Array ? 0 : 1]);
         gl.activeTexture(gl.TEXTURE0);
         gl.bindTexture(gl.TEXTURE_2D, staged.texture);
         gl.bindSampler(0, null);
@@ -149,30 +184,6 @@ export class PicturePlacer {
         else
             writeUniform(this.context.gl, uniform, numbers);
     }
-}
-
-/**
- * Interleaved pixels with four channels. Grey becomes red, green and blue; alpha is opaque.
- * @param {Float32Array|Uint8Array|Uint8ClampedArray} pixels
- * @param {number} channels 1, 3 or 4
- * @param {number} opaque
- * @returns {Float32Array|Uint8Array}
- */
-function fourChannels(pixels, channels, opaque) {
-    if (channels === 4)
-        return pixels instanceof Float32Array ? pixels
-            : new Uint8Array(pixels.buffer, pixels.byteOffset, pixels.length);
-    const count = pixels.length / channels;
-    const made = pixels instanceof Float32Array ? new Float32Array(4 * count)
-        : new Uint8Array(4 * count);
-    const [g, b] = channels === 1 ? [0, 0] : [1, 2];
-    for (let i = 0; i < count; i++) {
-        made[4 * i] = pixels[channels * i];
-        made[4 * i + 1] = pixels[channels * i + g];
-        made[4 * i + 2] = pixels[channels * i + b];
-        made[4 * i + 3] = opaque;
-    }
-    return made;
 }
 
 /** The source pictures that a look reads: of this frame and of previous ones. */

@@ -1,6 +1,7 @@
 // The targets of a look with their previous pictures.
 
-import { clearGlCanvas, deleteGlCanvas, makeGlCanvas, updateLevels } from '../gl/textures.js';
+import { clearGlCanvas, deleteGlCanvas, makeGlCanvas } from '../gl/textures.js';
+import { stretchGlCanvas, updateLevels } from '../gl/textures.js';
 import { halfFloatsOf, pixelFormat } from '../gl/formats.js';
 
 /**
@@ -43,6 +44,26 @@ export class PassTarget {
         const count = this.slots.length;
         const back = Math.min(framesAgo, count - 1);
         return this.slots[(this.current + count - back) % count];
+    }
+
+    /**
+     * Whether another target of the pass continues its history. Integers have no filter.
+     * @param {import('../look/types.js').PassDescription} pass
+     * @param {PassTarget} next
+     */
+    canBeStretched(pass, next) {
+        const format = this.slots[0].format;
+        return !!pass.target.keeps_when_resized && next.slots.length > 1 && format.kind === 'float'
+            && format.internal === next.slots[0].format.internal;
+    }
+
+    /**
+     * Takes over the pictures of a target of another size.
+     * @param {PassTarget} old with the same format
+     */
+    stretchFrom(old) {
+        for (let ago = 0; ago < Math.min(this.slots.length, old.slots.length); ago++)
+            stretchGlCanvas(this.gl, old.canvas(ago), this.canvas(ago));
     }
 
     /** The next picture replaces the oldest. */

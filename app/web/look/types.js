@@ -5,7 +5,7 @@
  *     expression?: string}} SideDescription
  * @typedef {{format: string, width: SideDescription, height: SideDescription,
  *     encoding: 'linear'|'display', rows: 'bottom-first'|'top-first', one_channel?: string,
- *     half_floats?: string, alpha?: boolean}} TargetDescription
+ *     half_floats?: string, alpha?: boolean, keeps_when_resized?: boolean}} TargetDescription
  * @typedef {{filter: 'nearest'|'linear', wrap: 'edge'|'border'|'repeat'|'mirror',
  *     mipmap: boolean, between_levels?: 'nearest'|'linear'}} SamplerDescription
  * @typedef {{from: 'pass'|'source'|'image'|'keyboard'|'sound', name?: string,
@@ -25,8 +25,9 @@
  * @typedef {{name: string, type: string, default: WrittenValue, value: WrittenValue, min: number,
  *     max: number, step: number, scale: 'linear'|'log'|'half-life', label: string, unit: string,
  *     group: string, help: string, items: ItemDescription[], passes: string[], encoding?: string,
- *     constant?: boolean, when?: string, axes?: {min: number, max: number}[], modulation?: any,
- *     orbit?: string}} ParameterDescription
+ *     constant?: boolean, constant_id?: number, constant_type?: string, when?: string, axes?: {min: number, max: number}[],
+ *     modulation?: import('./modulation.js').ModulationDescription,
+ *     limit?: {min: number, max: number}, orbit?: string}} ParameterDescription
  * @typedef {SamplerDescription & {name: string, file?: string, faces?: string[],
  *     linear: boolean, encoding?: 'linear'|'display', rows: 'bottom-first'|'top-first',
  *     format: string, shape: 'flat'|'cube'|'volume', needed: boolean}} ImageDescription
@@ -36,8 +37,10 @@
  *     SignalDescription
  * @typedef {{name: string, about: string, author: string, license: string,
  *     notices: {file: string, license: string, text: string}[], size: [number, number],
- *     output: 'linear'|'display', settle_frames: number,
- *     driven_by: 'signal'|'picture'|'nothing', signal?: SignalDescription,
+ *     output: 'linear'|'display', source_encoding: 'linear'|'display', settle_frames: number,
+ *     tempo: import('./modulation.js').ModulationTempo,
+ *     driven_by: 'signal'|'picture'|'nothing', foreign?: boolean, signal?: SignalDescription,
+ *     generators?: {kind: string, label: string, settings: ParameterDescription[]}[],
  *     source?: SourceDescription, passes: PassDescription[], images: ImageDescription[],
  *     parameters: ParameterDescription[], shaders: string[], media: Object<string, string>}}
  *     LookDescription

@@ -1,16 +1,14 @@
-// What a page plays: its signal, source pictures and sound, and those that the user opens.
+// What a page plays: its signal, source picture, pictures and sound, and those the user opens.
 
-import { SoundPlayer } from '../sound/sound_player.js';
 import { decodeSound } from '../sound/sound.js';
-import { openMicrophone } from '../sound/live_sound.js';
-import { soundStream } from '../signals/audio_stream.js';
-import { SoundTexels } from '../sound/sound_texels.js';
+import { beamStream } from '../sound/beam_stream.js';
+import { SoundTexels, silentTexels } from '../sound/sound_texels.js';
+import { BeamLoudness, SoundLoudness } from '../signals/audio_loudness.js';
 import { makeSignal } from '../signals/signals.js';
-import { makeTexture } from '../gl/textures.js';
-import { pixelFormat } from '../gl/formats.js';
 import { openSource, openSourceFile } from '../sources/open_source.js';
 import { openCameraSource, openScreenSource } from '../sources/live_sources.js';
 import { mediaFile, pageMedia } from './media.js';
+import { SoundContent, settingsOfOpenedSound } from './sound_content.js';
 
 /**
  * @typedef {import('../look/types.js').LookDescription} ContentLook
@@ -18,10 +16,6 @@ import { mediaFile, pageMedia } from './media.js';
  * @typedef {import('../sources/source.js').Source} ContentSource
  * @typedef {import('../sources/source.js').SourcePicture} ContentPicture
  */
-
-/** Settings of a sound that the user opens. */
-const openedSoundSettings = { loop: 'on', start: 0, end: 0, mode: 'xy', level: 1, auto_gain: 'off',
-    upsample: 4, channel: 'mean', fit: 'whole', x: 1, y: 2, intensity: 0, r: 0, g: 0, b: 0 };
 
 /**
  * How pictures are opened. A page without pictures does not contain the code for it.
@@ -41,242 +35,278 @@ function noSource() {
 
 /** The signal, source and sound of a look. */
 export class PageContent {
+    #description;
+    #media;
+    /** @type {SoundTexels|null} null: silence */
+    #texels = null;
+    #soundName = '';
+    #pictureName = '';
+    #isSourceChanged = false;
+    #isPaused = false;
+
     /** @param {ContentLook} description */
     constructor(description) {
-        this.description = description;
-        this.media = pageMedia(description.media);
+        this.#description = description;
+        this.#media = pageMedia(description.media);
+        this.sound = new SoundContent();
         /** @type {ContentSignal|null} */
         this.signalSpec = null;
         /** @type {import('../signals/signal.js').Signal|null} */
         this.signal = null;
+        /** @type {import('../look/modulation.js').Loudness|null} null: silence */
+        this.loudness = null;
         /** @type {ContentSource|null} */
         this.source = null;
-        /** @type {import('../sound/sound.js').Sound|null} */
-        this.sound = null;
-        /** @type {SoundPlayer|null} */
-        this.player = null;
-        /** @type {import('../sound/live_sound.js').Microphone|null} */
-        this.microphone = null;
-        /** @type {SoundTexels|null} */
-        this.texels = null;
-        /** @type {Map<string, ContentPicture>} pictures by the name of an image or parameter */
+        /** @type {Map<string, ContentPicture[]>} by the name of an image or parameter: one
+         * picture, or the six faces of a cube */
         this.images = new Map();
         /** @type {string[]} */
         this.notes = [];
-        this.openedName = '';
     }
 
     /** Reads everything that the page brings. */
     async load() {
-        await this.loadImages();
-        await this.reset();
-    }
-
-    async loadImages() {
-        const { images, parameters } = this.description;
+        const { images, parameters } = this.#description;
         for (const image of images)
-            if (image.file)
-                await this.loadImage(image.name, image.file);
+            if (image.file || image.faces)
+                await this.#loadImage(image.name, image.faces || [image.file || '']);
         for (const parameter of parameters)
-            if (parameter.type === 'image' && parameter.value)
-                await this.loadImage(parameter.name, String(parameter.value));
-    }
-
-    /**
-     * @param {string} name
-     * @param {string} text path of a picture, with settings
-     */
-    async loadImage(name, text) {
-        const source = await pictureOpeners.named(text, this.media);
-        const picture = source && source.pictureAt(0);
-        if (picture)
-            this.images.set(name, picture);
+            if (parameter.type === 'image')
+                await this.resetFile(parameter.name);
+        await this.reset();
     }
 
     /** Plays what the page was exported with. */
     async reset() {
-        const { signal, source } = this.description;
-        this.closeSound();
-        this.openedName = '';
+        const { signal, source } = this.#description;
+        this.sound.close();
+        this.notes = [];
+        this.#soundName = this.#pictureName = '';
         if (source)
-            this.replaceSource(await pictureOpeners.named(source.content, this.media));
+            this.#replaceSource(await pictureOpeners.named(source.content, this.#media));
+        this.#isSourceChanged = false;
         if (signal)
-            await this.playExported(signal);
-        await this.loadSoundParameter();
+            await this.#playExported(signal);
+        for (const parameter of this.#description.parameters)
+            if (parameter.type === 'sound')
+                await this.resetFile(parameter.name);
+        this.#updateTexels();
     }
 
     /** @param {ContentSignal} signal */
-    async playExported(signal) {
-        if (signal.kind === 'microphone' || signal.kind === 'stdin' || signal.kind === 'socket') {
-            this.signalSpec = signal;
-            this.signal = null;
-            this.notes = [`The signal '${signal.kind}' needs a device. Use a button of the panel.`];
-            return;
-        }
+    async #playExported(signal) {
         if (signal.kind === 'audio')
-            this.useSound(await this.soundOf(String(signal.settings.file)), signal.settings);
+            this.sound.use(await this.#soundOf(String(signal.settings.file)), signal.settings);
         this.setSignal(signal);
     }
 
-    /** A sound that a parameter of the look chooses. */
-    async loadSoundParameter() {
-        const chosen = this.description.parameters.find((one) => one.type === 'sound'
-            && one.value);
-        if (chosen)
-            this.useSound(await this.soundOf(String(chosen.value)), openedSoundSettings);
-    }
-
-    /** @param {string} path */
-    async soundOf(path) {
-        return decodeSound(await mediaFile(this.media, path).arrayBuffer());
-    }
-
-    /** @param {ContentSignal} spec */
-    setSignal(spec) {
-        this.signal = makeSignal(spec, { sound: this.sound || undefined,
-            live: this.microphone ? this.microphone.sound : undefined });
-        this.signalSpec = spec;
+    /**
+     * Gives a parameter that is a picture or sound the file that the page was exported with.
+     * @param {string} name
+     */
+    async resetFile(name) {
+        const parameter = this.#description.parameters.find((one) => one.name === name);
+        if (!parameter)
+            return;
+        if (parameter.type === 'image')
+            this.images.delete(name);
+        if (parameter.type === 'image' && parameter.value)
+            await this.#loadImage(name, [String(parameter.value)]);
+        if (parameter.type === 'sound' && parameter.value)
+            this.sound.use(await this.#soundOf(String(parameter.value)), settingsOfOpenedSound(2));
     }
 
     /**
-     * @param {import('../sound/sound.js').Sound} sound
-     * @param {Object<string, string|number>} settings
+     * @param {string} name
+     * @param {string[]} texts paths of pictures, with settings
      */
-    useSound(sound, settings) {
-        this.closeSound();
-        this.sound = sound;
-        this.player = new SoundPlayer(sound, settings);
-        this.texels = new SoundTexels(soundStream(sound, { first: 0, end: 0, loops: true }));
+    async #loadImage(name, texts) {
+        const pictures = [];
+        for (const text of texts) {
+            const source = await pictureOpeners.named(text, this.#media);
+            const picture = source && source.pictureAt(0);
+            if (picture)
+                pictures.push(picture);
+        }
+        if (pictures.length === texts.length)
+            this.images.set(name, pictures);
     }
 
-    closeSound() {
-        if (this.player)
-            this.player.close();
-        if (this.microphone)
-            this.microphone.close();
-        this.player = null;
-        this.microphone = null;
-        this.sound = null;
-        this.texels = null;
+    /** @param {string} path */
+    async #soundOf(path) {
+        return decodeSound(await mediaFile(this.#media, path).arrayBuffer());
+    }
+
+    /**
+     * Draws another signal. One that needs a closed sound or device draws nothing.
+     * @param {ContentSignal} spec
+     */
+    setSignal(spec) {
+        const { media } = this.sound;
+        const missing = { stdin: true, socket: true, microphone: !media.live,
+            audio: !media.sound }[spec.kind] || false;
+        this.signal = missing ? null : makeSignal(spec, media);
+        this.signalSpec = spec;
+        this.notes = !missing ? [] : [spec.kind === 'microphone'
+            ? 'The microphone is closed. Click "Use microphone".' : spec.kind === 'audio'
+                ? 'The sound is closed. Click "Open sound".'
+                : `A page can't draw the signal '${spec.kind}'. Open a sound instead.`];
+        if (this.#description.driven_by === 'signal')
+            this.sound.setMuted(spec.kind !== 'audio' && spec.kind !== 'microphone');
+        this.#updateTexels();
+    }
+
+    /** Makes the sound textures and the loudness: of the sound, otherwise of the signal. */
+    #updateTexels() {
+        const sound = this.sound.stream();
+        const stream = sound || (this.signal && beamStream(this.signal));
+        this.#texels = stream && new SoundTexels(stream);
+        const beam = this.signal && new BeamLoudness(this.signal);
+        this.loudness = sound ? new SoundLoudness(sound) : beam;
+    }
+
+    /** Makes the signal of a live sound again, after its time has changed. */
+    #followSound() {
+        if (!this.sound.media.live)
+            return;
+        if (this.signal && this.signalSpec)
+            this.setSignal(this.signalSpec);
+        this.#updateTexels();
     }
 
     /** @param {ContentSource|null} source null: kept */
-    replaceSource(source) {
+    #replaceSource(source) {
         if (!source)
             return;
         if (this.source)
             this.source.dispose();
         this.source = source;
+        this.#isSourceChanged = true;
+        if (this.#isPaused)
+            source.setPaused(true);
+    }
+
+    /**
+     * Opens a file of the user. Sound starts where the browser allows it.
+     * @param {'sound'|'picture'|'video'} kind
+     * @param {File} file
+     */
+    async openFile(kind, file) {
+        if (kind === 'sound')
+            return this.#openSound(file);
+        this.#replaceSource(this.#fitted(await pictureOpeners.file(file)));
+        this.#pictureName = file.name;
+    }
+
+    /**
+     * An opened picture fills a look of another program, as in the program.
+     * @param {ContentSource|null} source
+     */
+    #fitted(source) {
+        if (source && this.#description.foreign)
+            source.settings = { ...source.settings, fit: 'stretch' };
+        return source;
     }
 
     /** @param {File} file */
-    async openSound(file) {
+    async #openSound(file) {
         const sound = await decodeSound(await file.arrayBuffer());
-        this.useSound(sound, openedSoundSettings);
-        this.openedName = file.name;
-        if (this.description.driven_by === 'signal')
-            this.setSignal({ kind: 'audio', settings: openedSoundSettings });
-        await this.startSound();
+        const settings = settingsOfOpenedSound(sound.channels.length);
+        this.sound.use(sound, settings);
+        if (this.#description.driven_by === 'signal')
+            this.setSignal({ kind: 'audio', settings });
+        this.sound.start(0);
+        this.#soundName = file.name;
+        this.#updateTexels();
     }
 
-    async openMicrophone() {
-        const microphone = await openMicrophone();
-        this.closeSound();
-        this.microphone = microphone;
-        this.openedName = microphone.name || 'Microphone';
-        if (this.description.driven_by === 'signal')
-            this.setSignal({ kind: 'microphone', settings: openedSoundSettings });
+    /**
+     * Opens a device. Call it in the handler of a click.
+     * @param {'microphone'|'camera'|'screen'} kind
+     * @param {number} seconds time of the picture
+     */
+    async openDevice(kind, seconds) {
+        if (kind === 'microphone') {
+            const { name, channels } = await this.sound.openMicrophone(seconds);
+            this.#soundName = name;
+            if (this.#description.driven_by === 'signal')
+                this.setSignal({ kind, settings: settingsOfOpenedSound(channels) });
+            this.#updateTexels();
+            return;
+        }
+        this.#replaceSource(this.#fitted(await pictureOpeners[kind]()));
+        this.#pictureName = '';
     }
 
-    async startSound() {
-        if (this.microphone)
-            this.microphone.resume();
-        if (this.player)
-            await this.player.start();
+    /**
+     * Opens a file for a parameter that is a picture or sound.
+     * @param {string} name
+     * @param {File} file
+     */
+    async openParameterFile(name, file) {
+        const parameter = this.#description.parameters.find((one) => one.name === name);
+        if (parameter && parameter.type === 'sound')
+            return this.#openSound(file);
+        const source = await pictureOpeners.file(file);
+        const picture = source && source.pictureAt(0);
+        if (picture)
+            this.images.set(name, [picture]);
     }
 
-    /** @param {File} file */
-    async openPicture(file) {
-        this.replaceSource(await pictureOpeners.file(file));
-        this.openedName = file.name;
+    /**
+     * Starts the sound. Call it in the handler of a click.
+     * @param {number} seconds time of the picture
+     */
+    startSound(seconds) {
+        this.sound.start(seconds);
+        this.#followSound();
     }
 
-    /** @param {File} file */
-    openVideo(file) {
-        return this.openPicture(file);
-    }
-
-    async openCamera() {
-        this.replaceSource(await pictureOpeners.camera());
-        this.openedName = 'Camera';
-    }
-
-    async openScreen() {
-        this.replaceSource(await pictureOpeners.screen());
-        this.openedName = 'Screen';
-    }
-
-    /** @param {boolean} isPaused */
-    setPaused(isPaused) {
-        if (this.player)
-            this.player.setPaused(isPaused);
+    /**
+     * @param {boolean} isPaused
+     * @param {number} seconds time of the picture
+     */
+    setPaused(isPaused, seconds) {
+        this.#isPaused = isPaused;
+        this.sound.setPaused(isPaused, seconds);
         if (this.source)
             this.source.setPaused(isPaused);
+        if (!isPaused)
+            this.#followSound();
     }
 
     /** Starts again at time 0. */
     restart() {
-        if (this.player)
-            this.player.restart();
+        this.sound.restart();
+        this.#followSound();
     }
 
-    get hasSound() {
-        return this.player !== null || this.microphone !== null;
+    /** Whether the user has changed the signal, or opened something. */
+    get isChanged() {
+        const { signal } = this.#description;
+        return this.#soundName !== '' || this.#isSourceChanged
+            || (!!signal && JSON.stringify(signal) !== JSON.stringify(this.signalSpec));
     }
 
-    get needsClick() {
-        return (this.player !== null && this.player.needsClick)
-            || (this.microphone !== null && this.microphone.needsClick);
-    }
-
-    /**
-     * The time of the sound, which the picture follows. Null without a playing sound.
-     * @returns {number|null} s
-     */
-    soundSeconds() {
-        if (this.microphone)
-            return this.microphone.needsClick ? null : this.microphone.seconds();
-        return this.player && this.player.isPlaying ? this.player.seconds() : null;
-    }
-
-    get sourceName() {
-        return this.openedName || (this.source ? this.source.name : '');
-    }
-
-    get signalName() {
-        return this.openedName || (this.signalSpec ? this.signalSpec.kind : '');
+    /** Names of the source and of the signal for the user. */
+    get names() {
+        const kind = this.signalSpec ? this.signalSpec.kind : '';
+        const known = (this.#description.generators || []).find((one) => one.kind === kind);
+        const isSound = kind === 'audio' || kind === 'microphone';
+        const file = this.signalSpec ? String(this.signalSpec.settings.file || '') : '';
+        return {
+            source: this.#pictureName || (this.source ? this.source.name : this.#soundName),
+            signal: (isSound && this.#soundName) || file.replace(/^.*\//, '')
+                || (known ? known.label : kind.charAt(0).toUpperCase() + kind.slice(1)),
+        };
     }
 
     /**
-     * Uploads the textures of sound that passes read.
-     * @param {import('../graph/renderer.js').Renderer} renderer
+     * The rows of a sound texture.
+     * @param {{holds: string, columns: number}} texture
      * @param {number} seconds
      */
-    updateSound(renderer, seconds) {
-        const { gl } = renderer;
-        for (const pass of renderer.passes)
-            for (const input of pass.inputs) {
-                if (input.from !== 'sound' || !this.texels)
-                    continue;
-                const key = `sound ${input.holds} ${input.columns}`;
-                const rows = this.texels.rows({ holds: input.holds, columns: input.columns },
-                    seconds);
-                const texture = renderer.images.get(key)
-                    || makeTexture(gl, pixelFormat(gl, 'r32f'), rows.width, rows.height, false);
-                renderer.images.set(key, texture);
-                gl.bindTexture(gl.TEXTURE_2D, texture.texture);
-                gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, rows.width, rows.height, gl.RED, gl.FLOAT,
-                    rows.values);
-            }
+    soundRows(texture, seconds) {
+        return this.#texels ? this.#texels.rows(texture, seconds) : silentTexels(texture);
     }
 }

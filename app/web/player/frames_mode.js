@@ -1,39 +1,43 @@
 // Draws a fixed number of frames for a comparison: ?frames=N&size=WxH.
 
+const mostFrames = 100000;
+
 /**
- * The number of frames in `?frames=N`. 0 without one. Throws if it is invalid.
+ * The numbers of the frames in `?frames=60` or `?frames=1,16,60`. Empty without them. Throws if
+ * they are invalid.
  * @param {string} search of the address
+ * @returns {number[]} rising
  */
 export function wantedFrames(search) {
     const text = new URLSearchParams(search).get('frames');
     if (text === null)
-        return 0;
-    const frames = /^\d{1,6}$/.test(text) ? Number(text) : 0;
-    if (frames < 1 || frames > 100000)
-        throw new Error(`The number of frames '${text}' is invalid. Use frames=60.`);
+        return [];
+    const frames = text.split(',').map((part) => (/^\d{1,6}$/.test(part) ? Number(part) : 0));
+    const isRising = frames.every((frame, i) => frame > (i > 0 ? frames[i - 1] : 0));
+    if (!isRising || frames[frames.length - 1] > mostFrames)
+        throw new Error(`The number of frames '${text.slice(0, 40)}' is invalid. Use frames=60, or `
+            + `rising numbers up to ${mostFrames} such as frames=1,60.`);
     return frames;
 }
 
 /**
- * Draws frames 1 to N on a clock of 60 Hz, then stores the last one as a PNG in the attribute
- * `data-png` of the canvas.
+ * Draws frames from 1 on a clock of 60 Hz. The attribute `data-png` of the canvas gets the last
+ * one as a PNG. Of several wanted frames, `data-png-16` has frame 16.
  * @param {import('./player.js').Player} player
- * @param {number} frames
+ * @param {number[]} wanted rising numbers of frames
  */
-export async function drawFrames(player, frames) {
-    for (let number = 1; number <= frames; number++) {
-        const { source } = player.content;
-        if (source)
-            await source.prepare(number / 60);
-        player.drawFixed(number);
+export async function drawFrames(player, wanted) {
+    const { canvas, frames } = player;
+    const { drawing } = frames;
+    const last = wanted[wanted.length - 1];
+    for (let number = 1; number <= last; number++) {
+        await frames.prepareFixed(number);
+        frames.drawFixed(number);
         // A browser ends a page whose GPU work takes too long.
-        player.context.gl.finish();
+        drawing.finish();
+        if (wanted.length > 1 && wanted.includes(number))
+            canvas.setAttribute(`data-png-${number}`, drawing.copy().toDataURL('image/png'));
     }
-    player.present();
-    const image = player.pixels();
-    const copy = document.createElement('canvas');
-    copy.width = image.width;
-    copy.height = image.height;
-    /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d')).putImageData(image, 0, 0);
-    player.canvas.dataset.png = copy.toDataURL('image/png');
+    drawing.present();
+    canvas.dataset.png = drawing.copy().toDataURL('image/png');
 }

@@ -10,14 +10,19 @@ const SILENT_ENERGY = 1e-7; // mean square, 70 dB below full scale
 const BLOCKS_REMEMBERED = 1024;
 
 /** Values by block number. It keeps the latest ones. */
-class BlockMemory {
+export class BlockMemory {
     #make;
-    #blocks = new Float64Array(BLOCKS_REMEMBERED).fill(NaN);
-    #values = new Float64Array(BLOCKS_REMEMBERED);
+    #blocks;
+    #values;
 
-    /** @param {(block: number) => number} make computes a missing value */
-    constructor(make) {
+    /**
+     * @param {(block: number) => number} make computes a missing value
+     * @param {number} capacity in blocks
+     */
+    constructor(make, capacity = BLOCKS_REMEMBERED) {
         this.#make = make;
+        this.#blocks = new Float64Array(capacity).fill(NaN);
+        this.#values = new Float64Array(capacity);
     }
 
     /**
@@ -25,7 +30,8 @@ class BlockMemory {
      * @returns {number}
      */
     at(block) {
-        const place = ((block % BLOCKS_REMEMBERED) + BLOCKS_REMEMBERED) % BLOCKS_REMEMBERED;
+        const capacity = this.#blocks.length;
+        const place = ((block % capacity) + capacity) % capacity;
         if (this.#blocks[place] !== block) {
             const value = this.#make(block);
             this.#values[place] = value;

@@ -90,6 +90,13 @@ export class Microphone {
         return this.#stream.getAudioTracks()[0]?.label ?? '';
     }
 
+    /** The number of channels of the device, where the browser reports it. */
+    get deviceChannels() {
+        /** @type {MediaTrackSettings & {channelCount?: number}} */
+        const settings = this.#stream.getAudioTracks()[0]?.getSettings() ?? {};
+        return settings.channelCount ?? 2;
+    }
+
     /** Whether the device was disconnected or the permission was withdrawn. */
     get hasEnded() {
         return this.#stream.getAudioTracks().every((track) => track.readyState === 'ended');

@@ -67,8 +67,13 @@ export class SoundPlayer {
 
     /** Whether the browser waits for a click before it plays sound. */
     get needsClick() {
+        return !this.#isPaused && !this.isStarting && this.#context?.state !== 'running';
+    }
+
+    /** Whether it was started just now, and the browser may allow it. */
+    get isStarting() {
         const isResuming = performance.now() - this.#resumedAt < RESUME_SECONDS * 1000;
-        return !this.#isPaused && !isResuming && this.#context?.state !== 'running';
+        return !this.#isPaused && isResuming && this.#context?.state !== 'running';
     }
 
     /** Whether the sound is audible, so that `seconds()` advances. */

@@ -16,6 +16,7 @@ class StreamSource extends Source {
     constructor(name, video, endMessage) {
         super(name, { ...openedFileSettings(name), prescaled: 1 });
         this.isLive = true;
+        this.hasOwnClock = true;
         this.video = video;
         this.stream = /** @type {MediaStream} */ (video.srcObject);
         this.frames = new VideoFrames(video);

@@ -9,17 +9,39 @@ import { Source } from './source.js';
 /** @typedef {import('./source_settings.js').SourceSettings} SourceSettings */
 /** @typedef {import('./moving_patterns.js').PatternPainter} PatternPainter */
 
-/** The pattern 'harbour' or 'glyph-rain'. */
+/**
+ * 'Glyph rain' for 'pattern:glyph-rain,size=320x240'.
+ * @param {string} content
+ */
+function patternTitle(content) {
+    const words = content.replace(/^pattern:|,.*$/g, '').replace(/-/g, ' ');
+    return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+const shortestInterval = 0.03;  // s between pictures
+const paintingShare = 1 / 3;  // of the time
+
+/** The pattern 'harbour' or 'glyph-rain'. Live, pictures that are painted slowly are left out. */
 export class PatternSource extends Source {
+    #shown = NaN;  // number of the latest picture
+    #paintedAt = NaN;  // s
+    #interval = shortestInterval;
+    #isExact = false;
+
     /**
      * @param {SourceSettings} settings
      * @param {PatternPainter} painter
      */
     constructor(settings, painter) {
-        super(settings.content.replace(/^pattern:/, ''), settings);
+        super(patternTitle(settings.content), settings);
         this.painter = painter;
         this.prescale = Math.max(settings.prescaled, 1);  // patterns are not searched for it
-        this.shown = NaN;  // number of the latest picture
+    }
+
+    /** Afterwards each frame has exactly its own picture. */
+    prepare() {
+        this.#isExact = true;
+        return Promise.resolve();
     }
 
     /**
@@ -28,11 +50,17 @@ export class PatternSource extends Source {
      */
     pictureAt(seconds) {
         const number = this.painter.numberAt(seconds);
-        if (number === this.shown) {
+        const since = Math.abs(seconds - this.#paintedAt);
+        if (number === this.#shown || (!this.#isExact && since < this.#interval)) {
             return null;
         }
-        this.shown = number;
-        return pictureWithoutPrescale(this.painter.pictureAt(seconds), this.prescale);
+        const begin = performance.now();
+        this.#shown = number;
+        this.#paintedAt = seconds;
+        const picture = this.painter.pictureAt(seconds);
+        const painting = (performance.now() - begin) / 1000;
+        this.#interval = Math.max(shortestInterval, painting / paintingShare);
+        return pictureWithoutPrescale(picture, this.prescale);
     }
 
     naturalSize() {
@@ -40,7 +68,8 @@ export class PatternSource extends Source {
     }
 
     refresh() {
-        this.shown = NaN;
+        this.#shown = NaN;
+        this.#paintedAt = NaN;
     }
 }
 

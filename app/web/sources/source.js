@@ -25,6 +25,8 @@ export class Source {
         this.settings = settings;
         /** Whether its pictures come from a device, so that no two runs are equal. */
         this.isLive = false;
+        /** Whether it plays by itself, so that an earlier time can't be shown again. */
+        this.hasOwnClock = false;
         /** A message about a picture that could not be shown, or ''. */
         this.problem = '';
     }

@@ -31,6 +31,7 @@ export class VideoSource extends Source {
      */
     constructor(name, settings, video, film) {
         super(name, settings);
+        this.hasOwnClock = true;
         this.video = video;
         this.ownRate = film.rate > 0 ? film.rate : usualFilmRate;
         this.longestPicture = film.rate > 0 ? 1 / film.rate : 0.25;  // s

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// An annotated constant of a look, and its number as a specialisation constant.
+struct EsConstant {
+    std::string name;
+    int id = 0;
+
+    bool operator==(const EsConstant&) const = default;
+};
+
+/// Whether the text defines the constant. False if a directive such as #if evaluates it: it has to
+/// be known before the shader is compiled.
+bool can_be_specialized(const std::string& text, const std::string& name);
+
+/// The text with these constants as specialisation constants, where it defines them. Their initial
+/// values are those in the text. Line numbers are unchanged.
+std::string with_es_constants(const std::string& text, const std::vector<EsConstant>& constants);
