@@ -18,8 +18,9 @@ class Device {
 
     constructor(t) {
         const device = this;
-        const realNow = performance.now;
-        performance.now = () => 1000 * device.now;
+        // Assignment fails in older versions of Node.js.
+        Object.defineProperty(performance, 'now',
+            { value: () => 1000 * device.now, configurable: true });
         globalThis.AudioBuffer = class {
             constructor(options) {
                 Object.assign(this, options, { duration: options.length / options.sampleRate,
@@ -73,7 +74,7 @@ class Device {
             }
         };
         t.after(() => {
-            performance.now = realNow;
+            delete performance.now;
             delete globalThis.AudioContext;
             delete globalThis.AudioBuffer;
         });

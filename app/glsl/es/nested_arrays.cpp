@@ -1,223 +1,227 @@
 #include "glsl/es/nested_arrays.h"
 
-#include <spirv_cross/spirv.hpp>
+#include "glsl/es/spirv_types.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <utility>
 
 namespace {
-using Id = std::uint32_t;
+using Id = SpirvTypes::Id;
 using Words = std::vector<std::uint32_t>;
 
 constexpr std::size_t header_words = 5;
 constexpr std::size_t bound_at = 3;  // in the header: the smallest unused id
 
-/// An instruction and its words after the first.
-struct Instruction {
-    spv::Op op;
-    Words words;
-};
-
-std::vector<Instruction> instructions_of(const Words& code) {
-    std::vector<Instruction> all;
-    for (std::size_t at = header_words; at < code.size();) {
-        const std::size_t count = std::max<std::size_t>(code[at] >> spv::WordCountShift, 1);
-        const auto begin = code.begin() + static_cast<std::ptrdiff_t>(at);
-        all.push_back({static_cast<spv::Op>(code[at] & spv::OpCodeMask),
-                       Words(begin + 1, begin + static_cast<std::ptrdiff_t>(count))});
-        at += count;
-    }
-    return all;
-}
-
-void append(const Instruction& instruction, Words& code) {
-    const auto count = static_cast<std::uint32_t>(instruction.words.size() + 1);
-    code.push_back((count << spv::WordCountShift) | static_cast<std::uint32_t>(instruction.op));
-    code.insert(code.end(), instruction.words.begin(), instruction.words.end());
-}
-
-// Instructions that start with their type and id, and can have a composite or a pointer to one.
-constexpr std::array typed{
-    spv::OpUndef,
-    spv::OpConstant,
-    spv::OpConstantComposite,
-    spv::OpConstantNull,
-    spv::OpVariable,
-    spv::OpFunctionParameter,
-    spv::OpFunctionCall,
-    spv::OpLoad,
-    spv::OpAccessChain,
-    spv::OpSelect,
-    spv::OpPhi,
-    spv::OpInBoundsAccessChain,
-    spv::OpCopyObject,
-    spv::OpCompositeInsert,
-    spv::OpCompositeConstruct,
-    spv::OpCompositeExtract,
-};
-
-/// The types of a module before the change.
-class Types {
+/// Writes a module with one array instead of nested ones.
+class ArrayFlattener {
 public:
-    void note(const Instruction& one) {
-        const Words& words = one.words;
-        if (one.op == spv::OpTypeArray)
-            m_arrays[words[0]] = words[1];
-        else if (one.op == spv::OpTypeVector || one.op == spv::OpTypeMatrix)
-            m_columns[words[0]] = words[1];
-        else if (one.op == spv::OpTypePointer)
-            m_pointers[words[0]] = words[2];
-        else if (one.op == spv::OpTypeStruct)
-            m_members[words[0]] = Words(words.begin() + 1, words.end());
-        else if (one.op == spv::OpTypeInt && words[1] == 32)
-            m_integer = words[0];
-        else if (std::ranges::find(typed, one.op) != typed.end())
-            m_values[words[1]] = words[0];
-        if (one.op == spv::OpConstant)
-            m_constants[words[1]] = words[2];
-    }
+    ArrayFlattener(const SpirvTypes& types, Words header)
+        : m_types(types), m_code(std::move(header)) {}
 
-    bool is_nested(Id type) const {
-        const auto array = m_arrays.find(type);
-        return array != m_arrays.end() && m_arrays.contains(array->second);
-    }
-    bool has_nested() const {
-        return std::ranges::any_of(m_arrays,
-                                   [&](const auto& array) { return is_nested(array.first); });
-    }
-    Id type_of(Id value) const { return found(m_values, value); }
-    Id pointee(Id pointer) const { return found(m_pointers, type_of(pointer)); }
-    Id element_of(Id array) const { return found(m_arrays, array); }
-    /// The type of a part. Structures are indexed by a constant.
-    Id part_of(Id type, std::uint32_t index) const {
-        if (const auto members = m_members.find(type); members != m_members.end())
-            return index < members->second.size() ? members->second[index] : 0;
-        return m_arrays.contains(type) ? element_of(type) : found(m_columns, type);
-    }
-    std::uint32_t constant(Id id) const { return found(m_constants, id); }
-    Id integer() const { return m_integer; }
-
-private:
-    static std::uint32_t found(const std::map<Id, std::uint32_t>& map, Id id) {
-        const auto found = map.find(id);
-        return found == map.end() ? 0 : found->second;
-    }
-
-    std::map<Id, Id> m_arrays;   // types of elements
-    std::map<Id, Id> m_columns;  // of vectors and matrices
-    std::map<Id, Id> m_pointers;
-    std::map<Id, Words> m_members;
-    std::map<Id, Id> m_values;
-    std::map<Id, std::uint32_t> m_constants;
-    Id m_integer = 0;  // with 32 bits
-};
-
-/// Writes a module with the changes.
-class Unnester {
-public:
-    Unnester(const Types& types, Words header) : m_types(types), m_code(std::move(header)) {}
-
-    void write(Instruction one) {
-        switch (one.op) {
-            case spv::OpTypeArray:
-                wrap_element(one);
-                break;
-            case spv::OpConstantComposite:
-            case spv::OpSpecConstantComposite:
-            case spv::OpCompositeConstruct:
-                wrap_parts(one);
-                break;
-            case spv::OpAccessChain:
-            case spv::OpInBoundsAccessChain:
-                lengthen(one, m_types.pointee(one.words[2]), 3, true);
-                break;
-            case spv::OpCompositeExtract:
-                lengthen(one, m_types.type_of(one.words[2]), 3, false);
-                break;
-            case spv::OpCompositeInsert:
-                lengthen(one, m_types.type_of(one.words[3]), 4, false);
-                break;
-            case spv::OpFunction:
-                write_zero();
-                break;
-            default:
-                break;
-        }
-        append(one, m_code);
-    }
+    void write(SpirvInstruction one);
+    bool has_failed() const { return m_has_failed; }
     Words code() && { return std::move(m_code); }
 
 private:
     Id new_id() { return m_code[bound_at]++; }
+    Id integer();
+    Id number(std::uint32_t number);
+    Id leaf_type(Id type) const;
+    std::uint32_t leaf_count(Id type) const;
+    void flatten_type(SpirvInstruction& array);
+    void note_constant(const SpirvInstruction& constant);
+    void flatten_composite(SpirvInstruction& composite);
+    void append_leaves(Id value, Id type, Words& leaves);
+    void flatten_chain(SpirvInstruction& chain);
+    void flatten_path(SpirvInstruction& access, Id type, std::size_t first);
+    void write_numbers();
 
-    void wrap_element(Instruction& array) {
-        if (!m_types.is_nested(array.words[0]))
-            return;
-        Id& structure = m_structures[array.words[1]];
-        if (structure == 0) {
-            structure = new_id();
-            append({spv::OpTypeStruct, {structure, array.words[1]}}, m_code);
-        }
-        array.words[1] = structure;
-    }
-
-    // Of a constant or another value.
-    void wrap_parts(Instruction& composite) {
-        if (!m_types.is_nested(composite.words[0]))
-            return;
-        const Id structure = m_structures.at(m_types.element_of(composite.words[0]));
-        for (std::size_t i = 2; i < composite.words.size(); ++i) {
-            const Id wrapped = new_id();
-            append({composite.op, {structure, wrapped, composite.words[i]}}, m_code);
-            composite.words[i] = wrapped;
-        }
-    }
-
-    // Adds the index of the only member after each index into an array of structures.
-    void lengthen(Instruction& access, Id type, std::size_t first, bool has_ids) {
-        const auto begin = access.words.begin() + static_cast<std::ptrdiff_t>(first);
-        const Words indices(begin, access.words.end());
-        access.words.erase(begin, access.words.end());
-        for (const std::uint32_t index : indices) {
-            access.words.push_back(index);
-            if (m_types.is_nested(type))
-                access.words.push_back(has_ids ? m_zero : 0);
-            type = m_types.part_of(type, has_ids ? m_types.constant(index) : index);
-        }
-    }
-
-    // Before the first function.
-    void write_zero() {
-        if (m_zero != 0)
-            return;
-        Id integer = m_types.integer();
-        if (integer == 0) {
-            integer = new_id();
-            append({spv::OpTypeInt, {integer, 32, 1}}, m_code);
-        }
-        m_zero = new_id();
-        append({spv::OpConstant, {integer, m_zero, 0}}, m_code);
-    }
-
-    const Types& m_types;
+    const SpirvTypes& m_types;
     Words m_code;
-    std::map<Id, Id> m_structures;  // by the array that they contain
-    Id m_zero = 0;
+    Id m_integer = 0;
+    std::map<std::uint32_t, Id> m_numbers;  // constants by number
+    std::map<Id, Words> m_leaves;           // elements of constant arrays
+    bool m_is_in_functions = false;
+    bool m_has_failed = false;
 };
+
+Id ArrayFlattener::leaf_type(Id type) const {
+    while (const SpirvTypes::Array* const array = m_types.array(type))
+        type = array->element;
+    return type;
+}
+
+// Of all dimensions; 0 if a length is not known.
+std::uint32_t ArrayFlattener::leaf_count(Id type) const {
+    std::uint32_t count = 1;
+    while (const SpirvTypes::Array* const array = m_types.array(type)) {
+        count *= array->length;
+        type = array->element;
+    }
+    return count;
+}
+
+Id ArrayFlattener::integer() {
+    if (m_integer == 0)
+        m_integer = m_types.integer();
+    if (m_integer == 0) {
+        m_integer = new_id();
+        append({spv::OpTypeInt, {m_integer, 32, 1}}, m_code);
+    }
+    return m_integer;
+}
+
+// Known before the first function.
+Id ArrayFlattener::number(std::uint32_t number) {
+    Id& id = m_numbers[number];
+    if (id == 0 && !m_is_in_functions) {
+        const Id type = integer();
+        id = new_id();
+        append({spv::OpConstant, {type, id, number}}, m_code);
+    }
+    m_has_failed = m_has_failed || id == 0;
+    return id;
+}
+
+void ArrayFlattener::flatten_type(SpirvInstruction& array) {
+    if (!m_types.is_nested(array.words[0]))
+        return;
+    const std::uint32_t count = leaf_count(array.words[0]);
+    m_has_failed = m_has_failed || count == 0;
+    array.words[1] = leaf_type(array.words[0]);
+    array.words[2] = number(count);
+}
+
+void ArrayFlattener::note_constant(const SpirvInstruction& constant) {
+    if (!m_types.array(constant.words[0]))
+        return;
+    Words leaves;
+    for (std::size_t i = 2; i < constant.words.size(); ++i)
+        append_leaves(constant.words[i], m_types.array(constant.words[0])->element, leaves);
+    m_leaves[constant.words[1]] = std::move(leaves);
+}
+
+// Of a value, which can be an array itself.
+void ArrayFlattener::append_leaves(Id value, Id type, Words& leaves) {
+    if (!m_types.array(type)) {
+        leaves.push_back(value);
+        return;
+    }
+    if (const auto known = m_leaves.find(value); known != m_leaves.end()) {
+        leaves.insert(leaves.end(), known->second.begin(), known->second.end());
+        return;
+    }
+    m_has_failed = m_has_failed || !m_is_in_functions;
+    for (std::uint32_t i = 0; i < leaf_count(type); ++i) {
+        leaves.push_back(new_id());
+        append({spv::OpCompositeExtract, {leaf_type(type), leaves.back(), value, i}}, m_code);
+    }
+}
+
+// Of a constant or another value.
+void ArrayFlattener::flatten_composite(SpirvInstruction& composite) {
+    if (!m_types.is_nested(composite.words[0]))
+        return;
+    Words leaves;
+    for (std::size_t i = 2; i < composite.words.size(); ++i)
+        append_leaves(composite.words[i], m_types.array(composite.words[0])->element, leaves);
+    composite.words.resize(2);
+    composite.words.insert(composite.words.end(), leaves.begin(), leaves.end());
+}
+
+// ((i * B) + j) * C + k for an array of A arrays of B arrays of C elements.
+void ArrayFlattener::flatten_chain(SpirvInstruction& chain) {
+    constexpr std::size_t first = 3;
+    Words path(chain.words.begin() + first, chain.words.end());
+    chain.words.resize(first);
+    Id type = m_types.pointee(chain.words[2]);
+    for (std::size_t at = 0; at < path.size(); ++at) {
+        Id index = path[at];
+        while (m_types.is_nested(type)) {
+            type = m_types.part_of(type, 0);
+            if (++at == path.size()) {
+                m_has_failed = true;
+                return;
+            }
+            const Id start = new_id();
+            append({spv::OpIMul, {integer(), start, index, number(m_types.array(type)->length)}},
+                   m_code);
+            index = new_id();
+            append({spv::OpIAdd, {integer(), index, start, path[at]}}, m_code);
+        }
+        chain.words.push_back(index);
+        type = m_types.part_of(type, m_types.constant(path[at]));
+    }
+}
+
+// The same with numbers instead of ids.
+void ArrayFlattener::flatten_path(SpirvInstruction& access, Id type, std::size_t first) {
+    Words path(access.words.begin() + static_cast<std::ptrdiff_t>(first), access.words.end());
+    access.words.resize(first);
+    for (std::size_t at = 0; at < path.size(); ++at) {
+        std::uint32_t index = path[at];
+        while (m_types.is_nested(type)) {
+            type = m_types.part_of(type, 0);
+            if (++at == path.size()) {
+                m_has_failed = true;
+                return;
+            }
+            index = index * m_types.array(type)->length + path[at];
+        }
+        access.words.push_back(index);
+        type = m_types.part_of(type, path[at]);
+    }
+}
+
+// The lengths that indices are multiplied with.
+void ArrayFlattener::write_numbers() {
+    for (const auto& [type, array] : m_types.arrays())
+        number(array.length);
+    m_is_in_functions = true;
+}
+
+void ArrayFlattener::write(SpirvInstruction one) {
+    switch (one.op) {
+        case spv::OpTypeArray:
+            flatten_type(one);
+            break;
+        case spv::OpConstantComposite:
+            note_constant(one);
+            flatten_composite(one);
+            break;
+        case spv::OpCompositeConstruct:
+            flatten_composite(one);
+            break;
+        case spv::OpAccessChain:
+        case spv::OpInBoundsAccessChain:
+            flatten_chain(one);
+            break;
+        case spv::OpCompositeExtract:
+            flatten_path(one, m_types.type_of(one.words[2]), 3);
+            break;
+        case spv::OpCompositeInsert:
+            flatten_path(one, m_types.type_of(one.words[3]), 4);
+            break;
+        case spv::OpFunction:
+            if (!m_is_in_functions)
+                write_numbers();
+            break;
+        default:
+            break;
+    }
+    append(one, m_code);
+}
 }  // namespace
 
 std::vector<std::uint32_t> without_nested_arrays(std::vector<std::uint32_t> code) {
-    const std::vector<Instruction> all = instructions_of(code);
-    Types types;
-    for (const Instruction& one : all)
-        types.note(one);
-    if (!types.has_nested())
+    const std::vector<SpirvInstruction> all = spirv_instructions(code);
+    const SpirvTypes types(all);
+    if (std::ranges::none_of(types.arrays(),
+                             [&](const auto& array) { return types.is_nested(array.first); }))
         return code;
-    code.resize(header_words);
-    Unnester unnester(types, std::move(code));
-    for (const Instruction& one : all)
-        unnester.write(one);
-    return std::move(unnester).code();
+    ArrayFlattener flattener(types, Words(code.begin(), code.begin() + header_words));
+    for (const SpirvInstruction& one : all)
+        flattener.write(one);
+    return flattener.has_failed() ? code : std::move(flattener).code();
 }

@@ -18,6 +18,7 @@ std::vector<std::string> command_of(const std::string& browser, const BrowserRun
                                      "--headless=new",
                                      "--no-first-run",
                                      "--disable-extensions",
+                                     "--disable-dev-shm-usage",
                                      "--disable-background-networking",
                                      "--host-resolver-rules=MAP * ~NOTFOUND",
                                      fmt::format("--user-data-dir={}", run.profile.string()),

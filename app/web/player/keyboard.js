@@ -7,12 +7,14 @@ const keyCount = 256;
 const keyRows = 3;  // down, pressed since the previous frame, pressed an odd number of times
 
 /**
- * Whether an event belongs to a control of the page.
+ * Whether a key is for the look: not for a control of the page, and not for the browser.
  * @param {KeyboardEvent} event
  */
-function isOfControl(event) {
-    return event.target instanceof Element
+function isForLook(event) {
+    const isOfControl = event.target instanceof Element
         && !!event.target.closest('input, select, textarea, button, [contenteditable]');
+    return !event.repeat && !isOfControl && !event.ctrlKey && !event.metaKey
+        && !/^F\d/.test(event.key);
 }
 
 /** The state of the keys by their `keyCode`. */
@@ -22,7 +24,7 @@ export class KeyboardKeys {
 
     constructor() {
         window.addEventListener('keydown', (event) => {
-            if (!event.repeat && !isOfControl(event))
+            if (isForLook(event))
                 this.#press(event.keyCode);
         });
         window.addEventListener('keyup', (event) => this.#write(0, event.keyCode, false));
