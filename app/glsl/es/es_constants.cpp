@@ -32,7 +32,7 @@ bool is_evaluated(const std::string& text, const std::string& name) {
     });
 }
 
-// After the directives that must come first, on the line of the last one's end.
+// The end of the line of the last directive that must come first.
 std::size_t place_of_declarations(const std::string& text) {
     const Tokens tokens = scan(text);
     std::size_t place = 0;
@@ -62,7 +62,7 @@ std::string with_es_constants(const std::string& text, const std::vector<EsConst
         result += fmt::format("es_constant_{}", wanted->id);
         copied = written.end;
         if (ids.insert(wanted->id).second)
-            declared += fmt::format(" layout(constant_id = {0}) const {1} es_constant_{0} = {2};",
+            declared += fmt::format("layout(constant_id = {0}) const {1} es_constant_{0} = {2}; ",
                                     wanted->id, glsl_name(written.type),
                                     glsl_number(written.type, *written.number));
     }
@@ -70,6 +70,5 @@ std::string with_es_constants(const std::string& text, const std::vector<EsConst
         return text;
     result.append(text, copied);
     const std::size_t place = place_of_declarations(result);
-    // A line of its own: directives end with their line.
-    return result.insert(std::min(place + 1, result.size()), declared + " ");
+    return result.insert(std::min(place + 1, result.size()), declared + "\n");
 }

@@ -16,5 +16,5 @@ struct EsConstant {
 bool can_be_specialized(const std::string& text, const std::string& name);
 
 /// The text with these constants as specialisation constants, where it defines them. Their initial
-/// values are those in the text. Line numbers are unchanged.
+/// values are those in the text. They add a line after #version.
 std::string with_es_constants(const std::string& text, const std::vector<EsConstant>& constants);
