@@ -70,7 +70,24 @@ std::vector<EsConstant> usable_constants(const Look& look) {
     }
     return usable;
 }
+
+// Samplers in the declarations "uniform highp sampler2D name;" of a compact text.
+std::size_t samplers_in(std::string_view text) {
+    constexpr std::string_view declared = "uniform highp ";
+    std::size_t count = 0;
+    for (std::size_t at = text.find(declared); at != text.npos; at = text.find(declared, at)) {
+        at += declared.size();
+        const std::string_view type = text.substr(at, text.find(' ', at) - at);
+        count += type.find("sampler") != type.npos ? 1 : 0;
+    }
+    return count;
+}
 }  // namespace
+
+std::size_t pictures_read(const EsShaders& shaders, std::size_t pass) {
+    const auto [vertex, fragment] = shaders.passes[pass];
+    return samplers_in(shaders.texts[vertex]) + samplers_in(shaders.texts[fragment]);
+}
 
 Result<EsShaders> es_shaders(const Look& look) {
     EsShaders shaders;

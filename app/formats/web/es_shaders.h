@@ -16,5 +16,8 @@ struct EsShaders {
     std::vector<EsConstant> constants;
 };
 
+/// The number of pictures that a pass reads.
+std::size_t pictures_read(const EsShaders& shaders, std::size_t pass);
+
 /// Translates all passes. The error names the pass and the feature that GLSL ES 3.00 lacks.
 Result<EsShaders> es_shaders(const Look& look);

@@ -8,28 +8,65 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <vector>
 
 namespace {
-bool names_one_of(const Directive& directive, const std::set<std::string_view>& names) {
-    return std::ranges::any_of(directive.arguments,
+using Names = std::set<std::string_view>;
+
+/// The code of a text without comments and directives, statement by statement.
+std::vector<std::vector<Token>> statements_of(const Tokens& tokens) {
+    std::vector<std::vector<Token>> statements(1);
+    for (const Token& token : tokens.all) {
+        if (token.kind == Token::Kind::comment || token.in_directive)
+            continue;
+        statements.back().push_back(token);
+        if (token.is(";") || token.is("{") || token.is("}") || token.is(":"))
+            statements.emplace_back();
+    }
+    return statements;
+}
+
+bool names_one_of(const std::vector<Token>& tokens, const Names& names) {
+    return std::ranges::any_of(tokens,
                                [&](const Token& token) { return names.contains(token.text); });
 }
 
-// Also through other macros.
-bool is_evaluated(const std::string& text, const std::string& name) {
-    const Tokens tokens = scan(text);
-    const std::vector<Directive> directives = find_directives(text, tokens);
-    std::set<std::string_view> names{name};
+bool has_word(const std::vector<Token>& tokens, std::string_view word) {
+    return std::ranges::find(tokens, word, &Token::text) != tokens.end();
+}
+
+// The macros and constants that depend on a constant, with itself.
+Names dependent_names(const std::string& name, const std::vector<Directive>& directives,
+                      const std::vector<std::vector<Token>>& statements) {
+    Names names{name};
     for (std::size_t known = 0; known != names.size();) {
         known = names.size();
         for (const Directive& directive : directives)
-            if (directive.name == "define" && names_one_of(directive, names))
+            if (directive.name == "define" && names_one_of(directive.arguments, names))
                 names.insert(directive.arguments.front().text);
+        for (const std::vector<Token>& statement : statements)
+            if (has_word(statement, "const") && names_one_of(statement, names))
+                for (std::size_t i = 1; i < statement.size(); ++i)
+                    if (statement[i].is("=") || statement[i].is("["))
+                        names.insert(statement[i - 1].text);
     }
-    return std::ranges::any_of(directives, [&](const Directive& directive) {
-        return (directive.name == "if" || directive.name == "elif") &&
-               names_one_of(directive, names);
-    });
+    return names;
+}
+
+// Before the shader is compiled, or while it is: by #if and as the label of a case.
+bool is_evaluated(const std::string& text, const std::string& name) {
+    const Tokens tokens = scan(text);
+    const std::vector<Directive> directives = find_directives(text, tokens);
+    const auto statements = statements_of(tokens);
+    const Names names = dependent_names(name, directives, statements);
+    return std::ranges::any_of(directives,
+                               [&](const Directive& directive) {
+                                   return (directive.name == "if" || directive.name == "elif") &&
+                                          names_one_of(directive.arguments, names);
+                               }) ||
+           std::ranges::any_of(statements, [&](const std::vector<Token>& statement) {
+               return has_word(statement, "case") && names_one_of(statement, names);
+           });
 }
 
 // The end of the line of the last directive that must come first.

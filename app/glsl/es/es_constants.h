@@ -11,8 +11,8 @@ struct EsConstant {
     bool operator==(const EsConstant&) const = default;
 };
 
-/// Whether the text defines the constant. False if a directive such as #if evaluates it: it has to
-/// be known before the shader is compiled.
+/// Whether the text defines the constant. False if #if or a case label evaluates it: it has to be
+/// known before the shader is compiled.
 bool can_be_specialized(const std::string& text, const std::string& name);
 
 /// The text with these constants as specialisation constants, where it defines them. Their initial

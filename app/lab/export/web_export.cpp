@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 constexpr std::uintmax_t max_embedded = 10'000'000;  // bytes
+constexpr std::size_t pictures_everywhere = 16;      // per pass, in WebGL 2
 
 // A directory would be found only after the media were written.
 Result<void> check_path(const fs::path& path) {
@@ -74,6 +75,10 @@ Result<std::vector<std::string>> web_losses(const PreparedLook& prepared) {
                 "The control '{}'. The page keeps its value, which is fixed before the shaders are "
                 "compiled.",
                 parameter.label));
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        if (const std::size_t read = pictures_read(*shaders, i); read > pictures_everywhere)
+            losses.push_back(fmt::format("Devices that allow {} pictures. The pass '{}' reads {}.",
+                                         pictures_everywhere, look.passes[i].name, read));
     const std::string& kind = document.state().signal.kind;
     if (look.driven_by == Driver::signal && (kind == "stdin" || kind == "socket"))
         losses.emplace_back(

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <filesystem>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 
 /// The fields of the export dialog, as typed or chosen. "" is the default of a field.

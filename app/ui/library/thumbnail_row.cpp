@@ -57,7 +57,7 @@ RowClick draw_thumbnail_row(const ThumbnailRow& row, const Scene& scene, Edits& 
     const float image_height = height - 2.0f * inset;
     const float image_width = std::floor(image_height * 16.0f / 9.0f);
     draw_view_image(row.image, {low.x + inset, low.y + inset},
-               {low.x + inset + image_width, low.y + inset + image_height});
+                    {low.x + inset + image_width, low.y + inset + image_height});
     const bool shows_star = row.star && (*row.star || is_hovered);
     const float left = low.x + image_width + inset + ImGui::GetFontSize() * 0.55f;
     const float mark = row.is_modified ? ImGui::CalcTextSize(" •").x : 0.0f;
