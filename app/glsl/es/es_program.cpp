@@ -186,6 +186,12 @@ Result<DesktopCode> compile_for_desktop(const Stage& vertex, const Stage& fragme
     return DesktopCode{code_of(program, EShLangVertex), code_of(program, EShLangFragment)};
 }
 
+// SPIRV-Cross suggests its own options.
+std::string feature_of(const std::string& message) {
+    return message.starts_with("Arrays of arrays") ? "an array in an array is used as a whole"
+                                                   : message;
+}
+
 Result<EsProgram> written_es(DesktopCode code, const Stage& fragment) {
     try {
         EsCompiler vertex_compiler(std::move(code.vertex));
@@ -193,7 +199,7 @@ Result<EsProgram> written_es(DesktopCode code, const Stage& fragment) {
         vertex_compiler.connect(fragment_compiler);
         return EsProgram{vertex_compiler.text(), fragment_compiler.text()};
     } catch (const spirv_cross::CompilerError& error) {
-        return fail(lacking(fragment, error.what()));
+        return fail(lacking(fragment, feature_of(error.what())));
     }
 }
 
