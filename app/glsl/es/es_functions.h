@@ -92,7 +92,8 @@ float es_inside(sampler2D s, int wrap, vec2 uv, int level)
 }
 )";
 
-/// For passes without mip levels: shaders with fewer functions are compiled faster.
+/// For passes without mip levels: shaders with fewer functions are compiled faster. An offset moves
+/// exactly by texels, because some shaders compare the results with 0.
 inline constexpr std::string_view es_flat_functions = R"(
 vec4 es_texture(sampler2D s, int wrap, vec2 uv)
 { return texture(s, uv) * es_inside(s, wrap, uv, 0); }
@@ -100,8 +101,26 @@ vec4 es_texture_lod(sampler2D s, int wrap, vec2 uv, float level)
 { return textureLod(s, uv, level) * es_inside(s, wrap, uv, 0); }
 vec4 es_texture_grad(sampler2D s, int wrap, vec2 uv, vec2 dx, vec2 dy)
 { return textureGrad(s, uv, dx, dy) * es_inside(s, wrap, uv, 0); }
+vec4 es_border_texel(sampler2D s, ivec2 i)
+{
+    bool outside = any(lessThan(i, ivec2(0))) || any(greaterThanEqual(i, textureSize(s, 0)));
+    return outside ? vec4(0.0) : texelFetch(s, i, 0);
+}
+vec4 es_texture_offset(sampler2D s, int wrap, vec2 uv, ivec2 offset)
+{
+    vec2 n = vec2(textureSize(s, 0));
+    if ((wrap & 7) < 3)
+        return texture(s, uv + vec2(offset) / n);
+    if ((wrap & 7) == 4)
+        return es_border_texel(s, ivec2(floor(uv * n)) + offset);
+    vec2 p = uv * n - 0.5;
+    ivec2 i = ivec2(floor(p)) + offset;
+    vec4 low = mix(es_border_texel(s, i), es_border_texel(s, i + ivec2(1, 0)), fract(p.x));
+    vec4 high = mix(es_border_texel(s, i + ivec2(0, 1)), es_border_texel(s, i + 1), fract(p.x));
+    return mix(low, high, fract(p.y));
+}
 vec4 es_texture_lod_offset(sampler2D s, int wrap, vec2 uv, float level, ivec2 offset)
-{ return es_texture_lod(s, wrap, uv + vec2(offset) / vec2(textureSize(s, 0)), level); }
+{ return es_texture_offset(s, wrap, uv, offset); }
 )";
 
 /// A bias exists in fragment shaders only.
@@ -146,6 +165,11 @@ vec4 es_texture(sampler2D s, int wrap, vec2 uv, float bias)
 }
 )";
 
+inline constexpr std::string_view es_mipmap_offset_function = R"(
+vec4 es_texture_offset(sampler2D s, int wrap, vec2 uv, ivec2 offset)
+{ return es_texture(s, wrap, uv + vec2(offset) / vec2(textureSize(s, 0))); }
+)";
+
 inline constexpr std::string_view es_bias_functions = R"(
 vec4 es_texture_offset(sampler2D s, int wrap, vec2 uv, ivec2 offset, float bias)
 { return es_texture(s, wrap, uv + vec2(offset) / vec2(textureSize(s, 0)), bias); }
@@ -159,8 +183,6 @@ vec4 es_texture_proj(sampler2D s, int wrap, vec4 p, float bias)
 inline constexpr std::string_view es_composed_functions = R"(
 vec4 es_texture_grad_offset(sampler2D s, int wrap, vec2 uv, vec2 dx, vec2 dy, ivec2 offset)
 { return es_texture_grad(s, wrap, uv + vec2(offset) / vec2(textureSize(s, 0)), dx, dy); }
-vec4 es_texture_offset(sampler2D s, int wrap, vec2 uv, ivec2 offset)
-{ return es_texture(s, wrap, uv + vec2(offset) / vec2(textureSize(s, 0))); }
 vec4 es_texture_proj(sampler2D s, int wrap, vec3 p) { return es_texture(s, wrap, p.xy / p.z); }
 vec4 es_texture_proj(sampler2D s, int wrap, vec4 p) { return es_texture(s, wrap, p.xy / p.w); }
 vec4 es_texture_proj_lod(sampler2D s, int wrap, vec3 p, float level)

@@ -271,6 +271,7 @@ std::string EsWriter::border_functions() const {
     if (m_mixes_border) {
         text += es_mipmap_functions;
         text += m_stage.is_fragment ? es_fragment_mipmap_functions : es_vertex_mipmap_functions;
+        text += es_mipmap_offset_function;
     } else {
         text += es_flat_functions;
         text += m_stage.is_fragment ? es_flat_bias_function : std::string_view();
