@@ -12,11 +12,12 @@ constexpr std::array bench_examples{
     "afterglow bench phosphor",
     "afterglow bench phosphor+crt --size 640x360 --frames 20",
     "afterglow bench crt --source pattern:smpte --json",
+    "afterglow bench crt --generic",
 };
 
 struct BenchArguments {
     LookOptions look;
-    int frames = 60;
+    MeasureSettings settings;
     bool as_json = false;
 };
 
@@ -52,9 +53,12 @@ void print_table(const Measurement& measured) {
 
 int bench(const BenchArguments& arguments, const DataFolders& data) {
     const RenderRequest request = arguments.look.request();
-    const auto displayed = [](const PreparedLook&) { return std::vector<std::string>(); };
+    const auto displayed = [&](const PreparedLook&) {
+        return arguments.settings.is_generic ? std::nullopt
+                                             : std::optional(std::vector<std::string>());
+    };
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
-        const auto measured = measure(offline, arguments.frames);
+        const auto measured = measure(offline, arguments.settings);
         if (!measured)
             return fail(measured.error());
         arguments.as_json ? print_json(*measured) : print_table(*measured);
@@ -70,9 +74,13 @@ Command add_bench(CommandLine& program) {
         program.add_verb("bench", "Measure the render time of a look", bench_examples);
     auto arguments = std::make_shared<BenchArguments>();
     arguments->look.add_to(options, LookOptions::Take::drawing);
-    options.add("--frames N", arguments->frames, "Number of frames to measure, after warm-up")
+    options
+        .add("--frames N", arguments->settings.frames, "Number of frames to measure, after warm-up")
         .show_default()
         .between(1, 100000);
+    options.add_flag("--generic", arguments->settings.is_generic,
+                     "Measure the programs that draw while a value changes, instead of programs "
+                     "with the values compiled in");
     options.add_flag("--json", arguments->as_json, "Print one JSON document");
     return [arguments](const DataFolders& data) { return bench(*arguments, data); };
 }

@@ -28,12 +28,14 @@ double median(std::vector<double> values) {
 }
 }  // namespace
 
-Result<Measurement> measure(Offline& offline, int frames) {
+Result<Measurement> measure(Offline& offline, const MeasureSettings& settings) {
     constexpr int warm_up_frames = 8;
     if (auto off = offline.set_nan_policy(NanPolicy::off); !off)
         return fail(off.error());
-    if (auto specialized = offline.specialize(); !specialized)
-        return fail(specialized.error());
+    if (!settings.is_generic) {
+        if (auto specialized = offline.specialize(); !specialized)
+            return fail(specialized.error());
+    }
     for (int frame = 0; frame < warm_up_frames; ++frame)
         offline.advance();
     gpu::finish();
@@ -42,7 +44,7 @@ Result<Measurement> measure(Offline& offline, int frames) {
     std::vector<double> wall;
     const Look& look = offline.executor().look();
     std::vector<std::vector<double>> passes(look.passes.size());
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0; frame < settings.frames; ++frame) {
         const double cpu_start = process_milliseconds();
         const double wall_start = wall_milliseconds();
         offline.advance();

@@ -21,5 +21,10 @@ struct Measurement {
     std::string renderer;
 };
 
-/// Specialises the programs, draws some frames for warm-up, then measures `frames` frames.
-Result<Measurement> measure(Offline& offline, int frames);
+struct MeasureSettings {
+    int frames = 60;
+    bool is_generic = false;  // keep the programs that draw while a value changes
+};
+
+/// Specialises the programs unless told otherwise, draws some frames for warm-up, then measures.
+Result<Measurement> measure(Offline& offline, const MeasureSettings& settings);
