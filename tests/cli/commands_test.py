@@ -350,6 +350,8 @@ class Measuring(ProgramTest):
         self.assertEqual(len(document["passes"]), 19)
         self.assertEqual(document["draw_calls"], 16)  # only passes that the picture needs
         self.assertTrue(document["renderer"])
+        generic = run("bench", "phosphor", "--size", "160x90", "--frames", "1", "--generic", "--json")
+        self.assertEqual(json.loads(generic.stdout)["draw_calls"], 19)  # all passes
 
     def test_bench_tells_what_the_targets_take(self):
         # Custom tube: the light of this and of the previous frame. Measured tube: the beam, the

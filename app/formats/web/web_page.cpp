@@ -117,7 +117,7 @@ bool has_word(std::string_view text, std::string_view word) {
     return false;
 }
 
-// Leaves out members that the page assumes, see readDescription() in app/web/main.js.
+// Leaves out members that the page assumes, see readDescription() in app/web/look/description.js.
 void leave_out(const Json& usual, Json& json) {
     for (const auto& [key, value] : usual.items())
         if (json.contains(key) && json[key] == value)
@@ -191,6 +191,20 @@ void shorten_parameter(Json& json) {
               json);
 }
 
+// Replaces the settings of generators by their numbers in a list without duplicates.
+Json shared_settings(Json& generators) {
+    Json list = Json::array();
+    for (Json& generator : generators)
+        for (Json& setting : generator["settings"]) {
+            shorten_parameter(setting);
+            const auto place = std::ranges::find(list, setting) - list.begin();
+            if (place == static_cast<std::ptrdiff_t>(list.size()))
+                list.push_back(setting);
+            setting = place;
+        }
+    return list;
+}
+
 bool reads_pictures(const Json& json) {
     const auto is_picture = [](const Json& parameter) { return parameter["type"] == "image"; };
     return json.contains("source") || !json["images"].empty() ||
@@ -225,6 +239,8 @@ Result<WebPage> web_page(const Look& look, const PortableFiles& described, const
         use_constant(look, constant, json["parameters"][static_cast<std::size_t>(constant.id)]);
     for (Json& parameter : json["parameters"])
         shorten_parameter(parameter);
+    if (json.contains("generators"))
+        json["settings"] = shared_settings(json["generators"]);
     const auto media = media_of(described, unread_files(json));
     if (!media)
         return fail(media.error());

@@ -20,15 +20,24 @@ function usualLabel(name) {
 }
 
 /**
+ * Adds the members that the page leaves out.
+ * @param {any} written
+ */
+function completeParameter(written) {
+    return { ...usualParameter, label: usualLabel(written.name), ...written };
+}
+
+/**
  * Reads a description, and adds the members that the page leaves out.
  * @param {string} json
  * @returns {PageLook}
  */
 export function readDescription(json) {
     const look = JSON.parse(json);
-    look.parameters = look.parameters.map(
-        (/** @type {any} */ parameter) => ({ ...usualParameter, label: usualLabel(parameter.name),
-            ...parameter }));
+    look.parameters = look.parameters.map(completeParameter);
+    for (const generator of look.generators || [])
+        generator.settings = generator.settings.map(
+            (/** @type {number} */ place) => completeParameter(look.settings[place]));
     look.passes = look.passes.map((/** @type {any} */ written) => {
         const pass = { ...usualPass, ...written };
         pass.target = { ...usualTarget, ...pass.target };
