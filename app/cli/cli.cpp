@@ -24,7 +24,7 @@ constexpr std::array verbs{
     Verb{"describe", add_describe}, Verb{"preset", add_preset},   Verb{"compare", add_compare},
     Verb{"bench", add_bench},       Verb{"sheet", add_sheet},     Verb{"sweep", add_sweep},
     Verb{"signal", add_signal},     Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
-    Verb{"export", add_export},     Verb{"golden", add_golden},
+    Verb{"export", add_export},     Verb{"golden", add_golden},   Verb{"pack", add_pack},
 };
 
 std::string about() {

@@ -75,6 +75,7 @@ Command add_check(CommandLine& program);
 Command add_describe(CommandLine& program);
 Command add_export(CommandLine& program);
 Command add_golden(CommandLine& program);
+Command add_pack(CommandLine& program);
 Command add_preset(CommandLine& program);
 Command add_compare(CommandLine& program);
 Command add_bench(CommandLine& program);

@@ -32,6 +32,7 @@ void Lab::edit(const std::function<void(Document&)>& change) {
 void Lab::update(double wall_seconds, WindowState* window) {
     const auto start = std::chrono::steady_clock::now();
     m_work.messages.update(wall_seconds);
+    m_looks.packs().update();
     m_looks.passes().update();
     update_loading(wall_seconds);
     const double loading_seconds = seconds_since(start);
@@ -69,8 +70,8 @@ void Lab::update_drawing(double wall_seconds, double loading_seconds) {
 
 bool Lab::is_moving() const {
     return m_loader.is_loading() || m_frames.is_moving() || m_presets.navigation().morphing() ||
-           m_remote.is_busy() || m_jobs.is_running() || m_sequencer.is_busy() ||
-           m_work.messages.is_counting();
+           m_remote.is_busy() || m_jobs.is_running() || m_looks.packs().is_running() ||
+           m_sequencer.is_busy() || m_work.messages.is_counting();
 }
 
 void Lab::take(BuiltLook built) {

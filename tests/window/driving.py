@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import time
 
 from person import Person, write_tones
@@ -119,6 +120,33 @@ class Driving(Person):
         self.drop(self.own / "presets/phosphor/Mine.json")
         program.wait("the preset opens", lambda s: s["preset"] == "Mine" and
                      s["values"]["decay"] == [0.62] and s["signal"].startswith("audio:"))
+
+    def test_a_pack_that_was_saved_is_installed_when_it_is_dropped(self):
+        program = self.program
+        program.key("ctrl+shift+d")
+        program.answer("tube")
+        program.wait("the copy is open", lambda s: s["look"] == "tube" and s["dialog"] == 0)
+        program.key("ctrl+s")
+        program.answer("Mine")
+        program.wait("the preset is saved", lambda s: not s["is_modified"])
+        program.choose("File", "Save pack…")
+        self.snapshot("save-pack")
+        program.place("dialog_file")
+        program.key("ctrl+a")
+        program.type(str(program.folder / "tube.afterglow"))
+        program.key("Return")
+        pack = program.folder / "tube.afterglow"
+        program.wait_for("the pack is written", pack.exists)
+        program.wait("the end is reported", lambda s: 'Saved "tube.afterglow"' in s["notice"])
+        program.click("look:crt")
+        program.wait("another look is open", lambda s: s["look"] == "crt")
+        for folder in ("shaders/tube", "presets/tube"):
+            shutil.rmtree(self.own / folder)
+        self.drop(pack)
+        program.wait("the pack is installed", lambda s: "Installed 'tube': 1 look and 1 preset." in s["notice"])
+        self.snapshot("installed-pack")
+        program.click("offer:Open Phosphor")
+        program.wait("the look opens", lambda s: s["look"] == "tube")
 
     def test_the_output_window_shows_the_picture_alone(self):
         program, screen = self.program, self.screen

@@ -2,11 +2,27 @@
 
 #include "base/diagnostic.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
+
+/// What an archive of unknown origin may contain.
+struct ZipLimits {
+    std::uint64_t files = std::numeric_limits<std::uint64_t>::max();
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();  // unpacked
+    double ratio = std::numeric_limits<double>::infinity();           // unpacked / packed
+};
 
 /// Writes all files of a folder to a ZIP file, with a fixed date, so that the same files give the
-/// same bytes. The file is complete or unchanged.
+/// same bytes. Pictures, sounds and videos are stored without compression. The file is complete or
+/// unchanged.
 Result<void> zip_folder(const std::filesystem::path& folder, const std::filesystem::path& zip);
 
-/// Extracts a ZIP file to an existing folder. Fails for a path that leads outside of it.
-Result<void> unzip(const std::filesystem::path& zip, const std::filesystem::path& folder);
+/// Fails for paths that are absolute, lead outside or differ in case only (ASCII), for links and
+/// special files, and beyond the limits.
+Result<void> check_zip(const std::filesystem::path& zip, const ZipLimits& limits);
+
+/// Extracts a ZIP file to an existing folder. Fails as check_zip() before anything is written.
+/// Stops if the content is larger than the archive states.
+Result<void> unzip(const std::filesystem::path& zip, const std::filesystem::path& folder,
+                   const ZipLimits& limits = {});

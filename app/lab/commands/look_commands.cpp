@@ -1,6 +1,7 @@
 #include "lab/commands/look_commands.h"
 
 #include "formats/look/manifest_edit.h"
+#include "formats/pack/pack_format.h"
 #include "io/system/file_status.h"
 #include "lab/commands/duplicate_offer.h"
 #include "lab/document/opened_preset.h"
@@ -22,6 +23,8 @@ LookCommands::LookCommands(Workspace& work, LookLoader& loader, ContentCommands&
 }
 
 void LookCommands::open(const std::string& argument) {
+    if (is_pack(argument))
+        return m_packs.install(argument);
     const auto request = resolve(argument, m_work.library);
     if (m_work.messages.succeeded(request))
         m_loader.open(*request);
@@ -38,6 +41,8 @@ void LookCommands::open_with_content(const std::string& argument) {
 void LookCommands::open_file(const fs::path& file) {
     if (ContentCommands::is_content(file))
         return m_content.open(file);
+    if (is_pack(file))
+        return m_packs.install(file);
     const auto request = resolve(file.string(), m_work.library);
     if (m_work.messages.succeeded(request))
         m_loader.open(*request, [this, file] { m_work.opened_files.add(file); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/commands/content_commands.h"
+#include "lab/commands/pack_commands.h"
 #include "lab/commands/pass_commands.h"
 #include "lab/frame/workspace.h"
 #include "lab/reload/look_loader.h"
@@ -29,7 +30,7 @@ public:
     /// Hides the problems. Those of a look that could not be opened are replaced by those of the
     /// open one.
     void dismiss_problems();
-    /// Opens any dropped or chosen file.
+    /// Opens any dropped or chosen file, or installs a pack.
     void open_file(const std::filesystem::path& file);
     /// Creates a look from a template and opens it. A notice shows its folder.
     void create(const std::string& id, const std::string& template_id);
@@ -45,6 +46,8 @@ public:
     /// Shows the folder of the open look in the desktop's file manager.
     void show_in_folder();
 
+    PackCommands& packs() { return m_packs; }
+    const PackCommands& packs() const { return m_packs; }
     PassCommands& passes() { return m_passes; }
     const PassCommands& passes() const { return m_passes; }
 
@@ -69,5 +72,6 @@ private:
     ContentCommands& m_content;
     std::vector<std::filesystem::path> m_includes;
     SessionStash m_stash;
+    PackCommands m_packs{m_work};
     PassCommands m_passes{m_work};
 };

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "lab/editor/external_programs.h"
+#include "lab/packs/pack_writer.h"
 
 #include <fmt/format.h>
 
@@ -46,6 +47,18 @@ void BackgroundJobs::export_still(const StillSettings& settings,
         });
 }
 
+void BackgroundJobs::export_pack(const std::string& look, const std::filesystem::path& file) {
+    m_exports.add(file, [look, file, roots = m_roots](JobProgress& work) -> Result<ExportResult> {
+        auto written = write_pack({{look}, file}, Library(roots), [&](double share) {
+            work.share = share;
+            return !work.is_cancelled;
+        });
+        if (!written)
+            return fail(written.error());
+        return ExportResult{file, 0, {}, std::move(written->warnings)};
+    });
+}
+
 void BackgroundJobs::save_still(RawPicture picture, Document document,
                                 const StillSettings& settings) {
     m_stills.add(settings.file,
@@ -65,7 +78,8 @@ std::string ended_text(const ExportResult& result) {
     const std::string file = result.file.filename().string();
     const std::string size = fmt::format("{} × {}", result.size.width, result.size.height);
     std::string text =
-        result.frames == 0 ? fmt::format("Saved \"{}\" ({})", file, size)
+        result.size == Extent{} ? fmt::format("Saved \"{}\"", file)
+        : result.frames == 0    ? fmt::format("Saved \"{}\" ({})", file, size)
         : result.frames == 1
             ? fmt::format("Exported 1 frame ({}) to \"{}\"", size, file)
             : fmt::format("Exported {} frames ({}) to \"{}\"", result.frames, size, file);

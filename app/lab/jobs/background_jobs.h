@@ -33,6 +33,8 @@ public:
     void export_frames(const ExportSettings& settings, std::shared_ptr<const CuePlan> cues);
     /// Adds a picture in another size or at another time to the queue.
     void export_still(const StillSettings& settings, std::shared_ptr<const CuePlan> cues);
+    /// Adds the pack of a look, stack or shader of another program, with its presets, to the queue.
+    void export_pack(const std::string& look, const std::filesystem::path& file);
     /// Encodes a picture that was read of a document, without waiting for the exports.
     void save_still(RawPicture picture, Document document, const StillSettings& settings);
     ExportQueue& exports() { return m_exports; }

@@ -2,6 +2,8 @@
 
 #include "base/file.h"
 #include "base/text.h"
+#include "formats/foreign_format.h"
+#include "formats/look/loaded_look.h"
 #include "formats/preset/preset_format.h"
 #include "formats/preset/preset_update.h"
 #include "io/files/atomic_file.h"
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -48,6 +51,21 @@ void add_or_shadow(std::vector<Entry>& entries, Entry entry, std::string Entry::
     else
         *same = std::move(entry);
 }
+// A look of another program is in a folder with the name of its file, at any depth:
+// shaders/glow.slangp/crt/glow.slangp. "": none.
+fs::path foreign_file_in(const fs::path& folder) {
+    const std::vector<std::string> extensions = foreign_extensions();
+    const std::string extension = to_lower(folder.extension().string());
+    if (std::ranges::find(extensions, extension) == extensions.end())
+        return {};
+    const fs::path name = foreign_file_name(folder.filename().string());
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+        if (entry->path().filename() == name && entry->is_regular_file(error))
+            return entry->path();
+    return {};
+}
 }  // namespace
 
 bool is_listed_before(const PresetEntry& one, std::string_view one_name, const PresetEntry& other,
@@ -59,14 +77,24 @@ bool is_listed_before(const PresetEntry& one, std::string_view one_name, const P
     return key(one, one_name) < key(other, other_name);
 }
 
+Library Library::with(std::vector<LookEntry> added) const {
+    Library more = *this;
+    more.m_added.insert(more.m_added.end(), std::make_move_iterator(added.begin()),
+                        std::make_move_iterator(added.end()));
+    return more;
+}
+
 std::vector<LookEntry> Library::looks() const {
     std::vector<LookEntry> looks;
     std::error_code error;
     for (const fs::path& root : m_roots.all())
-        for (const fs::path& folder : sorted_entries(root / "shaders"))
+        for (const fs::path& folder : sorted_entries(root / "shaders")) {
             if (fs::is_regular_file(folder / "look.json", error))
                 add_or_shadow(looks, {folder.filename(), folder, is_shipped(folder / "look.json")},
                               &LookEntry::id);
+            else if (const fs::path file = foreign_file_in(folder); !file.empty())
+                add_or_shadow(looks, {folder.filename(), file, false, folder}, &LookEntry::id);
+        }
     for (const LookEntry& look : m_added)
         add_or_shadow(looks, look, &LookEntry::id);
     return looks;

@@ -13,9 +13,11 @@
 
 /// An available look.
 struct LookEntry {
-    std::string id;  // folder name
-    std::filesystem::path folder;
+    std::string id;                // folder name
+    std::filesystem::path folder;  // or the file of a look of another program
     bool is_shipped = false;
+    // Of a look of another program: its folder in shaders/, with all its files; otherwise "".
+    std::filesystem::path foreign_folder = {};
 };
 
 /// An available preset.
@@ -42,6 +44,8 @@ public:
           m_shipped(std::make_shared<const ShippedFiles>(std::move(shipped))),
           m_added(std::move(added)) {}
 
+    /// The same library with further looks outside the roots.
+    Library with(std::vector<LookEntry> added) const;
     const Roots& roots() const { return m_roots; }
     std::vector<LookEntry> looks() const;  // by id; the program's first
     /// The user's presets, then the shipped ones, each by file name. A name can occur in both.

@@ -126,7 +126,9 @@ void LibraryView::update(const Library& library, const Look* open, double wall_s
         m_templates = look_templates(library.roots().program);
     m_looks.clear();
     for (const LookEntry& entry : library.looks()) {
-        const Texts& texts = texts_of(entry.folder / "look.json", true);
+        const bool is_foreign = !entry.foreign_folder.empty();
+        const Texts texts = is_foreign ? Texts{{}, entry.folder.stem().string(), entry.id}
+                                       : texts_of(entry.folder / "look.json", true);
         ListedLook look{entry, texts.name.empty() ? entry.id : texts.name, texts.about, {}};
         add_presets(look, library);
         m_looks.push_back(std::move(look));

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "formats/foreign_format.h"
 #include "formats/json/json_document.h"
+#include "formats/pack/pack_format.h"
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
 #include "formats/shadertoy/shadertoy_files.h"
@@ -181,6 +182,8 @@ Result<OpenRequest> resolve(const std::string& argument, const Library& library)
         return request_of_file(path, library);
     if (argument.find('+') != std::string::npos)
         return resolve_stack(argument, library);
+    if (const auto look = library.find_look(argument))  // "glow.slangp" in the library
+        return OpenRequest{look->folder, {}, {}};
     if (is_path)
         return fail({path, 0, "file or folder not found"});
     return fail({{},
@@ -227,7 +230,9 @@ LoadedLook load_requested(const OpenRequest& request, const Library& library,
 }
 
 std::vector<std::string> look_extensions() {
-    return foreign_extensions();  // .json and .glsl are ours, too
+    std::vector<std::string> extensions = foreign_extensions();  // .json and .glsl are ours, too
+    extensions.emplace_back(pack_extension);
+    return extensions;
 }
 
 std::string other_programs() {

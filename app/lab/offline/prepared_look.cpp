@@ -105,10 +105,13 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
     if (!found || request.preset.empty())
         return found;
     found->stack = stack_of(*found);
-    for (StackPart& part : found->stack)
+    std::vector<LookEntry> looks;  // they may be outside the library
+    for (StackPart& part : found->stack) {
         if (part.look.empty())
             part.look = look_id_at(part.path);
-    auto named = resolve_preset(request.preset, stack_id(found->stack), library);
+        looks.push_back({part.look, part.path});
+    }
+    auto named = resolve_preset(request.preset, stack_id(found->stack), library.with(looks));
     if (!named)
         return named;
     found->preset = std::move(named->preset);

@@ -23,9 +23,16 @@
 namespace fs = std::filesystem;
 
 namespace {
-constexpr Extent drawn_size{480, 270};
+constexpr Extent own_size{480, 270};
+// Shaders of other programs are made for larger pictures. crt-royale is black in small ones.
+constexpr Extent foreign_size{960, 540};
 constexpr int kept_lines = 135;
 constexpr double painted_fps = 30.0;  // half the window's rate looks the same
+
+Extent drawn_size(const Look& look) {
+    return look.manifest.filename() == "look.json" || look.stack.size() > 1 ? own_size
+                                                                            : foreign_size;
+}
 
 std::string text_of_all(const Look& look) {
     std::string all;
@@ -82,8 +89,11 @@ bool has_samples(const Executor& executor) {
 }  // namespace
 
 PresetThumbnailRenderer::PresetThumbnailRenderer(Look look, Library library,
-                                                 std::optional<Content> content)
-    : m_plain(std::move(look)), m_library(std::move(library)), m_content(std::move(content)) {
+                                                 std::optional<Content> content, Pace pace)
+    : m_plain(std::move(look)),
+      m_library(std::move(library)),
+      m_content(std::move(content)),
+      m_pace(pace) {
     m_look_text = text_of_all(m_plain.look());
 }
 
@@ -92,8 +102,8 @@ fs::path PresetThumbnailRenderer::kept_file(const fs::path& preset) const {
     const std::string content =
         m_content ? to_string(m_content->signal) + '\n' + m_content->source : std::string();
     const std::string all =
-        fmt::format("2 {}x{}\n{}\n{}\n{}\n{}{}", drawn_size.width, kept_lines, m_plain.look().id,
-                    m_look_text, drawn_from, m_stamp, content);
+        fmt::format("2 {}x{}\n{}\n{}\n{}\n{}{}", drawn_size(m_plain.look()).width, kept_lines,
+                    m_plain.look().id, m_look_text, drawn_from, m_stamp, content);
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
@@ -120,7 +130,8 @@ Result<void> PresetThumbnailRenderer::start(PreparedLook prepared) {
         return m_offline->start_again(std::move(prepared.document));
     m_viewer.reset();  // belongs to the previous context
     m_offline.reset();
-    auto offline = Offline::create(std::move(prepared), drawn_size, painted_fps);
+    const Extent size = drawn_size(prepared.document.look());
+    auto offline = Offline::create(std::move(prepared), size, painted_fps);
     if (!offline)
         return fail(offline.error());
     m_offline.emplace(std::move(*offline));
@@ -145,6 +156,8 @@ Result<Picture> PresetThumbnailRenderer::draw(PreparedLook prepared, const JobPr
             return fail({{}, 0, "cancelled"});
         const auto begun = std::chrono::steady_clock::now();
         frame < enough ? m_offline->advance_unseen() : m_offline->advance();
+        if (m_pace == Pace::full)
+            continue;
         const double longest_rest = 0.1;
         std::this_thread::sleep_for(
             std::chrono::duration<double>(std::min(seconds_since(begun), longest_rest)));

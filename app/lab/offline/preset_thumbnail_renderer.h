@@ -10,17 +10,20 @@
 #include <string>
 #include <vector>
 
+/// Whether drawing in the background leaves half of the time to others, such as the window.
+enum class Pace { half, full };
+
 /// Draws thumbnails of the presets of a look, each from a fresh start like `render`, with its
 /// input. They are cached in the user's state folder, under a digest of their inputs. Uses its own
 /// GL context on the calling thread.
 class PresetThumbnailRenderer {
 public:
     /// `content`: the signal or source for all presets; nullopt: each preset's own.
-    PresetThumbnailRenderer(Look look, Library library, std::optional<Content> content = {});
+    PresetThumbnailRenderer(Look look, Library library, std::optional<Content> content = {},
+                            Pace pace = Pace::half);
 
-    /// The picture of a preset; "": the look without a preset. It sleeps as long as it draws, so
-    /// that the window stays fast. Fails if the preset cannot be opened or drawn, and when
-    /// cancelled.
+    /// The picture of a preset; "": the look without a preset. Fails if the preset cannot be opened
+    /// or drawn, and when cancelled.
     Result<Picture> paint(const std::filesystem::path& preset, const JobProgress& work);
     /// The cached picture of a preset, without drawing. nullopt: it must be drawn. Fails if the
     /// preset cannot be opened.
@@ -43,6 +46,7 @@ private:
     Document m_plain;
     Library m_library;
     std::optional<Content> m_content;
+    Pace m_pace;
     std::string m_look_text;           // text of all its files
     std::optional<Offline> m_offline;  // owns the context; outlives m_viewer
     std::optional<Viewer> m_viewer;

@@ -21,8 +21,20 @@ bool has_extension(const fs::path& file, const std::vector<std::string>& extensi
     return std::find(extensions.begin(), extensions.end(), extension) != extensions.end();
 }
 
-// The file that a preset names, as written in the preset; "": no file.
-std::string named_file(const Preset& preset) {
+bool is_there(const fs::path& file) {
+    std::error_code error;
+    return fs::is_regular_file(file, error) || (is_sequence_name(file) && open_sequence(file));
+}
+
+// Videos and sequences have no digest, because they may be too large to read completely.
+std::string digest_of_media(const fs::path& file) {
+    if (is_video_file(file) || is_sequence_name(file))
+        return {};
+    return file_digest(file).value_or(std::string());
+}
+}  // namespace
+
+std::string media_file_of(const Preset& preset) {
     if (!preset.source.empty()) {
         const auto source = parse_source(preset.source);
         return !source || source->is_pattern() ? std::string() : source->picture;
@@ -30,7 +42,7 @@ std::string named_file(const Preset& preset) {
     return preset.signal ? file_of(*preset.signal) : std::string();
 }
 
-Preset with_file(Preset preset, const std::string& file) {
+Preset with_media_file(Preset preset, const std::string& file) {
     if (!preset.source.empty()) {
         SourceSpec source = *parse_source(preset.source);
         source.picture = file;
@@ -44,19 +56,6 @@ Preset with_file(Preset preset, const std::string& file) {
     }
     return preset;
 }
-
-bool is_there(const fs::path& file) {
-    std::error_code error;
-    return fs::is_regular_file(file, error) || (is_sequence_name(file) && open_sequence(file));
-}
-
-// Videos and sequences have no digest, because they may be too large to read completely.
-std::string digest_of_media(const fs::path& file) {
-    if (is_video_file(file) || is_sequence_name(file))
-        return {};
-    return file_digest(file).value_or(std::string());
-}
-}  // namespace
 
 const std::vector<std::string>& sound_extensions() {
     static const std::vector<std::string> extensions{".wav", ".flac", ".ogg", ".oga",
@@ -130,14 +129,14 @@ fs::path media_folder(const fs::path& preset_file) {
 }
 
 Preset with_found_media(Preset preset, const fs::path& folder, const RecentMedia& recent) {
-    const std::string file = named_file(preset);
+    const std::string file = media_file_of(preset);
     if (file.empty())
         return preset;
     const fs::path sibling = fs::absolute(folder / file).lexically_normal();
     if (is_there(sibling))
-        return with_file(std::move(preset), sibling.string());
+        return with_media_file(std::move(preset), sibling.string());
     if (const auto found = recent.find(file, preset.media_digest))
-        return with_file(std::move(preset), found->string());
+        return with_media_file(std::move(preset), found->string());
     return preset;
 }
 
@@ -161,7 +160,7 @@ Diagnostic other_media(const fs::path& file) {
 }
 
 Diagnostics compare_with_media(const Preset& preset) {
-    const fs::path file = named_file(preset);
+    const fs::path file = media_file_of(preset);
     if (file.empty() || preset.media_digest.empty())
         return {};
     const std::string digest = digest_of_media(file);
@@ -185,16 +184,16 @@ Preset with_portable_media(Preset preset, const fs::path& folder, const RecentMe
         if (const fs::path file = value.path; file.is_absolute() && is_there(file))
             if (const fs::path inside = path_inside(file, folder); !inside.empty())
                 value.path = inside.string();
-    if (named_file(preset).empty()) {
+    if (media_file_of(preset).empty()) {
         preset.media_digest.clear();
         return preset;
     }
-    const fs::path file = fs::absolute(named_file(preset)).lexically_normal();
+    const fs::path file = fs::absolute(media_file_of(preset)).lexically_normal();
     if (!is_there(file))
         return preset;  // was not found when opened: keep it as written
     preset.media_digest = recent.digest_of(file);
     if (preset.media_digest.empty())
         preset.media_digest = digest_of_media(file);
     const fs::path inside = path_inside(file, folder);
-    return with_file(std::move(preset), (inside.empty() ? file.filename() : inside).string());
+    return with_media_file(std::move(preset), (inside.empty() ? file.filename() : inside).string());
 }

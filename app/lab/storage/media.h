@@ -39,6 +39,11 @@ private:
     std::filesystem::path m_list;
 };
 
+/// The file that a preset's signal or source names, as written; "": none.
+std::string media_file_of(const Preset& preset);
+/// The preset with another path of this file.
+Preset with_media_file(Preset preset, const std::string& file);
+
 /// The folder in which a preset's files are searched first: that of the preset file, or without a
 /// file the working directory.
 std::filesystem::path media_folder(const std::filesystem::path& preset_file);

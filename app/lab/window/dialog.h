@@ -24,6 +24,7 @@ struct Dialog {
         open_cues,
         save_cues,
         save_slangp,
+        save_pack,
         save_preset_as,
         rename_preset,
         new_look,

@@ -1,5 +1,6 @@
 #include "lab/window/file_dialog_kind.h"
 
+#include "formats/pack/pack_format.h"
 #include "io/video/video_file.h"
 #include "lab/document/document.h"
 #include "lab/document/output_name.h"
@@ -101,7 +102,14 @@ const std::array file_dialogs{
                    .first_folder = UserFolder::documents,
                    .is_saving = true,
                    .content = "RetroArch presets",
-                   .extensions = [] { return Extensions{".slangp"}; }}};
+                   .extensions = [] { return Extensions{".slangp"}; }},
+    FileDialogKind{.kind = DialogKind::save_pack,
+                   .title = "Save the look and its presets as a pack",
+                   .folder_key = "pack",
+                   .first_folder = UserFolder::documents,
+                   .is_saving = true,
+                   .content = "Packs",
+                   .extensions = [] { return Extensions{std::string(pack_extension)}; }}};
 
 // The file of a drawing or sound that is the signal; "": it has none.
 fs::path signal_file(const Document& document) {
@@ -158,6 +166,8 @@ std::string proposed_stem(const Dialog& dialog, const Document* document) {
             return file_stem(dialog.subject);
         case DialogKind::save_drawing:
             return "drawing";
+        case DialogKind::save_pack:
+            return file_stem(document ? document->look().id : std::string());
         case DialogKind::save_automation:
             return "automation";
         case DialogKind::save_cues:

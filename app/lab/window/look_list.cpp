@@ -29,5 +29,7 @@ std::vector<RecentLook> recent_looks(const std::vector<std::string>& recent,
 }
 
 std::filesystem::path picture_folder(const ListedLook& look, const Roots& roots) {
-    return look.is_stack() ? roots.program / "presets" / look.entry.id : look.entry.folder;
+    if (look.is_stack())
+        return roots.program / "presets" / look.entry.id;
+    return look.entry.foreign_folder.empty() ? look.entry.folder : look.entry.foreign_folder;
 }

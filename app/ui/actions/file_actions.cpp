@@ -280,6 +280,13 @@ std::vector<Action> sharing_actions() {
          false,
          export_look,
          has_document},
+        {ActionId::save_pack,
+         Menu::file,
+         "Save pack…",
+         {},
+         false,
+         show<Kind::save_pack>,
+         has_document},
     };
 }
 }  // namespace

@@ -5,6 +5,8 @@
 #include "lab/commands/preset_commands.h"
 #include "lab/document/automation.h"
 #include "lab/drawing/drawing_tool.h"
+#include "lab/jobs/background_jobs.h"
+#include "lab/library/library_view.h"
 #include "lab/sequencer/sequencer.h"
 #include "lab/views/snapshot.h"
 #include "ui/dialogs/dialog_frame.h"
@@ -48,6 +50,10 @@ void finish_file_dialog(const fs::path& file, const Scene& scene, Edits& edits) 
         case Kind::save_slangp:
             return finish_dialog(
                 edits, [file](PresetCommands& presets) { presets.sharing().save_slang(file); });
+        case Kind::save_pack:
+            return finish_dialog(edits, [file](const Document& document, BackgroundJobs& jobs) {
+                jobs.export_pack(argument_of(document.look()), file);
+            });
         case Kind::save_pass:
             return save_pass(file, scene, edits);
         case Kind::choose_file:

@@ -38,6 +38,7 @@ enum class ActionId {
     copy_picture,
     export_frames,
     export_look,
+    save_pack,
     use_desktop_dialog,
     quit,
     undo,

@@ -34,6 +34,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::copy_picture, "copy_picture"},
     {ActionId::export_frames, "export"},
     {ActionId::export_look, "export_look"},
+    {ActionId::save_pack, "save_pack"},
     {ActionId::use_desktop_dialog, "use_desktop_dialog"},
     {ActionId::quit, "quit"},
     {ActionId::undo, "undo"},
