@@ -20,11 +20,12 @@ struct Verb {
 };
 
 constexpr std::array verbs{
-    Verb{"list", add_list},         Verb{"render", add_render},   Verb{"check", add_check},
-    Verb{"describe", add_describe}, Verb{"preset", add_preset},   Verb{"compare", add_compare},
-    Verb{"bench", add_bench},       Verb{"sheet", add_sheet},     Verb{"sweep", add_sweep},
-    Verb{"signal", add_signal},     Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
-    Verb{"export", add_export},     Verb{"golden", add_golden},   Verb{"pack", add_pack},
+    Verb{"list", add_list},           Verb{"render", add_render},   Verb{"check", add_check},
+    Verb{"describe", add_describe},   Verb{"preset", add_preset},   Verb{"compare", add_compare},
+    Verb{"bench", add_bench},         Verb{"sheet", add_sheet},     Verb{"sweep", add_sweep},
+    Verb{"signal", add_signal},       Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
+    Verb{"export", add_export},       Verb{"golden", add_golden},   Verb{"pack", add_pack},
+    Verb{"thumbnail", add_thumbnail}, Verb{"gallery", add_gallery},
 };
 
 std::string about() {

@@ -8,7 +8,7 @@
 namespace {
 constexpr std::size_t max_columns = 80;
 constexpr std::size_t option_column = 25;   // start of the text of an option
-constexpr std::size_t command_column = 12;  // start of the text of a command
+constexpr std::size_t command_column = 13;  // start of the text of a command
 
 // Wraps the text at spaces. Lines after the first start at `column`.
 std::string wrapped(std::string_view text, std::size_t column) {

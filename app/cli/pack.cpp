@@ -124,7 +124,7 @@ Command add_pack(CommandLine& program) {
         "these presets, and thumbnails. Installing never overwrites a file.",
         pack_examples);
     auto arguments = std::make_shared<PackArguments>();
-    options.add("LOOK...", arguments->looks,
+    options.add("LOOK", arguments->looks,
                 "Look (name or folder), stack (phosphor+crt), shader of another program, or preset "
                 "(file, PNG or line of text)");
     options.add("-o,--output FILE", arguments->output, "Pack to write: NAME.afterglow");

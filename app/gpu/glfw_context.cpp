@@ -32,6 +32,9 @@ void set_hints(const WindowOptions& options) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 1);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // required by macOS
+    // The desktop finds the icon of the window by these names.
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "Afterglow");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "afterglow");
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // shown after it is positioned

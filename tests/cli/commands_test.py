@@ -25,7 +25,7 @@ class Listing(ProgramTest):
         result = run("--help")
         self.assert_done(result)
         for command in ("list", "render", "check", "describe", "preset", "compare", "bench", "sheet", "sweep", "signal",
-                        "impulse", "corpus", "export", "golden", "pack"):
+                        "impulse", "corpus", "export", "golden", "pack", "gallery", "thumbnail"):
             self.assertIn(command, result.stdout)
 
 

@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 // Signals that a page can draw without files of the look. A user opens the sound.
-constexpr std::array generators{"lissajous", "waveform", "harmonics", "am",
-                                "fm",        "audio",    "microphone"};
+constexpr std::array generator_names{"lissajous", "waveform", "harmonics", "am",
+                                     "fm",        "audio",    "microphone"};
 
 std::string condition_text(const SettingCondition& condition) {
     std::string text;
@@ -55,7 +55,7 @@ Json setting_json(const SettingInfo& setting) {
 
 Json generators_json() {
     Json json = Json::array();
-    for (const char* const name : generators) {
+    for (const char* const name : generator_names) {
         const SignalKind* kind = find_kind(name);
         Json settings = Json::array();
         for (const SettingInfo& setting : kind->settings)

@@ -251,6 +251,27 @@ Result<void> check_zip(const fs::path& zip, const ZipLimits& limits) {
     return entries ? Result<void>() : fail(entries.error());
 }
 
+Result<std::string> read_in_zip(const fs::path& zip, const std::string& path,
+                                std::size_t max_bytes) {
+    const auto archive = opened(zip);
+    if (!archive)
+        return fail(archive.error());
+    const zip_int64_t index = zip_name_locate(archive->get(), path.c_str(), 0);
+    zip_stat_t stat;
+    if (index < 0)
+        return std::string();
+    const auto place = static_cast<zip_uint64_t>(index);
+    if (zip_stat_index(archive->get(), place, 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0 ||
+        stat.size > max_bytes)
+        return fail({zip, 0, fmt::format("{} is damaged or too large", path)});
+    std::string content(stat.size, '\0');
+    const std::unique_ptr<zip_file_t, Close> file(zip_fopen_index(archive->get(), place, 0));
+    if (!file || zip_fread(file.get(), content.data(), content.size()) !=
+                     static_cast<zip_int64_t>(content.size()))
+        return fail({zip, 0, fmt::format("{} is damaged", path)});
+    return content;
+}
+
 Result<void> unzip(const fs::path& zip, const fs::path& folder, const ZipLimits& limits) {
     const auto archive = opened(zip);
     if (!archive)

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <string>
 
 /// What an archive of unknown origin may contain.
 struct ZipLimits {
@@ -21,6 +22,10 @@ Result<void> zip_folder(const std::filesystem::path& folder, const std::filesyst
 /// Fails for paths that are absolute, lead outside or differ in case only (ASCII), for links and
 /// special files, and beyond the limits.
 Result<void> check_zip(const std::filesystem::path& zip, const ZipLimits& limits);
+
+/// The content of one file in an archive, at most `max_bytes`. "": the archive has no such file.
+Result<std::string> read_in_zip(const std::filesystem::path& zip, const std::string& path,
+                                std::size_t max_bytes);
 
 /// Extracts a ZIP file to an existing folder. Fails as check_zip() before anything is written.
 /// Stops if the content is larger than the archive states.

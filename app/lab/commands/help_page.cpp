@@ -48,9 +48,11 @@ std::vector<fs::path> markdown_files(const fs::path& docs) {
 
 fs::path find_docs(const Roots& roots) {
     std::error_code error;
-    for (const fs::path& folder : {roots.program / "docs", fs::path(AFTERGLOW_SOURCE_DIR) / "docs"})
-        if (fs::is_regular_file(folder / "manual.md", error))
-            return folder;
+    std::vector<fs::path> folders = program_folders();
+    folders.insert(folders.begin(), roots.program);
+    for (const fs::path& folder : folders)
+        if (fs::is_regular_file(folder / "docs/manual.md", error))
+            return folder / "docs";
     return {};
 }
 

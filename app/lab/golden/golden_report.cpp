@@ -1,7 +1,7 @@
 #include "lab/golden/golden_report.h"
 
-#include "base/printable.h"
 #include "base/text.h"
+#include "formats/web/html_text.h"
 #include "formats/web/packed_text.h"
 #include "io/files/atomic_file.h"
 #include "lab/golden/golden_page.h"
@@ -10,16 +10,6 @@
 #include <fmt/format.h>
 
 namespace {
-// One line. Control characters and bytes that are not valid UTF-8, as in names of files, are shown
-// as numbers.
-std::string html_text(std::string_view text) {
-    std::string escaped = printable(text);
-    for (const auto& [letter, entity] :
-         {std::pair{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}, {"'", "&#39;"}})
-        escaped = replace_all(escaped, letter, entity);
-    return escaped;
-}
-
 std::string html_lines(std::string_view text) {
     std::string escaped;
     for (const std::string_view line : split_lines(text))

@@ -26,7 +26,6 @@ namespace {
 constexpr Extent own_size{480, 270};
 // Shaders of other programs are made for larger pictures. crt-royale is black in small ones.
 constexpr Extent foreign_size{960, 540};
-constexpr int kept_lines = 135;
 constexpr double painted_fps = 30.0;  // half the window's rate looks the same
 
 Extent drawn_size(const Look& look) {
@@ -102,7 +101,7 @@ fs::path PresetThumbnailRenderer::kept_file(const fs::path& preset) const {
     const std::string content =
         m_content ? to_string(m_content->signal) + '\n' + m_content->source : std::string();
     const std::string all =
-        fmt::format("2 {}x{}\n{}\n{}\n{}\n{}{}", drawn_size(m_plain.look()).width, kept_lines,
+        fmt::format("2 {}x{}\n{}\n{}\n{}\n{}{}", drawn_size(m_plain.look()).width, m_lines,
                     m_plain.look().id, m_look_text, drawn_from, m_stamp, content);
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
@@ -162,7 +161,7 @@ Result<Picture> PresetThumbnailRenderer::draw(PreparedLook prepared, const JobPr
         std::this_thread::sleep_for(
             std::chrono::duration<double>(std::min(seconds_since(begun), longest_rest)));
     }
-    auto canvas = thumbnail(*m_viewer, m_offline->executor(), kept_lines);
+    auto canvas = thumbnail(*m_viewer, m_offline->executor(), m_lines);
     if (!canvas)
         return fail(canvas.error());
     Picture picture = gpu::read_picture(canvas->texture());

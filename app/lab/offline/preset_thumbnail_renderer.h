@@ -21,6 +21,8 @@ public:
     /// `content`: the signal or source for all presets; nullopt: each preset's own.
     PresetThumbnailRenderer(Look look, Library library, std::optional<Content> content = {},
                             Pace pace = Pace::half);
+    /// The height of the pictures; 135 before the first call. Their width follows.
+    void set_lines(int lines) { m_lines = lines; }
 
     /// The picture of a preset; "": the look without a preset. Fails if the preset cannot be opened
     /// or drawn, and when cancelled.
@@ -47,6 +49,7 @@ private:
     Library m_library;
     std::optional<Content> m_content;
     Pace m_pace;
+    int m_lines = 135;
     std::string m_look_text;           // text of all its files
     std::optional<Offline> m_offline;  // owns the context; outlives m_viewer
     std::optional<Viewer> m_viewer;

@@ -1,5 +1,6 @@
 #include "lab/storage/roots.h"
 
+#include "base/font_file.h"
 #include "base/user_folders.h"
 #include "io/system/process.h"
 
@@ -12,18 +13,19 @@ bool holds_shaders(const fs::path& folder) {
     std::error_code error;
     return fs::is_directory(folder / "shaders", error);
 }
+}  // namespace
 
-std::vector<fs::path> candidates() {
+std::vector<fs::path> program_folders() {
     std::vector<fs::path> folders;
     for (fs::path folder = program_file().parent_path(); folder.has_relative_path();
          folder = folder.parent_path()) {
         folders.push_back(folder);
         folders.push_back(folder / "share" / "afterglow");
     }
-    folders.emplace_back(AFTERGLOW_SOURCE_DIR);
+    if (const fs::path source = AFTERGLOW_SOURCE_DIR; !source.empty())
+        folders.push_back(source);
     return folders;
 }
-}  // namespace
 
 Result<Roots> find_roots(const std::optional<fs::path>& data,
                          const std::vector<std::string>& includes) {
@@ -47,9 +49,10 @@ Result<Roots> find_roots(const std::optional<fs::path>& data,
         roots.program = fs::absolute(roots.program).lexically_normal();
         return roots;
     }
-    for (const fs::path& folder : candidates()) {
+    for (const fs::path& folder : program_folders()) {
         if (holds_shaders(folder)) {
             roots.program = folder;
+            set_own_fonts(folder / "fonts");
             return roots;
         }
     }

@@ -32,6 +32,10 @@ struct DataFolders {
     std::vector<std::string> limit_texts = {};  // of --limit, as given
 };
 
+/// The folders that may have the program's looks and documentation, in the order of search: those
+/// above the program, each followed by its share/afterglow, and the source tree.
+std::vector<std::filesystem::path> program_folders();
+
 /// Uses `data` (from --data) or $AFTERGLOW_DATA. Otherwise the first folder that contains
 /// `shaders/`: above the program, its share/afterglow, the source tree. Fails if `shaders/` is
 /// missing, or if one of `includes` is not a folder.
