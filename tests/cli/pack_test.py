@@ -104,6 +104,20 @@ class WrittenPacks(PackTest):
         self.assertEqual(self.picture("two", "glow", "--preset", "warm"), self.picture("one", "glow", "--preset", "warm"))
         self.assertIn("shaders/glow/look.png", self.files())
 
+    def test_file_managers_get_a_thumbnail_without_drawing_the_pack(self):
+        self.look(shader=SHADER.replace('#include "tint.glsl"', TINT))
+        preset = self.preset("glow", "warm")
+        file = self.pack("glow")
+        with zipfile.ZipFile(file) as archive:
+            stored = archive.read("thumbnails/glow.png")
+        small = self.folder / "small.png"
+        for given, width in ((file, 240), (preset, 240), (self.data("one") / "shaders/glow/look.json", 240)):
+            self.assert_done(self.at("one", "thumbnail", given, "-o", small))
+            self.assertEqual(struct.unpack(">I", small.read_bytes()[16:20]), (width,))
+        self.assert_done(self.at("two", "thumbnail", file, "-o", small))
+        self.assertEqual(small.read_bytes(), stored)
+        self.assert_refused(self.at("one", "thumbnail", self.write("x.afterglow", "x"), "-o", small), "x.afterglow")
+
     def test_a_preset_brings_only_itself(self):
         self.look(shader=SHADER.replace('#include "tint.glsl"', TINT))
         self.preset("glow", "warm")
