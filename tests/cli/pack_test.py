@@ -134,19 +134,19 @@ class WrittenPacks(PackTest):
         sound = self.sound(self.folder / "one/music/loop.wav")
         (self.folder / "one/shots").mkdir()
         self.assert_done(self.at("one", "render", "crt", *SIZE, "-o", self.folder / "one/shots/card.png"))
-        self.preset("phosphor", "tune", signal={"kind": "audio", "file": "../../../../music/loop.wav"})
+        self.preset("vector-beam", "tune", signal={"kind": "audio", "file": "../../../../music/loop.wav"})
         self.preset("glow", "card", values={"card": str(self.folder / "one/shots/card.png")})
-        file = self.pack(self.data("one") / "presets/phosphor/tune.json", "glow")
+        file = self.pack(self.data("one") / "presets/vector-beam/tune.json", "glow")
         self.assertEqual(self.status(self.install(file)), {
-            "phosphor": "present", "glow": "added", "phosphor/tune": "added", "glow/card": "added"})
+            "vector-beam": "present", "glow": "added", "vector-beam/tune": "added", "glow/card": "added"})
         sound.unlink()
         (self.folder / "one/shots/card.png").rename(self.folder / "card.png")
-        tune = json.loads(self.files()["presets/phosphor/tune.json"])["signal"]["file"]
+        tune = json.loads(self.files()["presets/vector-beam/tune.json"])["signal"]["file"]
         self.assertRegex(tune, r"^mine-[0-9a-f]{8}/loop\.wav$")
-        for look, preset in (("phosphor", "tune"), ("glow", "card")):
+        for look, preset in (("vector-beam", "tune"), ("glow", "card")):
             self.picture("two", look, "--preset", preset)  # fails without the file
         self.assertEqual(self.status(self.install(file)), {
-            "phosphor": "present", "glow": "present", "phosphor/tune": "present", "glow/card": "present"})
+            "vector-beam": "present", "glow": "present", "vector-beam/tune": "present", "glow/card": "present"})
 
     def test_shaders_of_other_programs_keep_the_places_of_their_files(self):
         tree = self.folder / "one/slang"

@@ -43,8 +43,7 @@ class Versions(ProgramTest):
                 self.assertLessEqual(max(abs(a - b) for one, two in zip(rows, expected[2]) for a, b in zip(one, two)), 2)
                 shutil.rmtree(self.folder / "DATA/afterglow")
                 self.at("check", version / "looks/glow")
-                for preset in ("radar-p7", "stack"):
-                    self.picture(version / f"presets/{preset}.json")
+                self.picture(version / "presets/stack.json")
                 self.picture("vector-beam", "--signal", f"scene:{version / 'scene.json'}")
 
     def test_golden_pictures_are_compared_by_the_stored_bounds(self):
