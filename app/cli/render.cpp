@@ -424,8 +424,8 @@ Command add_render(CommandLine& program) {
         .between(0.0, 86400.0);
     options
         .add("--seconds S", arguments->seconds,
-             "Duration of the output in seconds (default for a video: the length of the sound, or "
-             "10 without sound)")
+             "Duration of the output in seconds (default for a video: the length of the sound or "
+             "of the video that is drawn, else 10)")
         .between(0.001, 86400.0)
         .excludes(frames);
     add_film_options(options, *arguments);

@@ -32,6 +32,26 @@ class FilmTest(ProgramTest):
         self.assert_done(done)
         return self.folder / name
 
+    def test_a_video_keeps_its_length_and_its_sound(self):
+        source = self.folder / "source.mkv"
+        tone = "aevalsrc='0.5*sin(2*PI*1000*t)*between(t,0.3,0.4)':s=48000:d=0.6"  # from 0.3 to 0.4 s
+        subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "testsrc=size=32x24:rate=25:duration=0.6", "-f",
+                        "lavfi", "-i", tone, "-c:v", "ffv1", "-c:a", "flac", source], check=True)
+        for options, start in (((), 0.0), (("--start", "0.2"), 0.2)):
+            film = self.film("film.mkv", "crt", "--source", source, "--size", "32x24", *options)
+            self.assertEqual(int(self.stream(film)["nb_read_frames"]), round((0.6 - start) * 60))
+            left = self.sound(film)[::2]
+            self.assertAlmostEqual(len(left) / RATE, 0.6 - start, delta=0.001)
+            heard = [index for index, value in enumerate(left) if abs(value) > 0.05]
+            self.assertAlmostEqual(heard[0] / RATE, 0.3 - start, delta=0.001)
+            self.assertAlmostEqual(heard[-1] / RATE, 0.4 - start, delta=0.001)
+        silent = self.film("silent.mkv", "crt", "--source", f"{source},rate=5", "--size", "32x24", "--seconds", "0.1")
+        kinds = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=codec_type", "-of", "csv=p=0", silent],
+                               check=True, capture_output=True, text=True).stdout.split()
+        self.assertEqual(kinds, ["video"])
+        self.assert_refused(run("render", "crt", "--source", source, "--start", "0.7", "-o", self.folder / "x.mp4"),
+                            "the video ends at 0.6 s")
+
     def stream(self, film, kind="v"):
         told = subprocess.run(["ffprobe", "-v", "error", "-select_streams", kind, "-count_frames", "-show_streams",
                                "-of", "json", film], check=True, capture_output=True, text=True)

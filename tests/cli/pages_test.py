@@ -2,11 +2,12 @@
 
 import re
 import shlex
+import shutil
 
 from program import SOURCE, ProgramTest, main, run
 
 FENCED = re.compile(r"^```sh\n(.*?)^```", re.DOTALL | re.MULTILINE)
-NOT_RUN = {(), ("build",), ("test",)}  # open the window, build, and run these tests
+NOT_RUN = {(), ("build",), ("test",), ("package",)}  # open the window, build, and run these tests
 
 
 def commands_of(page):
@@ -20,16 +21,39 @@ def commands_of(page):
     return commands
 
 
+SLANG = """#version 450
+layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+void main() { gl_Position = global.MVP * Position; }
+#pragma stage fragment
+layout(location = 0) out vec4 FragColor;
+void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
+"""
+
+
 class Pages(ProgramTest):
+    def make_inputs(self, folder):
+        """The user's files that the README names."""
+        self.write(folder / "a.slang", SLANG)
+        for name in ("my-shader", "crt-royale"):
+            self.write(folder / f"{name}.slangp", "shaders = 1\nshader0 = a.slang\n")
+        if shutil.which("ffmpeg"):
+            self.assert_done(run("render", "crt", "--size", "64x36", "--frames", "3", "-o", folder / "game.mp4"))
+
     def run_page(self, page):
         """Runs the commands in a separate folder with the looks and presets of the repository."""
         folder = self.folder / page.stem
         folder.mkdir()
         for name in ("shaders", "presets"):
             (folder / name).symlink_to(SOURCE / name)
+        self.make_inputs(folder)
         commands = commands_of(page)
         self.assertTrue(commands)
         for command in commands:
+            if "game.mp4" in command and not shutil.which("ffmpeg"):
+                continue
             with self.subTest(page=page.name, command=shlex.join(command)):
                 self.assert_done(run(*command, cwd=folder, XDG_DATA_HOME=str(self.folder / "own")))
 

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "io/system/child_process.h"
+#include "io/video/video_input.h"
 
 #include <fmt/format.h>
 
@@ -16,11 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 constexpr int largest_frame_side = 8192;
 
-// FFmpeg's names of the formats in is_video_file(). A playlist with such a name would open other
-// files (hls, concat, dash, imf), and so would an image sequence.
-constexpr const char* read_formats =
-    "mov,matroska,avi,mpeg,mpegvideo,mpegts,m4v,ogg,gif,yuv4mpegpipe";
-
 struct Facts {
     Extent extent;     // after rotation
     std::string rate;  // pictures per second, "30000/1001"
@@ -28,13 +24,8 @@ struct Facts {
     bool is_deep = false;  // more than 8 bits per channel
 };
 
-// Marks a path as a file, even if its name starts like a protocol.
-std::string as_input(const fs::path& file) {
-    return "file:" + file.string();
-}
-
 std::string without_name(const std::string& complaint, const fs::path& file) {
-    const std::string name = as_input(file) + ": ";
+    const std::string name = video_input(file) + ": ";
     return complaint.starts_with(name) ? complaint.substr(name.size()) : complaint;
 }
 
@@ -72,12 +63,6 @@ bool has_deep_channels(const std::string& pixels) {
     });
 }
 
-tl::unexpected<Diagnostics> not_installed(const fs::path& file, const Diagnostics& reasons) {
-    return fail({file, 0,
-                 fmt::format("reading videos needs the Debian package ffmpeg: {}",
-                             reasons.front().message)});
-}
-
 Result<Facts> info_in(const std::string& text, const fs::path& file) {
     const auto pairs = pairs_in(text);
     const auto said = [&](const char* key) {
@@ -103,12 +88,12 @@ Result<Facts> info_in(const std::string& text, const fs::path& file) {
 
 Result<Facts> probe(const fs::path& file) {
     auto process = ChildProcess::start(
-        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-format_whitelist", read_formats,
-         "-select_streams", "v:0", "-show_entries",
+        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-format_whitelist",
+         video_formats, "-select_streams", "v:0", "-show_entries",
          "stream=width,height,r_frame_rate,avg_frame_rate,pix_fmt:stream_side_data=rotation", "-of",
-         "default=noprint_wrappers=1", as_input(file)});
+         "default=noprint_wrappers=1", video_input(file)});
     if (!process)
-        return not_installed(file, process.error());
+        return without_ffmpeg(file, process.error());
     constexpr std::size_t maximum = std::size_t{64} * 1024;
     const std::string text = process->read_all(maximum);
     if (!process->finish()) {
@@ -151,11 +136,11 @@ private:
                                             "error",
                                             "-nostdin",
                                             "-format_whitelist",
-                                            read_formats,
+                                            video_formats,
                                             "-protocol_whitelist",
                                             "file,pipe",
                                             "-i",
-                                            as_input(m_file),
+                                            video_input(m_file),
                                             "-map",
                                             "0:v:0",
                                             "-r",
@@ -170,7 +155,7 @@ private:
                                             m_info.is_deep ? "rgb48le" : "rgb24",
                                             "pipe:1"});
         if (!process)
-            return not_installed(m_file, process.error());
+            return without_ffmpeg(m_file, process.error());
         m_process.emplace(std::move(*process));
         m_next = 0;
         m_bytes.resize(static_cast<std::size_t>(m_info.extent.width) *

@@ -4,6 +4,7 @@
 #include "io/pictures/picture_file.h"
 #include "io/pictures/png_encoder.h"
 #include "io/system/descriptor.h"
+#include "io/video/video_sound.h"
 #include "io/video/y4m.h"
 #include "lab/offline/frame_export.h"
 #include "lab/offline/offline.h"
@@ -15,6 +16,9 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <memory>
+
+namespace fs = std::filesystem;
 
 namespace {
 using PipedFrame = FramePipeline::Frame;
@@ -138,10 +142,27 @@ Result<bool> export_frames(Offline& offline, const ExportJob& job) {
     return true;
 }
 
+namespace {
+FilmSound sound_of_video(const fs::path& video, const ExportPart& part, double fps) {
+    const auto times = video_times(video);
+    if (!times || !times->has_sound)
+        return {};
+    auto opened = VideoSound::open(video, static_cast<double>(part.first) / fps);
+    if (!opened)
+        return {};
+    const double seconds = static_cast<double>(part.end - part.first) / fps;
+    return {VideoSound::rate, std::llround(seconds * VideoSound::rate),
+            [sound = std::shared_ptr<VideoSound>(std::move(*opened))](
+                std::int64_t, std::span<float> samples) { sound->read(samples); }};
+}
+}  // namespace
+
 FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
     const auto stream = offline.signal().sound_stream();
-    if (!stream)
-        return {};
+    if (!stream) {
+        const fs::path video = source_video(offline.document());
+        return video.empty() ? FilmSound{} : sound_of_video(video, part, fps);
+    }
     const auto sample_at = [&](std::int64_t frame) {
         return std::llround(static_cast<double>(frame) / fps * stream->rate());
     };
@@ -158,13 +179,18 @@ FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps) {
 }
 
 Result<double> default_video_seconds(const Offline& offline, double start_seconds) {
-    const double sound = offline.signal().sound_seconds();
-    if (sound <= 0.0)
+    double length = offline.signal().sound_seconds();
+    const char* what = "sound";
+    if (const fs::path video = source_video(offline.document()); length <= 0.0 && !video.empty()) {
+        length = video_times(video).value_or(VideoTimes{}).seconds;
+        what = "video";
+    }
+    if (length <= 0.0)
         return film_seconds_without_sound;
-    if (start_seconds >= sound)
+    if (start_seconds >= length)
         return fail({{},
                      0,
-                     fmt::format("nothing to export from {} s on: the sound ends at {} s",
-                                 format_number(start_seconds), format_number(sound))});
-    return sound - start_seconds;
+                     fmt::format("nothing to export from {} s on: the {} ends at {} s",
+                                 format_number(start_seconds), what, format_number(length))});
+    return length - start_seconds;
 }

@@ -52,9 +52,10 @@ FramePipeline::Stages watched_stages(const ExportJob& job);
 /// False: cancelled.
 Result<bool> export_frames(Offline& offline, const ExportJob& job);
 
-/// The sound of the frames; empty if the signal has no sound.
+/// The sound of the frames: that of the signal, or of the video that the look processes at its own
+/// speed. Empty without sound.
 FilmSound sound_of(const Offline& offline, const ExportPart& part, double fps);
 
-/// The default duration of a film from `start_seconds` on: the remaining sound, else 10 s. Fails
-/// after the end of the sound.
+/// The default duration of a film from `start_seconds` on: the remaining sound or video, else 10 s.
+/// Fails after the end of both.
 Result<double> default_video_seconds(const Offline& offline, double start_seconds);

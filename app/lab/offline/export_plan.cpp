@@ -139,6 +139,10 @@ void estimate(ExportPlan& plan, const ExportFacts& facts) {
     const ExportSettings& settings = plan.settings;
     if (settings.loops && settings.seconds <= 0.0)
         return;
+    const bool is_as_long_as_video =
+        settings.seconds <= 0.0 && facts.sound_seconds <= 0.0 && facts.draws_video();
+    if (is_as_long_as_video)  // the length is read when the export starts
+        return;
     const double rest = facts.sound_seconds > 0.0 ? facts.sound_seconds - settings.start
                                                   : film_seconds_without_sound;
     const double seconds = settings.seconds > 0.0 ? settings.seconds : rest;

@@ -20,6 +20,9 @@ struct ExportFacts {
     double sound_seconds = 0.0;       // 0: no sound
     double frame_milliseconds = 0.0;  // of the passes at the render size; 0: unknown
     bool plays_cues = false;
+
+    /// Whether the look processes a video. Without another length, the export has the video's.
+    bool draws_video() const { return !source_video(document).empty(); }
 };
 
 /// A field of the form, for its error.

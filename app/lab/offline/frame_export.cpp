@@ -2,11 +2,23 @@
 
 #include "base/text.h"
 #include "io/files/atomic_file.h"
+#include "io/video/video_file.h"
 #include "lab/offline/export_output.h"
 #include "lab/offline/loop.h"
 #include "lab/offline/offline.h"
 #include "lab/offline/output_precision.h"
+#include "model/picture/source_spec.h"
 #include "signals/signal_table.h"
+
+namespace fs = std::filesystem;
+
+fs::path source_video(const Document& document) {
+    const auto source = parse_source(document.state().source);
+    const bool is_video = document.look().driven_by == Driver::picture && source &&
+                          source->rate == 0.0 && !source->is_pattern() &&
+                          is_video_file(source->picture);
+    return is_video ? fs::path(source->picture) : fs::path();
+}
 
 namespace {
 tl::unexpected<Diagnostics> cancelled() {

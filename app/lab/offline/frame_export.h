@@ -12,6 +12,9 @@
 /// The default duration of a film without sound.
 inline constexpr double film_seconds_without_sound = 10.0;
 
+/// The video that a look processes at its own speed; "": none.
+std::filesystem::path source_video(const Document& document);
+
 /// The user's settings for an export.
 struct ExportSettings {
     std::filesystem::path file = {};  // a film, or .png and .exr with %04d

@@ -132,6 +132,8 @@ private:
     std::string length_hint() const {
         if (m_form.loops)
             return "automatic";
+        if (m_facts.sound_seconds <= 0.0 && m_facts.draws_video())
+            return "video";
         const double usual = m_facts.sound_seconds > 0.0
                                  ? m_facts.sound_seconds - m_plan.settings.start
                                  : film_seconds_without_sound;
@@ -187,7 +189,7 @@ private:
 
     void draw_sound() {
         dialog_row("Sound");
-        if (m_facts.sound_seconds <= 0.0) {
+        if (m_facts.sound_seconds <= 0.0 && !m_facts.draws_video()) {
             dim_text("The signal has no sound.");
             return;
         }
