@@ -19,7 +19,7 @@ constexpr std::size_t largest_picture = std::size_t{4} << 20;
 
 // The picture of the first look or preset that has one.
 Result<std::string> thumbnail_in_pack(const fs::path& pack) {
-    const auto text = read_in_zip(pack, pack_file, largest_text);
+    auto text = read_in_zip(pack, pack_file, largest_text);
     if (!text)
         return text;
     const auto manifest = parse_pack(*text, pack);

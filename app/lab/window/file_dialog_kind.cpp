@@ -148,7 +148,7 @@ fs::path first_folder(const FileDialogKind& kind, const FileDialogChoices& choic
     if (last != choices.folders.end() && is_folder(last->second))
         return last->second;
     std::error_code error;
-    const fs::path current = fs::current_path(error);
+    fs::path current = fs::current_path(error);
     if (!kind.is_saving && is_folder(current) && current != current.root_path())
         return current;
     return user_folder(kind.first_folder, home_folder());
