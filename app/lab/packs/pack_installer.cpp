@@ -8,6 +8,7 @@
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
 #include "io/files/zip.h"
+#include "io/pictures/png_encoder.h"
 #include "lab/library/look_templates.h"
 #include "lab/packs/pack_limits.h"
 #include "lab/storage/media.h"
@@ -56,6 +57,14 @@ bool have_equal_files(const fs::path& one, const fs::path& other) {
     return names == files_of(other) && std::ranges::all_of(names, [&](const fs::path& name) {
                return have_equal_bytes(one / name, other / name);
            });
+}
+
+Result<void> write_plain_picture(const fs::path& file) {
+    constexpr Extent extent{240, 135};
+    constexpr std::uint8_t dark_gray = 32;
+    const std::vector<std::uint8_t> rgb(std::size_t{3} * 240 * 135, dark_gray);
+    const auto png = encode_png(extent, rgb);
+    return png ? write_atomically(file, *png) : fail(png.error());
 }
 
 /// Moves files to the user's folder, and removes them again unless it is told to keep them.
@@ -224,6 +233,10 @@ Result<void> Installer::install_look(const PackedLook& look) {
                    (folder / look.file).replace_filename(foreign_file_name(item.id)), error);
     if (!look.thumbnail.empty())
         fs::rename(m_folder / look.thumbnail, folder / picture_name, error);
+    // Without a picture, the list of looks would draw the look before the user opens it.
+    if (!fs::exists(folder / picture_name, error))
+        if (auto written = write_plain_picture(folder / picture_name); !written)
+            return written;
     m_installed.looks.push_back(item);
     return m_moves.move(folder, m_library.roots().user / "shaders" / item.id);
 }
