@@ -11,8 +11,8 @@
 
 namespace {
 constexpr std::array gallery_examples{
-    "afterglow gallery crt -o my-gallery",
-    "afterglow gallery crt crt-geom.slangp mine.json -o my-gallery --no-pages",
+    "afterglow gallery mine.json yours.json -o my-gallery",
+    "afterglow gallery crt-geom.slangp mine.json -o my-gallery --no-pages",
 };
 
 struct GalleryArguments {

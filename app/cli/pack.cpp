@@ -13,8 +13,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 constexpr std::array pack_examples{
-    "afterglow pack crt -o my-crt.afterglow",
-    "afterglow pack phosphor+crt shadow-mask -o tubes.afterglow",
+    "afterglow pack mine.json -o mine.afterglow",
+    "afterglow pack crt crt-geom.slangp -o tubes.afterglow",
     "afterglow pack --install tubes.afterglow",
 };
 
