@@ -3,18 +3,7 @@
 import shlex
 import shutil
 
-from program import SOURCE, ProgramTest, main, run
-
-SLANG = """#version 450
-layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
-#pragma stage vertex
-layout(location = 0) in vec4 Position;
-layout(location = 1) in vec2 TexCoord;
-void main() { gl_Position = global.MVP * Position; }
-#pragma stage fragment
-layout(location = 0) out vec4 FragColor;
-void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
-"""
+from program import SLANG, SOURCE, ProgramTest, main, run
 
 
 class Help(ProgramTest):

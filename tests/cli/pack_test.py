@@ -196,6 +196,11 @@ void main() { FragColor = vec4(mix(texture(Source, at).rgb, tone(texture(Source,
                                 (lost, ("lost.json", "gone.wav", "not found")), ("none", ("none",))):
             self.assert_refused(self.at("one", "pack", argument, "-o", target), *words)
             self.assertEqual(target.read_text(), "old")
+        with open(self.data("one") / "shaders/outside/large.raw", "wb") as large:
+            large.truncate(2_100_000_000)  # a sparse file
+        self.look("outside", shader=SHADER.replace('#include "tint.glsl"', TINT))
+        self.assert_refused(self.at("one", "pack", "outside", "-o", target), "2100 MB", "2000 MB")
+        self.assertEqual(target.read_text(), "old")
         self.assert_refused(self.at("one", "pack", "crt", "-o", "x.zip"), ".afterglow", code=2)
         self.assert_refused(self.at("one", "pack", "-o", "x.afterglow"), "LOOK", code=2)
         self.assert_refused(self.at("one", "pack", "crt"), "--output", code=2)

@@ -4,7 +4,7 @@ import re
 import shlex
 import shutil
 
-from program import SOURCE, ProgramTest, main, run
+from program import SLANG, SOURCE, ProgramTest, main, run
 
 FENCED = re.compile(r"^```sh\n(.*?)^```", re.DOTALL | re.MULTILINE)
 NOT_RUN = {(), ("build",), ("test",), ("package",)}  # open the window, build, and run these tests
@@ -19,18 +19,6 @@ def commands_of(page):
             if words and words[0] in ("./run", "afterglow") and tuple(words[1:]) not in NOT_RUN:
                 commands.append(words[1:])
     return commands
-
-
-SLANG = """#version 450
-layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
-#pragma stage vertex
-layout(location = 0) in vec4 Position;
-layout(location = 1) in vec2 TexCoord;
-void main() { gl_Position = global.MVP * Position; }
-#pragma stage fragment
-layout(location = 0) out vec4 FragColor;
-void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
-"""
 
 
 class Pages(ProgramTest):

@@ -11,6 +11,17 @@ from pathlib import Path
 
 PROGRAM = Path(sys.argv.pop(1) if len(sys.argv) > 1 else "build/release/app/afterglow").resolve()
 SOURCE = Path(__file__).resolve().parents[2]
+# A small RetroArch shader.
+SLANG = """#version 450
+layout(binding = 0, std140) uniform UBO { mat4 MVP; } global;
+#pragma stage vertex
+layout(location = 0) in vec4 Position;
+layout(location = 1) in vec2 TexCoord;
+void main() { gl_Position = global.MVP * Position; }
+#pragma stage fragment
+layout(location = 0) out vec4 FragColor;
+void main() { FragColor = vec4(1.0, 0.0, 0.0, 1.0); }
+"""
 
 
 def run(*arguments, cwd=None, timeout=120, **environment):

@@ -24,11 +24,6 @@ struct Facts {
     bool is_deep = false;  // more than 8 bits per channel
 };
 
-std::string without_name(const std::string& complaint, const fs::path& file) {
-    const std::string name = video_input(file) + ": ";
-    return complaint.starts_with(name) ? complaint.substr(name.size()) : complaint;
-}
-
 std::map<std::string, std::string> pairs_in(const std::string& text) {
     std::map<std::string, std::string> pairs;
     for (const std::string_view line : split_lines(text))
@@ -87,22 +82,11 @@ Result<Facts> info_in(const std::string& text, const fs::path& file) {
 }
 
 Result<Facts> probe(const fs::path& file) {
-    auto process = ChildProcess::start(
-        {"ffprobe", "-v", "error", "-protocol_whitelist", "file", "-format_whitelist",
-         video_formats, "-select_streams", "v:0", "-show_entries",
-         "stream=width,height,r_frame_rate,avg_frame_rate,pix_fmt:stream_side_data=rotation", "-of",
-         "default=noprint_wrappers=1", video_input(file)});
-    if (!process)
-        return without_ffmpeg(file, process.error());
-    constexpr std::size_t maximum = std::size_t{64} * 1024;
-    const std::string text = process->read_all(maximum);
-    if (!process->finish()) {
-        const std::string reason = without_name(process->complaint(), file);
-        return fail({file, 0,
-                     reason.empty() ? "can't read the video"
-                                    : fmt::format("can't read the video: {}", reason)});
-    }
-    return info_in(text, file);
+    const auto text = probe_video(
+        file,
+        {"-select_streams", "v:0", "-show_entries",
+         "stream=width,height,r_frame_rate,avg_frame_rate,pix_fmt:stream_side_data=rotation"});
+    return text ? info_in(*text, file) : fail(text.error());
 }
 
 class Video : public PictureReader {

@@ -10,18 +10,11 @@
 namespace fs = std::filesystem;
 
 Result<VideoTimes> video_times(const fs::path& file) {
-    auto process = ChildProcess::start({"ffprobe", "-v", "error", "-protocol_whitelist", "file",
-                                        "-format_whitelist", video_formats, "-show_entries",
-                                        "format=duration:stream=codec_type", "-of",
-                                        "default=noprint_wrappers=1", video_input(file)});
-    if (!process)
-        return without_ffmpeg(file, process.error());
-    constexpr std::size_t maximum = std::size_t{64} * 1024;
-    const std::string text = process->read_all(maximum);
-    if (!process->finish())
-        return fail({file, 0, fmt::format("can't read the video: {}", process->complaint())});
+    const auto text = probe_video(file, {"-show_entries", "format=duration:stream=codec_type"});
+    if (!text)
+        return fail(text.error());
     VideoTimes times;
-    for (const std::string_view line : split_lines(text)) {
+    for (const std::string_view line : split_lines(*text)) {
         if (line == "codec_type=audio")
             times.has_sound = true;
         constexpr std::string_view key = "duration=";

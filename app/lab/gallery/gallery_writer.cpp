@@ -74,7 +74,7 @@ Result<void> GalleryWriter::write_thumbnail(const GalleryItem& item, GalleryCard
     return save_picture(*picture, m_folder / card.thumbnail);
 }
 
-// A look that a page can't draw is no error. A file that can't be written is one.
+// A look that a page can't draw is not an error. A file that can't be written is an error.
 Result<void> GalleryWriter::write_live_page(const GalleryItem& item, GalleryCard& card) {
     const auto web = find_export_target("web");
     if (!web)

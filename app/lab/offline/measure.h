@@ -26,5 +26,5 @@ struct MeasureSettings {
     bool is_generic = false;  // keep the programs that draw while a value changes
 };
 
-/// Specialises the programs unless told otherwise, draws some frames for warm-up, then measures.
+/// Specialises the programs by default, draws some frames for warm-up, then measures.
 Result<Measurement> measure(Offline& offline, const MeasureSettings& settings);

@@ -17,6 +17,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -29,9 +31,11 @@ bool have_equal_bytes(const fs::path& one, const fs::path& other) {
     std::error_code error;
     if (fs::file_size(one, error) != fs::file_size(other, error) || error)
         return false;
-    const auto a = read_bytes(one);
-    const auto b = read_bytes(other);
-    return a && b && *a == *b;
+    // Files of up to 2 GB: not read into memory.
+    std::ifstream a(one, std::ios::binary);
+    std::ifstream b(other, std::ios::binary);
+    using Bytes = std::istreambuf_iterator<char>;
+    return a && b && std::equal(Bytes(a), Bytes(), Bytes(b), Bytes());
 }
 
 // The files in a folder by relative path.
@@ -67,7 +71,7 @@ Result<void> write_plain_picture(const fs::path& file) {
     return png ? write_atomically(file, *png) : fail(png.error());
 }
 
-/// Moves files to the user's folder, and removes them again unless it is told to keep them.
+/// Moves files to the user's folder. Its destructor removes them, unless keep() was called.
 class Moves {
 public:
     Moves() = default;
@@ -231,6 +235,8 @@ Result<void> Installer::install_look(const PackedLook& look) {
     if (!look.file.empty() && item.id != look.id)  // a look of another program is named by its file
         fs::rename(folder / look.file,
                    (folder / look.file).replace_filename(foreign_file_name(item.id)), error);
+    if (error)
+        return fail({look.file, 0, fmt::format("can't be renamed: {}", error.message())});
     if (!look.thumbnail.empty())
         fs::rename(m_folder / look.thumbnail, folder / picture_name, error);
     // Without a picture, the list of looks would draw the look before the user opens it.
@@ -254,19 +260,20 @@ Result<void> Installer::install_file(const fs::path& content, const fs::path& ta
 // The file that a preset names, or the folder of such files, next to it.
 Result<void> Installer::install_media(const PackedPreset& packed, const Preset& preset) {
     std::set<fs::path> entries;
+    const fs::path folder = m_folder / fs::path(packed.file).parent_path();
     const auto add = [&](const fs::path& named) {
+        const fs::path inside = named.lexically_normal();
         std::error_code error;
-        if (named.empty() || named.is_absolute() || *named.begin() == "..")
+        if (inside.empty() || inside.is_absolute() || *inside.begin() == ".." || inside == ".")
             return;
-        const fs::path beside = fs::path(packed.file).parent_path();
-        if (fs::exists(m_folder / beside / *named.begin(), error))
-            entries.insert(*named.begin());
+        if (fs::exists(folder / *inside.begin(), error))
+            entries.insert(*inside.begin());
     };
     add(media_file_of(preset));
     for (const auto& [name, value] : preset.values)
         add(value.path);
     for (const fs::path& entry : entries) {
-        const fs::path content = m_folder / fs::path(packed.file).parent_path() / entry;
+        const fs::path content = folder / entry;
         std::error_code error;
         const fs::path target = m_library.roots().user / "presets" / preset.look / entry;
         if (!fs::is_directory(content, error)) {

@@ -65,6 +65,23 @@ private:
     Diagnostics m_warnings;
 };
 
+// Before anything is copied.
+Result<void> check_size(const PackContents& contents, const fs::path& pack) {
+    std::uintmax_t bytes = 0;
+    for (const auto& [path, file] : contents.files) {
+        std::error_code error;
+        if (const std::uintmax_t size = fs::file_size(file, error); !error)
+            bytes += size;
+    }
+    if (bytes <= pack_limits.bytes && contents.files.size() <= pack_limits.files)
+        return {};
+    return fail({pack, 0,
+                 fmt::format("would have {} files with {:.0f} MB. A pack can have {} files and "
+                             "{:.0f} MB. Remove files that the look does not need.",
+                             contents.files.size(), 1e-6 * static_cast<double>(bytes),
+                             pack_limits.files, 1e-6 * static_cast<double>(pack_limits.bytes))});
+}
+
 Result<void> copy_files(const PackContents& contents, const fs::path& folder) {
     for (const auto& [path, file] : contents.files) {
         std::error_code error;
@@ -115,6 +132,8 @@ Result<WrittenPack> write_pack(const PackRequest& request, const Library& librar
     auto contents = pack_contents(request.looks, request.path.stem().string(), library);
     if (!contents)
         return fail(contents.error());
+    if (auto fits = check_size(*contents, request.path); !fits)
+        return fail(fits.error());
     const auto scratch = ScratchFolder::create();
     if (!scratch)
         return fail(scratch.error());
@@ -127,7 +146,7 @@ Result<WrittenPack> write_pack(const PackRequest& request, const Library& librar
     if (auto written = write_atomically(folder / pack_file, pack_to_json(contents->manifest));
         !written)
         return fail(written.error());
-    // A pack that nobody could install must not replace an existing file.
+    // An existing file is replaced only by a pack that can be installed.
     const fs::path archive = scratch->path() / request.path.filename();
     auto zipped = zip_folder(folder, archive);
     if (zipped)

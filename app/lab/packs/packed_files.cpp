@@ -25,7 +25,7 @@ bool is_backup(const fs::path& path) {
            name.ends_with(".swp");
 }
 
-std::vector<fs::path> files_in(const fs::path& folder) {
+Result<std::vector<fs::path>> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code error;
     for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
@@ -38,6 +38,8 @@ std::vector<fs::path> files_in(const fs::path& folder) {
             files.push_back(entry->path());
         }
     }
+    if (error)
+        return fail({folder, 0, fmt::format("can't be read: {}", error.message())});
     return files;
 }
 
@@ -66,6 +68,19 @@ bool is_license(const fs::path& file) {
            name.starts_with("copying");
 }
 
+std::vector<fs::path> licenses_in(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        std::error_code ignored;
+        if (is_license(entry->path()) &&
+            entry->symlink_status(ignored).type() == fs::file_type::regular)
+            files.push_back(entry->path());
+    }
+    return files;
+}
+
 bool is_below(const fs::path& file, const fs::path& folder) {
     const fs::path relative = file.lexically_relative(folder);
     return !relative.empty() && *relative.begin() != "..";
@@ -87,7 +102,10 @@ Result<void> add_own_files(const Look& look, const fs::path& folder, const Libra
     const auto add = [&](const fs::path& place, const fs::path& file) {
         made.files.emplace((made.look.folder / place).generic_string(), file);
     };
-    for (const fs::path& file : files_in(folder))
+    const auto own = files_in(folder);
+    if (!own)
+        return fail(own.error());
+    for (const fs::path& file : *own)
         add(file.lexically_relative(folder), file);
     for (const fs::path& file : files_read(look)) {
         if (is_below(file, folder) || library.is_shipped(file))
@@ -132,10 +150,9 @@ Result<void> add_foreign_files(const Look& look, const fs::path& manifest, const
         made.files.emplace((made.look.folder / file.lexically_relative(common)).generic_string(),
                            file);
     for (const fs::path& folder : {common, manifest.parent_path()})
-        for (const fs::path& file : files_in(folder))
-            if (file.parent_path() == folder && is_license(file))
-                made.files.emplace(
-                    (made.look.folder / file.lexically_relative(common)).generic_string(), file);
+        for (const fs::path& file : licenses_in(folder))
+            made.files.emplace(
+                (made.look.folder / file.lexically_relative(common)).generic_string(), file);
     made.look.file = manifest.lexically_relative(common).generic_string();
     return {};
 }
