@@ -12,7 +12,7 @@ namespace {
 constexpr std::array export_examples{
     "afterglow export phosphor --to web -o phosphor.html",
     "afterglow export crt --preset arcade-cabinet --to web -o cabinet.html --verify",
-    "afterglow export crt --to portable -o crt-look",
+    "afterglow export crt --to slang -o crt.slangp",
     "afterglow export phosphor+crt --to web --dry-run",
 };
 
@@ -75,8 +75,8 @@ Command add_export(CommandLine& program) {
     options.add_flag("--dry-run", arguments->is_dry_run,
                      "Print what would be lost, and write nothing");
     options.add_flag("--verify", arguments->verifies,
-                     "Also draw the export in Chromium and compare the pictures. A difference "
-                     "or a missing Chromium is an error");
+                     "Also draw the export and compare the pictures. A difference is an error. "
+                     "'web' and 'portable' need Chromium");
     options.add("--timeout S", arguments->timeout,
                 "With --verify: seconds that Chromium may take (default: 60)");
     return [arguments](const DataFolders& data) {

@@ -1,7 +1,7 @@
 // libretro presets: a file with #reference and #include to three others, and to itself.
 
 #include "formats/slang/preset.h"
-#include "formats/slang/write.h"
+#include "formats/slang_export/simple_slang_preset.h"
 #include "fuzz/fuzz_files.h"
 
 void fuzz_one(std::string_view input) {

@@ -100,7 +100,7 @@ std::vector<Item> read_list(ObjectReader& reader, const char* key, const Read& r
     return items;
 }
 
-PackedLook read_look(ItemReader& item) {
+PackedLook read_packed_look(ItemReader& item) {
     PackedLook look;
     look.id = item.name("id");
     look.name = item.reader().text("name");
@@ -159,7 +159,7 @@ Result<PackManifest> parse_pack(std::string_view text, const fs::path& file) {
     PackManifest manifest;
     if (accept_header(reader, pack_format)) {
         manifest.name = reader.text("name");
-        manifest.looks = read_list<PackedLook>(reader, "looks", read_look);
+        manifest.looks = read_list<PackedLook>(reader, "looks", read_packed_look);
         manifest.presets = read_list<PackedPreset>(reader, "presets", read_preset);
         manifest.sources = read_list<PackedSource>(reader, "sources", read_source);
         reader.report_unknown_keys();

@@ -1,6 +1,7 @@
 #include "formats/stack/stacked_look.h"
 
 #include "base/text.h"
+#include "formats/stack/conversion_stage.h"
 #include "glsl/text/include.h"
 
 #include <fmt/format.h>
@@ -8,45 +9,6 @@
 #include <algorithm>
 
 namespace {
-
-// Conversion between two looks by IEC 61966-2-1. Values below 0 and above 1 use the same curve, as
-// when a source picture is read.
-constexpr const char* conversion = R"(#version 410 core
-// {0}
-uniform sampler2D image;
-in vec2 uv;
-out vec4 color;
-
-vec3 converted(vec3 given) {{
-    vec3 value = abs(given);
-    {1}
-    return sign(given) * result;
-}}
-
-void main() {{
-    vec4 texel = texelFetch(image, ivec2(gl_FragCoord.xy), 0);
-    color = vec4(converted(texel.rgb), texel.a);
-}}
-)";
-constexpr const char* decode =
-    "vec3 result = mix(value / 12.92, pow((value + 0.055) / 1.055, vec3(2.4)), "
-    "vec3(greaterThan(value, vec3(0.04045))));";
-constexpr const char* encode =
-    "vec3 result = mix(value * 12.92, 1.055 * pow(value, vec3(1.0 / 2.4)) - 0.055, "
-    "vec3(greaterThan(value, vec3(0.0031308))));";
-constexpr const char* keep = "vec3 result = value;";
-
-Stage conversion_stage(Encoding from, Encoding to) {
-    const bool is_same = from == to;
-    const bool encodes = to == Encoding::display;
-    return builtin_stage(
-        fmt::format(fmt::runtime(conversion),
-                    is_same   ? "Between two looks of a stack: copies the picture."
-                    : encodes ? "Between two looks of a stack: converts linear light to sRGB."
-                              : "Between two looks of a stack: converts sRGB to linear light.",
-                    is_same ? keep : (encodes ? encode : decode)));
-}
-
 Format format_after(const Pass& pass) {
     const FormatInfo& info = info_of(pass.format);
     const bool is_fine = info.is_float && info.bytes / info.channels >= 4;

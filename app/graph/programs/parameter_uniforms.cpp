@@ -1,7 +1,5 @@
 #include "graph/programs/parameter_uniforms.h"
 
-#include "model/look/color.h"
-
 #include <algorithm>
 
 namespace {
@@ -11,14 +9,6 @@ const gpu::Program* program_of(const Programs& programs, int pass) {
     return programs.passes[static_cast<std::size_t>(pass)].program.get();
 }
 }  // namespace
-
-Value value_for_shaders(const Parameter& parameter, const Value& value) {
-    Value usable = clamped(parameter, value);
-    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
-        for (std::size_t i = 0; i < std::min<std::size_t>(usable.numbers.size(), 3); ++i)
-            usable.numbers[i] = srgb_encode(usable.numbers[i]);
-    return usable;
-}
 
 ParameterUniforms::ParameterUniforms(const Look& look, const Programs& programs) {
     for (std::size_t i = 0; i < look.passes.size(); ++i)

@@ -6,10 +6,6 @@
 #include <optional>
 #include <vector>
 
-/// A value for shaders: clamped to its limits. The colour of a parameter with display encoding is
-/// sRGB-encoded.
-Value value_for_shaders(const Parameter& parameter, const Value& value);
-
 /// Writes changed values of a look to their uniforms. Orbit parameters become matrices. Colours are
 /// encoded if their parameter has display encoding. An event is on for one frame.
 class ParameterUniforms {

@@ -4,7 +4,7 @@
 #include "formats/preset/preset_format.h"
 #include "formats/preset/share_line.h"
 #include "formats/slang/slang_format.h"
-#include "formats/slang/write.h"
+#include "formats/slang_export/simple_slang_preset.h"
 #include "io/files/atomic_file.h"
 #include "lab/document/opened_preset.h"
 #include "lab/document/parameter_edits.h"

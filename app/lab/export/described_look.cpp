@@ -25,6 +25,15 @@ std::string notice_name(const fs::path& file, const Stack& stack) {
     return name.generic_string();
 }
 
+// Of a scene or drawing. A sound is copied, and not needed here.
+Result<SignalMedia> media_of(const Spec& signal) {
+    const std::string file = file_of(signal);
+    if (file.empty() || (signal.kind != "scene" && signal.kind != "drawing"))
+        return SignalMedia{};
+    return load_signal_media(file);
+}
+}  // namespace
+
 // Pictures have no comments.
 Result<SourceNotices> notices_of(const Look& look) {
     SourceNotices notices;
@@ -40,15 +49,6 @@ Result<SourceNotices> notices_of(const Look& look) {
     }
     return notices;
 }
-
-// Of a scene or drawing. A sound is copied, and not needed here.
-Result<SignalMedia> media_of(const Spec& signal) {
-    const std::string file = file_of(signal);
-    if (file.empty() || (signal.kind != "scene" && signal.kind != "drawing"))
-        return SignalMedia{};
-    return load_signal_media(file);
-}
-}  // namespace
 
 Result<PortableFiles> described_files(const ExportRequest& request) {
     const Document& document = request.prepared.document;

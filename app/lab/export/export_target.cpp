@@ -1,5 +1,6 @@
 #include "lab/export/export_target.h"
 
+#include "lab/export/effect_export.h"
 #include "lab/export/portable_export.h"
 #include "lab/export/web_export.h"
 
@@ -30,6 +31,17 @@ const std::vector<ExportTarget>& export_targets() {
          .write = export_web,
          .check = check_web,
          .page = page_of_web},
+        {.name = "slang",
+         .label = "RetroArch preset",
+         .extension = ".slangp",
+         .help = "a .slangp preset with its shaders, for RetroArch and other programs with "
+                 "libretro shaders",
+         .keeps = {"looks that process a picture", "all parameters, with label, range and step",
+                   "the author's shader text with its #include files"},
+         .losses = slang_losses,
+         .write = export_slang,
+         .check = check_slang,
+         .page = nullptr},
     };
     return targets;
 }

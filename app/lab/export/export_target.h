@@ -35,7 +35,8 @@ struct ExportTarget {
     Result<ExportedLook> (*write)(const ExportRequest& request);
     /// Opens the written files again, and compiles and compares their contents.
     Result<void> (*check)(const ExportRequest& request);
-    /// A web page that draws what was written, for verify_page(). It may be in `folder`.
+    /// A web page that draws what was written. It may be in `folder`. Null: verify_export() opens
+    /// the written file as a look.
     Result<std::filesystem::path> (*page)(const ExportRequest& request,
                                           const std::filesystem::path& folder);
 };

@@ -1,6 +1,7 @@
 #include "lab/export/verification.h"
 
 #include "base/file_uri.h"
+#include "formats/look_format.h"
 #include "io/files/atomic_file.h"
 #include "io/files/scratch_folder.h"
 #include "io/pictures/picture_file.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -99,6 +101,38 @@ bool can_verify() {
     return !find_browser().empty();
 }
 
+namespace {
+// The last frame of a page.
+Verification compared_with_page(const Picture& ours, const fs::path& page, int frames,
+                                const fs::path& scratch, double seconds, const JobProgress* work) {
+    const std::string url =
+        fmt::format("file://{}?frames={}&size={}x{}", percent_encoded(page.string()), frames,
+                    ours.extent.width, ours.extent.height);
+    const auto drawn = drawn_by_browser(url, scratch, seconds, work);
+    if (!drawn)
+        return not_verified(drawn.error());
+    if (!drawn->fault.empty())
+        return {Outcome::failed, "failed: " + drawn->fault};
+    const auto theirs = decoded(drawn->png, scratch / "page.png");
+    return theirs ? compared(display_bytes(ours), display_bytes(*theirs))
+                  : not_verified(theirs.error());
+}
+
+// Opens the written file, and draws it with the source of the look.
+Verification compared_with_file(const Picture& ours, const ExportRequest& request, int frames) {
+    LoadedLook read = load_look(request.path, {});
+    if (!read.look)
+        return {Outcome::failed, "failed: " + read.look.error().front().message};
+    Document document(std::move(*read.look));
+    const std::string source = request.prepared.document.state().source;
+    document.amend([&](DocumentState& state) { state.source = source; });
+    auto offline = Offline::create({.document = std::move(document)}, ours.extent, 60.0);
+    if (!offline)
+        return not_verified(offline.error());
+    return compared(display_bytes(ours), display_bytes(offline->picture_after(frames)));
+}
+}  // namespace
+
 Verification verify_export(const ExportTarget& target, const ExportRequest& request, double seconds,
                            JobProgress* work) {
     if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
@@ -106,28 +140,22 @@ Verification verify_export(const ExportTarget& target, const ExportRequest& requ
     const auto scratch = ScratchFolder::create();
     if (!scratch)
         return not_verified(scratch.error());
-    const auto page = target.page(request, scratch->path());
-    if (!page)
-        return {Outcome::failed, "failed: " + page.error().front().message};
-    const Extent size = compared_size(request.size);
+    std::optional<fs::path> page;
+    if (target.page) {
+        auto written = target.page(request, scratch->path());
+        if (!written)
+            return {Outcome::failed, "failed: " + written.error().front().message};
+        page = std::move(*written);
+        if (!can_verify())
+            return {Outcome::not_verified, "not verified: chromium is not installed"};
+    }
     const int frames = compared_frames(request.prepared.document.look());
-    if (!can_verify())
-        return {Outcome::not_verified, "not verified: chromium is not installed"};
-    auto offline = Offline::create(request.prepared, size, 60.0);
+    auto offline = Offline::create(request.prepared, compared_size(request.size), 60.0);
     if (!offline)
         return not_verified(offline.error());
     const Picture ours = offline->picture_after(frames);
     if (work)
         work->share = 0.5;
-    const std::string url =
-        fmt::format("file://{}?frames={}&size={}x{}", percent_encoded(page->string()), frames,
-                    size.width, size.height);
-    const auto drawn = drawn_by_browser(url, scratch->path(), seconds, work);
-    if (!drawn)
-        return not_verified(drawn.error());
-    if (!drawn->fault.empty())
-        return {Outcome::failed, "failed: " + drawn->fault};
-    const auto theirs = decoded(drawn->png, scratch->path() / "page.png");
-    return theirs ? compared(display_bytes(ours), display_bytes(*theirs))
-                  : not_verified(theirs.error());
+    return page ? compared_with_page(ours, *page, frames, scratch->path(), seconds, work)
+                : compared_with_file(ours, request, frames);
 }

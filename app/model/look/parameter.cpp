@@ -23,6 +23,19 @@ std::string glsl_name(const NumberType& type) {
     return fmt::format("mat{}x{}", type.columns, type.rows);
 }
 
+std::optional<NumberType> number_type_of(std::string_view glsl_name_of_type) {
+    constexpr int most = 4;
+    for (const Scalar scalar :
+         {Scalar::floating, Scalar::integer, Scalar::unsigned_integer, Scalar::boolean})
+        for (int rows = 1; rows <= most; ++rows)
+            for (int columns = 1; columns <= (scalar == Scalar::floating && rows > 1 ? most : 1);
+                 ++columns)
+                if (const NumberType type{scalar, rows, columns};
+                    glsl_name(type) == glsl_name_of_type)
+                    return type;
+    return std::nullopt;
+}
+
 std::string type_name(const Parameter& parameter) {
     switch (parameter.control) {
         case Control::list:
@@ -168,6 +181,14 @@ Value clamped(const Parameter& parameter, Value value) {
         value.numbers[i] = clamped_number(parameter, value.numbers[i]);
     }
     return value;
+}
+
+Value value_for_shaders(const Parameter& parameter, const Value& value) {
+    Value usable = clamped(parameter, value);
+    if (parameter.control == Control::color && parameter.encoding == Encoding::display)
+        for (std::size_t i = 0; i < std::min<std::size_t>(usable.numbers.size(), 3); ++i)
+            usable.numbers[i] = srgb_encode(usable.numbers[i]);
+    return usable;
 }
 
 Result<Value> parse_value(const Parameter& parameter, std::string_view text) {

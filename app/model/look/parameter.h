@@ -24,6 +24,8 @@ struct NumberType {
 
 /// "float", "ivec3", "mat4", "mat2x3".
 std::string glsl_name(const NumberType& type);
+/// The number type of such a name; nullopt for other types.
+std::optional<NumberType> number_type_of(std::string_view glsl_name);
 
 /// The type of control for a parameter.
 enum class Control { slider, list, color, point, angle, event, image, sound };
@@ -114,6 +116,10 @@ std::string component_label(const Parameter& parameter, std::size_t component);
 
 /// The nearest valid value: within the limit, with the number of components, rounded for integers.
 Value clamped(const Parameter& parameter, Value value);
+
+/// A value for shaders: clamped to its limits. The colour of a parameter with display encoding is
+/// sRGB-encoded.
+Value value_for_shaders(const Parameter& parameter, const Value& value);
 
 /// The linear light of a display-encoded sRGB colour "#rrggbb". nullopt for other text.
 std::optional<std::array<double, 3>> linear_from_hex(std::string_view text);

@@ -1,4 +1,4 @@
-#include "formats/slang/write.h"
+#include "formats/slang_export/simple_slang_preset.h"
 
 #include "formats/slang/slang_folder.h"
 

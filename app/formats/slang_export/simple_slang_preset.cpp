@@ -1,4 +1,4 @@
-#include "formats/slang/write.h"
+#include "formats/slang_export/simple_slang_preset.h"
 
 #include "base/text.h"
 #include "formats/slang/files.h"

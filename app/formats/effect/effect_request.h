@@ -1,0 +1,31 @@
+#pragma once
+
+#include "formats/portable/exact_picture.h"
+#include "formats/portable/portable_json.h"
+#include "model/look/look.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+/// A look to write in the format of another program.
+struct EffectRequest {
+    const Look& look;
+    const Values& values;
+    Extent size;       // of the picture, px
+    Extent source;     // of the source picture, px
+    std::string name;  // of the main file, without its ending
+    const SourceNotices& notices;
+};
+
+/// What was written, all paths relative to the folder of the main file.
+struct EffectOutput {
+    std::map<std::string, std::string> texts;     // by path
+    std::map<std::string, PictureFile> pictures;  // generated, by path
+    std::vector<std::string> losses;              // a sentence per item
+};
+
+/// The head of an exported file: the look, and author and licence of each source file, as `//`
+/// lines.
+std::string notice_comment(const Look& look, const SourceNotices& notices);

@@ -1,0 +1,150 @@
+#include "formats/effect/effect_text.h"
+
+#include "glsl/compile/built_in_names.h"
+#include "glsl/text/interface_statements.h"
+#include "glsl/text/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace {
+using Kind = InterfaceStatement::Kind;
+
+/// A part of a text to replace.
+struct TextEdit {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+    std::string text;
+};
+
+std::string line_ends(std::string_view text) {
+    return std::string(static_cast<std::size_t>(std::ranges::count(text, '\n')), '\n');
+}
+
+// The statement stays readable.
+std::string as_comment(std::string_view statement) {
+    return statement.find("*/") == statement.npos ? fmt::format("/* {} */", statement)
+                                                  : line_ends(statement);
+}
+
+std::string zero_of(const InterfaceStatement& statement) {
+    return statement.type.find("sampler") == std::string::npos ? statement.type + "(0)" : "";
+}
+
+std::string variable(const InterfaceStatement& statement, const Declarator& name,
+                     const std::string& value) {
+    return fmt::format("{} {}{}{}{};", statement.type, name.name, name.size,
+                       value.empty() ? "" : " = ", value);
+}
+
+std::string changed_uniform(const InterfaceStatement& statement, std::string_view text,
+                            const EffectTextRules& rules) {
+    const auto is_declared = [&](const Declarator& name) {
+        return rules.declared.contains(name.name);
+    };
+    if (!statement.declarators.empty() && std::ranges::all_of(statement.declarators, is_declared))
+        return as_comment(text);
+    std::string changed;
+    for (const Declarator& name : statement.declarators) {
+        if (is_declared(name))
+            continue;
+        const auto value = rules.values.find(name.name);
+        std::string initial = value != rules.values.end() ? value->second : name.initialiser;
+        if (initial.empty() && name.size.empty())
+            initial = zero_of(statement);
+        changed += (changed.empty() ? "" : " ") + variable(statement, name, initial);
+    }
+    return changed + line_ends(text);
+}
+
+std::string changed_statement(const InterfaceStatement& statement, std::string_view text,
+                              const EffectTextRules& rules) {
+    if (statement.is_block)
+        return std::string(text);
+    if (statement.kind == Kind::uniform)
+        return changed_uniform(statement, text, rules);
+    const std::string& qualifiers = statement.kind == Kind::input ? rules.input : rules.output;
+    const std::string_view rest = text.substr(statement.type_begin - statement.begin);
+    return qualifiers.empty() ? std::string(rest) : fmt::format("{} {}", qualifiers, rest);
+}
+
+// Directives that another program does not accept inside its files.
+bool is_removed(const Directive& directive) {
+    return directive.name == "version" || directive.name == "extension" ||
+           directive.name == "line" ||
+           (directive.name == "pragma" && !directive.arguments.empty() &&
+            directive.arguments.front().is("once"));
+}
+
+std::vector<TextEdit> edits_of(std::string_view text, const EffectTextRules& rules) {
+    std::vector<TextEdit> edits;
+    const Tokens tokens = scan(text);
+    for (const Directive& directive : find_directives(text, tokens))
+        if (is_removed(directive))
+            edits.push_back({directive.begin, directive.end, {}});
+    for (const InterfaceStatement& statement : find_interface_statements(text)) {
+        const std::string_view part = text.substr(statement.begin, statement.end - statement.begin);
+        edits.push_back(
+            {statement.begin, statement.end, changed_statement(statement, part, rules)});
+    }
+    std::ranges::sort(edits, {}, &TextEdit::begin);
+    return edits;
+}
+
+std::string edited(std::string_view text, const std::vector<TextEdit>& edits) {
+    std::string result;
+    std::size_t done = 0;
+    for (const TextEdit& edit : edits) {
+        result += text.substr(done, edit.begin - done);
+        result += edit.text;
+        done = edit.end;
+    }
+    result += text.substr(done);
+    return result;
+}
+
+// Renames words in code and directives; comments stay.
+std::string renamed_words(const std::string& text, const WordChanges& words) {
+    if (words.empty())
+        return text;
+    std::vector<TextEdit> edits;
+    for (const Token& token : scan(text).all) {
+        if (token.kind != Token::Kind::word)
+            continue;
+        const auto change = words.find(token.text);
+        if (change == words.end())
+            continue;
+        const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
+        edits.push_back({begin, begin + token.text.size(), change->second});
+    }
+    return edited(text, edits);
+}
+}  // namespace
+
+std::string effect_text(std::string_view text, const EffectTextRules& rules) {
+    return renamed_words(edited(text, edits_of(text, rules)), rules.words);
+}
+
+WordChanges renamed_built_ins(std::string_view text) {
+    static const std::vector<std::string> functions =
+        find_built_in_names({.version = 450, .is_vulkan = true}).functions;
+    WordChanges words;
+    for (const std::string& name : global_names(text))
+        if (std::ranges::find(functions, name) != functions.end())
+            words.emplace(name, "own_" + name);
+    return words;
+}
+
+std::vector<std::string> extension_lines(std::string_view text) {
+    std::vector<std::string> lines;
+    const Tokens tokens = scan(text);
+    for (const Directive& directive : find_directives(text, tokens)) {
+        if (directive.name != "extension")
+            continue;
+        std::string line(text.substr(directive.begin, directive.end - directive.begin));
+        if (std::ranges::find(lines, line) == lines.end())
+            lines.push_back(std::move(line));
+    }
+    return lines;
+}

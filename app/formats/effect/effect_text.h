@@ -1,0 +1,31 @@
+#pragma once
+
+#include "formats/glsl/modern_glsl.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// How the declarations of a shader change for another program. All other text stays.
+struct EffectTextRules {
+    /// Uniforms that are declared elsewhere: their declarations become comments.
+    std::set<std::string, std::less<>> declared = {};
+    /// Values of other uniforms. Those without an entry keep their own, or are 0.
+    std::map<std::string, std::string, std::less<>> values = {};
+    std::string input = {};   // the qualifiers of inputs; "": they become variables
+    std::string output = {};  // the same of outputs
+    WordChanges words = {};   // renamed words of the code
+};
+
+/// The text with these declarations. `#version`, `#extension`, `#line` and `#pragma once` are
+/// blanked out. Lines stay in place.
+std::string effect_text(std::string_view text, const EffectTextRules& rules);
+
+/// New names for what a text declares under the name of a function of GLSL, which not all compilers
+/// allow.
+WordChanges renamed_built_ins(std::string_view text);
+
+/// The `#extension` lines of a text, each once.
+std::vector<std::string> extension_lines(std::string_view text);

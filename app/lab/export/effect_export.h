@@ -1,0 +1,13 @@
+#pragma once
+
+#include "lab/export/export_target.h"
+
+/// Writes a look as a libretro slang preset, see docs/export.md. Its shaders are in a folder next
+/// to it. An earlier export of the same path is replaced.
+Result<ExportedLook> export_slang(const ExportRequest& request);
+
+/// What the preset would lose. The error is the reason why the format can't hold the look.
+Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared);
+
+/// Opens the preset again, which compiles its shaders.
+Result<void> check_slang(const ExportRequest& request);
