@@ -4,8 +4,10 @@
 #include "formats/effect/effect_names.h"
 #include "formats/stack/conversion_stage.h"
 #include "glsl/text/include.h"
+#include "model/picture/source_spec.h"
 #include "model/plan/parameter_use.h"
 #include "model/plan/plan.h"
+#include "signals/patterns/generated_picture.h"
 
 #include <fmt/format.h>
 
@@ -32,6 +34,36 @@ Pass copy_pass(std::string name, Encoding from, Encoding to, Copied how, const I
     pass.inputs = {of};
     pass.inputs.front().uniform = "image";
     return pass;
+}
+
+// The pictures that parameters select become images of the look. A video or sequence gives its
+// first picture.
+void add_chosen_pictures(Look& look, const Values& values) {
+    for (const Parameter& parameter : look.parameters) {
+        const std::string& path = value_of(parameter, values).path;
+        const auto source = parse_source(path);
+        if (parameter.control != Control::image || path.empty() || !source)
+            continue;
+        Image image;
+        image.name = parameter.name;
+        if (made_name(source->picture))
+            image.made = source->picture;
+        else
+            image.file = source->picture;
+        for (const Binding& binding : parameter.bindings) {
+            std::vector<Input>& inputs = look.passes[static_cast<std::size_t>(binding.pass)].inputs;
+            const auto known = std::ranges::find(inputs, binding.uniform, &Input::uniform);
+            if (known == inputs.end())
+                inputs.push_back({binding.uniform, Input::From::image, image.name, 0, {}});
+        }
+        const auto known = std::ranges::find(look.images, image.name, &Image::name);
+        if (known == look.images.end()) {
+            look.images.push_back(std::move(image));
+        } else {
+            known->file = image.file;
+            known->made = image.made;
+        }
+    }
 }
 
 /// Reduces a look, pass by pass.
@@ -75,6 +107,8 @@ private:
         m_source = m_given.add(source_name);
         for (const Pass& pass : m_look.passes)
             m_names[pass.name] = m_given.add(pass.name);
+        for (Image& image : m_effect.look.images)
+            image.name = m_image_names[image.name] = m_given.add(image.name);
     }
 
     bool needs_source_pass() const {
@@ -135,6 +169,9 @@ private:
             pass.source = m_names[pass.source];
         for (Input& input : pass.inputs)
             redirect(input);
+        for (BuiltInUniform& built_in : pass.built_ins)
+            if (built_in.of)
+                redirect(*built_in.of);
         m_effect.look.passes.push_back(std::move(pass));
     }
 
@@ -148,6 +185,8 @@ private:
                 redirect_idle(input);
             else
                 input.name = m_names[input.name];
+        } else if (input.from == Input::From::image) {
+            input.name = m_image_names[input.name];
         }
         input.sampler.mipmap = input.sampler.mipmap && m_host.has_mipmaps;
     }
@@ -241,6 +280,7 @@ private:
     std::string m_source;
     bool m_has_source = false;
     std::map<std::string, std::string> m_names;  // of passes
+    std::map<std::string, std::string> m_image_names;
     std::vector<std::size_t> m_kept;
 };
 }  // namespace
@@ -255,5 +295,7 @@ Result<Effect> effect_of(const Look& look, const Values& values, Extent size, Ex
     auto larger = plan_targets(look, {2 * size.width, 2 * size.height}, source, values);
     if (!larger)
         return fail(larger.error());
-    return EffectMaker(look, host, size, std::move(*plan), std::move(*larger)).make();
+    Look complete = look;
+    add_chosen_pictures(complete, values);
+    return EffectMaker(complete, host, size, std::move(*plan), std::move(*larger)).make();
 }

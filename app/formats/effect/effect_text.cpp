@@ -32,10 +32,52 @@ std::string zero_of(const InterfaceStatement& statement) {
     return statement.type.find("sampler") == std::string::npos ? statement.type + "(0)" : "";
 }
 
+std::string edited(std::string_view text, const std::vector<TextEdit>& edits) {
+    std::string result;
+    std::size_t done = 0;
+    for (const TextEdit& edit : edits) {
+        result += text.substr(done, edit.begin - done);
+        result += edit.text;
+        done = edit.end;
+    }
+    result += text.substr(done);
+    return result;
+}
+
+// The edits that rename words in code and directives; comments stay.
+std::vector<TextEdit> word_edits(std::string_view text, const WordChanges& words) {
+    std::vector<TextEdit> edits;
+    if (words.empty())
+        return edits;
+    for (const Token& token : scan(text).all) {
+        if (token.kind != Token::Kind::word)
+            continue;
+        const auto change = words.find(token.text);
+        if (change == words.end())
+            continue;
+        const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
+        edits.push_back({begin, begin + token.text.size(), change->second});
+    }
+    return edits;
+}
+
+std::string renamed(std::string_view text, const WordChanges& words) {
+    return edited(text, word_edits(text, words));
+}
+
+// A value of the rules is not renamed.
 std::string variable(const InterfaceStatement& statement, const Declarator& name,
-                     const std::string& value) {
-    return fmt::format("{} {}{}{}{};", statement.type, name.name, name.size,
-                       value.empty() ? "" : " = ", value);
+                     const EffectTextRules& rules) {
+    const auto value = rules.values.find(name.name);
+    std::string initial =
+        value != rules.values.end()
+            ? fmt::format("{}({})", renamed(statement.type, rules.words), value->second)
+            : renamed(name.initialiser, rules.words);
+    if (initial.empty() && name.size.empty())
+        initial = renamed(zero_of(statement), rules.words);
+    return fmt::format("{}{}{};",
+                       renamed(statement.type + " " + name.name + name.size, rules.words),
+                       initial.empty() ? "" : " = ", initial);
 }
 
 std::string changed_uniform(const InterfaceStatement& statement, std::string_view text,
@@ -46,27 +88,22 @@ std::string changed_uniform(const InterfaceStatement& statement, std::string_vie
     if (!statement.declarators.empty() && std::ranges::all_of(statement.declarators, is_declared))
         return as_comment(text);
     std::string changed;
-    for (const Declarator& name : statement.declarators) {
-        if (is_declared(name))
-            continue;
-        const auto value = rules.values.find(name.name);
-        std::string initial = value != rules.values.end() ? value->second : name.initialiser;
-        if (initial.empty() && name.size.empty())
-            initial = zero_of(statement);
-        changed += (changed.empty() ? "" : " ") + variable(statement, name, initial);
-    }
+    for (const Declarator& name : statement.declarators)
+        if (!is_declared(name))
+            changed += (changed.empty() ? "" : " ") + variable(statement, name, rules);
     return changed + line_ends(text);
 }
 
 std::string changed_statement(const InterfaceStatement& statement, std::string_view text,
                               const EffectTextRules& rules) {
     if (statement.is_block)
-        return std::string(text);
+        return renamed(text, rules.words);
     if (statement.kind == Kind::uniform)
         return changed_uniform(statement, text, rules);
     const std::string& qualifiers = statement.kind == Kind::input ? rules.input : rules.output;
-    const std::string_view rest = text.substr(statement.type_begin - statement.begin);
-    return qualifiers.empty() ? std::string(rest) : fmt::format("{} {}", qualifiers, rest);
+    const std::string rest =
+        renamed(text.substr(statement.type_begin - statement.begin), rules.words);
+    return qualifiers.empty() ? rest : fmt::format("{} {}", qualifiers, rest);
 }
 
 // Directives that another program does not accept inside its files.
@@ -88,42 +125,19 @@ std::vector<TextEdit> edits_of(std::string_view text, const EffectTextRules& rul
         edits.push_back(
             {statement.begin, statement.end, changed_statement(statement, part, rules)});
     }
+    const std::vector<TextEdit> whole = edits;
+    for (TextEdit& word : word_edits(text, rules.words))
+        if (std::ranges::none_of(whole, [&](const TextEdit& edit) {
+                return word.begin >= edit.begin && word.begin < edit.end;
+            }))
+            edits.push_back(std::move(word));
     std::ranges::sort(edits, {}, &TextEdit::begin);
     return edits;
-}
-
-std::string edited(std::string_view text, const std::vector<TextEdit>& edits) {
-    std::string result;
-    std::size_t done = 0;
-    for (const TextEdit& edit : edits) {
-        result += text.substr(done, edit.begin - done);
-        result += edit.text;
-        done = edit.end;
-    }
-    result += text.substr(done);
-    return result;
-}
-
-// Renames words in code and directives; comments stay.
-std::string renamed_words(const std::string& text, const WordChanges& words) {
-    if (words.empty())
-        return text;
-    std::vector<TextEdit> edits;
-    for (const Token& token : scan(text).all) {
-        if (token.kind != Token::Kind::word)
-            continue;
-        const auto change = words.find(token.text);
-        if (change == words.end())
-            continue;
-        const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
-        edits.push_back({begin, begin + token.text.size(), change->second});
-    }
-    return edited(text, edits);
 }
 }  // namespace
 
 std::string effect_text(std::string_view text, const EffectTextRules& rules) {
-    return renamed_words(edited(text, edits_of(text, rules)), rules.words);
+    return edited(text, edits_of(text, rules));
 }
 
 WordChanges renamed_built_ins(std::string_view text) {

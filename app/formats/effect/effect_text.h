@@ -12,7 +12,8 @@
 struct EffectTextRules {
     /// Uniforms that are declared elsewhere: their declarations become comments.
     std::set<std::string, std::less<>> declared = {};
-    /// Values of other uniforms. Those without an entry keep their own, or are 0.
+    /// Members of other uniforms, which are structs, as arguments. Uniforms without an entry keep
+    /// their own value, or are 0.
     std::map<std::string, std::string, std::less<>> values = {};
     std::string input = {};   // the qualifiers of inputs; "": they become variables
     std::string output = {};  // the same of outputs

@@ -11,7 +11,10 @@
 namespace {
 using Kind = InterfaceStatement::Kind;
 
-constexpr const char* prefix = "vertex_";
+constexpr const char* prefix = "vertex_";  // of the author's names
+constexpr const char* position = "afterglow_position";
+constexpr const char* number = "afterglow_vertex";
+constexpr const char* point_size = "afterglow_point_size";
 
 /// A value that the vertex shader passes to the fragment shader.
 struct PassedValue {
@@ -59,9 +62,9 @@ std::vector<PassedValue> passed_values(std::string_view vertex, std::string_view
 // The names of the vertex shader that differ from those of the fragment shader.
 WordChanges renamed(std::string_view vertex, const EffectTextRules& rules) {
     WordChanges words{{"main", std::string(prefix) + "main"},
-                      {"gl_Position", std::string(prefix) + "position_in_clip_space"},
-                      {"gl_VertexID", std::string(prefix) + "number"},
-                      {"gl_PointSize", std::string(prefix) + "size"}};
+                      {"gl_Position", position},
+                      {"gl_VertexID", number},
+                      {"gl_PointSize", point_size}};
     for (const std::string& name : global_names(vertex))
         if (!rules.declared.contains(name) && !name.starts_with("gl_"))
             words.emplace(name, prefix + name);
@@ -72,7 +75,7 @@ WordChanges renamed(std::string_view vertex, const EffectTextRules& rules) {
 std::string corner_values(const Pass& pass, std::string_view vertex, std::size_t corner) {
     constexpr std::array<std::array<int, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}};
     if (pass.draw == Draw::fullscreen)
-        return fmt::format("    {}number = {};\n", prefix, corner);
+        return fmt::format("    {} = {};\n", number, corner);
     std::string text;
     for (const InterfaceStatement& input : find_interface_statements(vertex)) {
         if (input.kind != Kind::input)
@@ -88,7 +91,7 @@ std::string corner_values(const Pass& pass, std::string_view vertex, std::size_t
 }
 
 std::string element(const std::string& name, const PassedValue& value) {
-    return value.size.empty() ? name : name + "[i]";
+    return value.size.empty() ? name : name + "[afterglow_i]";
 }
 
 // Sets one input from its values at the corners.
@@ -97,35 +100,39 @@ std::string interpolation(const PassedValue& value) {
     const bool is_constant = value.is_flat || value.type.find("int") != std::string::npos ||
                              value.type[0] == 'i' || value.type[0] == 'u';
     const std::string sum =
-        is_constant
-            ? element(corner + "2", value)
-            : fmt::format("{0} + s * ({1} - {0}) + t * ({2} - {0})", element(corner + "0", value),
-                          element(corner + "1", value), element(corner + "2", value));
+        is_constant ? element(corner + "2", value)
+                    : fmt::format("{0} + afterglow_s * ({1} - {0}) + afterglow_t * ({2} - {0})",
+                                  element(corner + "0", value), element(corner + "1", value),
+                                  element(corner + "2", value));
     const std::string assignment = fmt::format("{} = {};\n", element(value.to, value), sum);
     return value.size.empty() ? "    " + assignment
-                              : fmt::format("    for (int i = 0; i < {}.length(); ++i)\n        {}",
-                                            value.to, assignment);
+                              : fmt::format(
+                                    "    for (int afterglow_i = 0; afterglow_i < {}.length(); "
+                                    "++afterglow_i)\n        {}",
+                                    value.to, assignment);
 }
 
 std::string function_text(const Pass& pass, std::string_view vertex,
                           const std::vector<PassedValue>& passed) {
-    std::string text = fmt::format("void {}(vec2 place) {{\n", vertex_function_name);
+    std::string text = fmt::format("void {}(vec2 afterglow_place) {{\n", vertex_function_name);
     for (std::size_t corner = 0; corner < 3; ++corner) {
         text += corner_values(pass, vertex, corner);
         text += fmt::format("    {}main();\n", prefix);
-        text += fmt::format(
-            "    vec2 corner_{0} = {1}position_in_clip_space.xy / {1}position_in_clip_space.w;\n",
-            corner, prefix);
+        text += fmt::format("    vec2 afterglow_corner_{0} = {1}.xy / {1}.w;\n", corner, position);
         for (const PassedValue& value : passed)
             text += fmt::format("    {} {}_at_{}{} = {};\n", value.type, value.from, corner,
                                 value.size, value.from);
     }
     text +=
-        "    vec2 a = corner_1 - corner_0;\n"
-        "    vec2 b = corner_2 - corner_0;\n"
-        "    vec2 d = 2.0 * place - 1.0 - corner_0;\n"
-        "    float s = (d.x * b.y - d.y * b.x) / (a.x * b.y - a.y * b.x);\n"
-        "    float t = (a.x * d.y - a.y * d.x) / (a.x * b.y - a.y * b.x);\n";
+        "    vec2 afterglow_a = afterglow_corner_1 - afterglow_corner_0;\n"
+        "    vec2 afterglow_b = afterglow_corner_2 - afterglow_corner_0;\n"
+        "    vec2 afterglow_d = 2.0 * afterglow_place - 1.0 - afterglow_corner_0;\n"
+        "    float afterglow_area = afterglow_a.x * afterglow_b.y - afterglow_a.y * "
+        "afterglow_b.x;\n"
+        "    float afterglow_s = (afterglow_d.x * afterglow_b.y - afterglow_d.y * afterglow_b.x) / "
+        "afterglow_area;\n"
+        "    float afterglow_t = (afterglow_a.x * afterglow_d.y - afterglow_a.y * afterglow_d.x) / "
+        "afterglow_area;\n";
     for (const PassedValue& value : passed)
         text += interpolation(value);
     return text + "}\n";
@@ -145,7 +152,7 @@ std::string vertex_function(const Pass& pass, std::string_view fragment,
     own.words = renamed(vertex, rules);
     return fmt::format(
         "\n// The vertex shader, evaluated at three corners of the target.\n"
-        "vec4 {0}position_in_clip_space;\nint {0}number;\nfloat {0}size;\n{1}\n{2}",
-        prefix, effect_text(vertex, own),
+        "vec4 {};\nint {};\nfloat {};\n{}\n{}",
+        position, number, point_size, effect_text(vertex, own),
         function_text(pass, vertex, passed_values(vertex, fragment)));
 }

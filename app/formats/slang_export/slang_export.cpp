@@ -138,7 +138,8 @@ private:
         }
         std::string text = "#version 450\n";
         for (const std::string& line : extension_lines(joined))
-            text += line + "\n";
+            if (line.find("arrays_of_arrays") == std::string::npos)  // part of GLSL 4.50
+                text += line + "\n";
         std::string body = effect_text(files->front().text, rules);
         text += notice_lines() + "\n" + block.declaration() + "\n" + parameter_lines(block);
         text += fmt::format("#pragma name {}\n#pragma format {}\n{}", pass.name,
@@ -163,10 +164,10 @@ private:
                 output = statement.declarators.front().name;
         return vertex_function(pass, pass.fragment.text, rules) +
                fmt::format(
-                   "\nlayout(location = 0) in vec2 vTexCoord;\n"
-                   "layout(location = 0) out vec4 FragColor;\n"
-                   "void main() {{\n    {}(vTexCoord);\n    fragment_main();\n"
-                   "    FragColor = {};\n}}\n",
+                   "\nlayout(location = 0) in vec2 afterglow_place;\n"
+                   "layout(location = 0) out vec4 afterglow_color;\n"
+                   "void main() {{\n    {}(afterglow_place);\n    fragment_main();\n"
+                   "    afterglow_color = {};\n}}\n",
                    vertex_function_name, output);
     }
 

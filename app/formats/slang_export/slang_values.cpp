@@ -54,31 +54,40 @@ std::string SlangBlock::member(const char* type, const std::string& name) {
     return fmt::format("{}.{}", block, name);
 }
 
-std::string SlangBlock::built_in(const BuiltInUniform& uniform) {
-    const auto size_of = [&](const std::string& texture) {
-        return member("vec4", texture.empty() ? "OriginalSize" : texture + "Size");
-    };
-    const auto frame = [&] { return member("uint", "FrameCount"); };
-    const std::string& source = m_pass.source;
-    const std::string of =
-        uniform.of && uniform.of->from != Input::From::source ? uniform.of->name : std::string();
-    switch (uniform.kind) {
+std::string SlangBlock::time_value(BuiltIn kind) {
+    const std::string count = member("uint", "FrameCount");
+    const std::string frame =
+        m_pass.frame_modulo > 0 ? fmt::format("({} % {}u)", count, m_pass.frame_modulo) : count;
+    switch (kind) {
         case BuiltIn::time:
-            return fmt::format("float({} + 1u) / 60.0", frame());
+            return fmt::format("float({} + 1u) / 60.0", count);
         case BuiltIn::time_before:
-            return fmt::format("float({}) / 60.0", frame());
+            return fmt::format("float({}) / 60.0", count);
+        case BuiltIn::delta_before:
+            return fmt::format("({} == 0u ? 0.0 : 1.0 / 60.0)", count);
+        case BuiltIn::frame:
+            return fmt::format("int({}) + 1", frame);
+        case BuiltIn::frame_index:
+            return fmt::format("int({})", frame);
         case BuiltIn::time_delta:
             return "1.0 / 60.0";
-        case BuiltIn::delta_before:
-            return fmt::format("({} == 0u ? 0.0 : 1.0 / 60.0)", frame());
         case BuiltIn::microseconds:
             return "16667.0";
         case BuiltIn::frame_rate:
             return "60.0";
-        case BuiltIn::frame:
-            return fmt::format("int({}) + 1", frame());
-        case BuiltIn::frame_index:
-            return fmt::format("int({})", frame());
+        default:
+            return glsl_zero(natural_type(kind));
+    }
+}
+
+std::string SlangBlock::built_in(const BuiltInUniform& uniform) {
+    const auto size_of = [&](const std::string& texture) {
+        return member("vec4", texture.empty() ? "OriginalSize" : texture + "Size");
+    };
+    const std::string& source = m_pass.source;
+    const std::string of =
+        uniform.of && uniform.of->from != Input::From::source ? uniform.of->name : std::string();
+    switch (uniform.kind) {
         case BuiltIn::samples:
             return "1";
         case BuiltIn::target_size:
@@ -110,7 +119,8 @@ std::string SlangBlock::built_in(const BuiltInUniform& uniform) {
                 m_pass.rows == RowOrder::top_first ? "" : "-",
                 m_pass.rows == RowOrder::top_first ? "-" : "");
         default:
-            return glsl_zero(natural_type(uniform.kind));
+            return tells_time(uniform.kind) ? time_value(uniform.kind)
+                                            : glsl_zero(natural_type(uniform.kind));
     }
 }
 
@@ -151,7 +161,7 @@ std::string SlangBlock::value(const EffectStruct& of) {
     std::string parts;
     for (const EffectNumber& number : of.members)
         parts += (parts.empty() ? "" : ", ") + value(number);
-    return fmt::format("{}({})", of.type, parts);
+    return parts;
 }
 
 std::string SlangBlock::declaration() const {

@@ -18,7 +18,7 @@ public:
 
     /// The expression for a uniform of the pass, in GLSL.
     std::string value(const EffectNumber& number);
-    /// The constructor of a struct.
+    /// The members of a struct, as the arguments of its constructor.
     std::string value(const EffectStruct& of);
     /// Names of parameters that the shader reads.
     const std::set<std::string>& used_parameters() const { return m_used; }
@@ -28,6 +28,7 @@ public:
 private:
     std::string member(const char* type, const std::string& name);
     std::string built_in(const BuiltInUniform& uniform);
+    std::string time_value(BuiltIn kind);
     std::string parameter_value(const Parameter& parameter, const NumberType& type);
 
     const Pass& m_pass;

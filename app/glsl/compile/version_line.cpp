@@ -1,5 +1,6 @@
 #include "glsl/compile/version_line.h"
 
+#include "base/text.h"
 #include "glsl/compile/check.h"
 #include "glsl/text/tokens.h"
 
@@ -37,4 +38,12 @@ Diagnostics check_version(const Stage& stage) {
                        fmt::format("use '#version 410 core'; the profile '{}' isn't supported",
                                    words[1].text));
     return {};
+}
+
+std::string with_nested_arrays(std::string text) {
+    const std::size_t begin = text.find("#extension GL_ARB_arrays_of_arrays");
+    if (begin == text.npos)
+        return text;
+    text.erase(begin, text.find('\n', begin) - begin);
+    return replace_all(text, "#version 410", "#version 430");
 }

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "glsl/compile/compiler_log.h"
+#include "glsl/compile/version_line.h"
 #include "glsl/es/es_check.h"
 #include "glsl/es/es_source.h"
 #include "glsl/es/nested_arrays.h"
@@ -32,15 +33,6 @@ std::string first_error(const char* log) {
         if (!message.is_warning)
             return message.text;
     return refused_without_reason;
-}
-
-// glslang has arrays of arrays from GLSL 4.30 on, and does not know their extension.
-std::string with_nested_arrays(std::string text) {
-    const std::size_t begin = text.find("#extension GL_ARB_arrays_of_arrays");
-    if (begin == text.npos)
-        return text;
-    text.erase(begin, text.find('\n', begin) - begin);
-    return replace_all(text, "#version 410", "#version 430");
 }
 
 Result<std::string> preprocessed(const Stage& stage, EShLanguage language,

@@ -22,7 +22,7 @@ std::string notice_name(const fs::path& file, const Stack& stack) {
     for (auto part = parts.end() - std::min(most_parts, std::ssize(parts)); part != parts.end();
          ++part)
         name /= *part;
-    return name.generic_string();
+    return name == "." ? file.filename().string() : name.generic_string();
 }
 
 // Of a scene or drawing. A sound is copied, and not needed here.
