@@ -69,6 +69,8 @@ std::string renamed(std::string_view text, const WordChanges& words) {
 std::string variable(const InterfaceStatement& statement, const Declarator& name,
                      const EffectTextRules& rules) {
     const auto value = rules.values.find(name.name);
+    if (value != rules.values.end() && value->second.empty())
+        return renamed(statement.type + " " + name.name + name.size, rules.words) + ";";
     std::string initial =
         value != rules.values.end()
             ? fmt::format("{}({})", renamed(statement.type, rules.words), value->second)
@@ -145,7 +147,7 @@ WordChanges renamed_built_ins(std::string_view text) {
         find_built_in_names({.version = 450, .is_vulkan = true}).functions;
     WordChanges words;
     for (const std::string& name : global_names(text))
-        if (std::ranges::find(functions, name) != functions.end())
+        if (std::ranges::find(functions, name) != functions.end() || name.starts_with("afterglow_"))
             words.emplace(name, "own_" + name);
     return words;
 }

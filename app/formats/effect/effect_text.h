@@ -12,8 +12,8 @@
 struct EffectTextRules {
     /// Uniforms that are declared elsewhere: their declarations become comments.
     std::set<std::string, std::less<>> declared = {};
-    /// Members of other uniforms, which are structs, as arguments. Uniforms without an entry keep
-    /// their own value, or are 0.
+    /// Members of other uniforms, which are structs, as arguments. "": no value. Uniforms without
+    /// an entry keep their own value, or are 0.
     std::map<std::string, std::string, std::less<>> values = {};
     std::string input = {};   // the qualifiers of inputs; "": they become variables
     std::string output = {};  // the same of outputs
@@ -25,7 +25,7 @@ struct EffectTextRules {
 std::string effect_text(std::string_view text, const EffectTextRules& rules);
 
 /// New names for what a text declares under the name of a function of GLSL, which not all compilers
-/// allow.
+/// allow, or with the prefix "afterglow_", which exports use.
 WordChanges renamed_built_ins(std::string_view text);
 
 /// The `#extension` lines of a text, each once.

@@ -5,15 +5,19 @@
 
 #include <string>
 
-/// The name of the function that vertex_function() defines.
-inline constexpr const char* vertex_function_name = "afterglow_set_inputs";
-
 /// Whether a pass has a vertex shader of its own.
 bool has_own_vertex(const Pass& pass);
 
-/// The vertex shader of a pass as GLSL for its fragment shader, whose inputs are variables:
-/// `void afterglow_set_inputs(vec2 place)` sets them for a place in the target, from (0, 0) to (1,
-/// 1). It evaluates three corners and interpolates between them, as rasterisers do. `fragment`: the
-/// fragment shader. `rules` are those for its uniforms.
-std::string vertex_function(const Pass& pass, std::string_view fragment,
-                            const EffectTextRules& rules);
+/// A vertex shader as functions of a fragment shader.
+struct VertexFunction {
+    std::string name;    // void NAME(vec2 place)
+    std::string prefix;  // of the vertex shader's names
+    std::string text;
+};
+
+/// The vertex shader of a pass for its fragment shader, whose inputs are variables. The function
+/// sets them for a place in the target, from (0, 0) to (1, 1). It evaluates three corners and
+/// interpolates between them, as rasterisers do. `fragment`: the fragment shader. `rules`: the
+/// uniforms of both, and the new names of the fragment shader's words. `prefix`: the wanted one.
+VertexFunction vertex_function(const Pass& pass, std::string_view fragment,
+                               const EffectTextRules& rules, const std::string& prefix = "vertex_");

@@ -162,13 +162,13 @@ private:
             if (statement.kind == InterfaceStatement::Kind::output &&
                 !statement.declarators.empty())
                 output = statement.declarators.front().name;
-        return vertex_function(pass, pass.fragment.text, rules) +
-               fmt::format(
-                   "\nlayout(location = 0) in vec2 afterglow_place;\n"
-                   "layout(location = 0) out vec4 afterglow_color;\n"
-                   "void main() {{\n    {}(afterglow_place);\n    fragment_main();\n"
-                   "    afterglow_color = {};\n}}\n",
-                   vertex_function_name, output);
+        const VertexFunction vertex = vertex_function(pass, pass.fragment.text, rules);
+        return vertex.text + fmt::format(
+                                 "\nlayout(location = 0) in vec2 afterglow_place;\n"
+                                 "layout(location = 0) out vec4 afterglow_color;\n"
+                                 "void main() {{\n    {}(afterglow_place);\n    fragment_main();\n"
+                                 "    afterglow_color = {};\n}}\n",
+                                 vertex.name, output);
     }
 
     // The samplers, and the values of the other uniforms.
@@ -212,11 +212,12 @@ private:
     }
 
     Result<void> add_pictures() {
-        auto pictures = slang_pictures(look(), m_folder.generic_string(), m_has_black);
+        auto pictures = effect_pictures(look(), m_folder.generic_string(), RowOrder::top_first,
+                                        m_has_black ? slang_black : "");
         if (!pictures)
             return fail(pictures.error());
         m_pictures = std::move(*pictures);
-        for (const SlangPictureFile& picture : m_pictures)
+        for (const EffectPicture& picture : m_pictures)
             m_output.pictures[picture.path] = picture.file;
         return {};
     }
@@ -229,7 +230,7 @@ private:
     std::vector<EffectControl> m_controls;
     std::map<std::string, std::vector<std::string>> m_parts;  // names of components by parameter
     std::vector<std::string> m_shaders;                       // paths
-    std::vector<SlangPictureFile> m_pictures;
+    std::vector<EffectPicture> m_pictures;
     bool m_has_black = false;
     EffectOutput m_output;
 };

@@ -1,8 +1,6 @@
 #include "formats/slang_export/slang_preset_text.h"
 
 #include "base/text.h"
-#include "io/pictures/picture_file.h"
-#include "signals/patterns/generated_picture.h"
 
 #include <fmt/format.h>
 
@@ -73,69 +71,10 @@ std::string pass_lines(const Look& look, std::size_t pass, const std::string& sh
         text += scale_lines(look, pass, 0) + scale_lines(look, pass, 1);
     return text;
 }
-
-Sampler sampler_of_image(const Look& look, const std::string& name) {
-    for (const Pass& pass : look.passes)
-        for (const Input& input : pass.inputs)
-            if (input.from == Input::From::image && input.name == name)
-                return input.sampler;
-    return {};
-}
-
-Picture turned_over(Picture picture) {
-    const auto row = static_cast<std::ptrdiff_t>(picture.extent.width) * picture.channels;
-    auto top = picture.pixels.begin();
-    auto bottom = picture.pixels.end();
-    for (int y = 0; y < picture.extent.height / 2; ++y, top += row)
-        std::swap_ranges(top, top + row, bottom -= row);
-    return picture;
-}
-
-Result<SlangPictureFile> picture_file(const Look& look, const Image& image,
-                                      const std::string& folder) {
-    auto picture = image.made.empty() ? load_picture(image.file) : made_picture(image.made);
-    if (!picture)
-        return fail(picture.error());
-    const Encoding wanted = image.encoding.value_or(look.source_encoding);
-    if ((!image.is_linear && wanted == Encoding::linear) || picture->encoding == Encoding::linear)
-        return fail({image.file, 0,
-                     "RetroArch reads pictures with 8 bits, which is too coarse for linear light. "
-                     "Export the look with --to web or --to portable."});
-    if (image.rows == RowOrder::bottom_first)
-        picture = turned_over(std::move(*picture));
-    auto file = exact_picture_file(*picture);
-    if (!file)
-        return fail(file.error());
-    const std::string path = fmt::format("{}/{}{}", folder, image.name, file->extension);
-    return SlangPictureFile{image.name, path, sampler_of_image(look, image.name), std::move(*file)};
-}
 }  // namespace
 
-Result<std::vector<SlangPictureFile>> slang_pictures(const Look& look, const std::string& folder,
-                                                     bool has_black) {
-    std::vector<SlangPictureFile> files;
-    for (const Image& image : look.images) {
-        auto file = picture_file(look, image, folder);
-        if (!file)
-            return fail(file.error());
-        files.push_back(std::move(*file));
-    }
-    if (has_black) {
-        const Picture black{.extent = {1, 1},
-                            .channels = 4,
-                            .encoding = Encoding::display,
-                            .pixels = {0.0f, 0.0f, 0.0f, 0.0f}};
-        auto file = exact_picture_file(black);
-        if (!file)
-            return fail(file.error());
-        files.push_back(
-            {slang_black, fmt::format("{}/{}.png", folder, slang_black), {}, std::move(*file)});
-    }
-    return files;
-}
-
 std::string slang_preset_text(const Look& look, const std::vector<std::string>& shaders,
-                              const std::vector<SlangPictureFile>& pictures) {
+                              const std::vector<EffectPicture>& pictures) {
     std::string text = fmt::format("shaders = \"{}\"\n", look.passes.size());
     for (std::size_t i = 0; i < look.passes.size(); ++i)
         text += pass_lines(look, i, shaders[i]);
@@ -143,7 +82,7 @@ std::string slang_preset_text(const Look& look, const std::vector<std::string>& 
         return text;
     std::string names;
     std::string lines;
-    for (const SlangPictureFile& picture : pictures) {
+    for (const EffectPicture& picture : pictures) {
         names += (names.empty() ? "" : ";") + picture.name;
         lines += fmt::format(
             "{0} = \"{1}\"\n{0}_linear = \"{2}\"\n{0}_wrap_mode = \"{3}\"\n{0}_mipmap = \"{4}\"\n",

@@ -1,6 +1,7 @@
 #include "lab/export/effect_export.h"
 
 #include "base/file.h"
+#include "formats/isf_export/isf_export.h"
 #include "formats/look_format.h"
 #include "formats/slang_export/slang_export.h"
 #include "io/files/atomic_file.h"
@@ -23,6 +24,7 @@ struct EffectFormat {
 };
 
 constexpr EffectFormat slang_format{".slangp", "_shaders", slang_files};
+constexpr EffectFormat isf_format{".fs", "_pictures", isf_files};
 
 Result<void> check_path(const fs::path& path, const EffectFormat& format) {
     std::error_code error;
@@ -115,7 +117,7 @@ Result<ExportedLook> export_effect(const ExportRequest& request, const EffectFor
         return made;
     ExportRequest written = request;
     written.path = scratch->path() / request.path.filename();
-    if (auto good = check_slang(written); !good)
+    if (auto good = check_effect(written); !good)
         return fail(good.error());
     if (auto moved = move_into_place(scratch->path(), request.path, format); !moved)
         return fail(moved.error());
@@ -128,14 +130,29 @@ Result<ExportedLook> export_slang(const ExportRequest& request) {
     return export_effect(request, slang_format);
 }
 
-Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared) {
+namespace {
+Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
+                                           const EffectFormat& format) {
     constexpr Extent usual{1280, 720};
-    auto output = output_of(prepared, usual, "look", slang_format);
+    auto output = output_of(prepared, usual, "look", format);
     return output ? Result<std::vector<std::string>>(std::move(output->losses))
                   : fail(output.error());
 }
+}  // namespace
 
-Result<void> check_slang(const ExportRequest& request) {
+Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared) {
+    return losses_in(prepared, slang_format);
+}
+
+Result<ExportedLook> export_isf(const ExportRequest& request) {
+    return export_effect(request, isf_format);
+}
+
+Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared) {
+    return losses_in(prepared, isf_format);
+}
+
+Result<void> check_effect(const ExportRequest& request) {
     const LoadedLook read = load_look(request.path, {});
     if (!read.look)
         return fail(read.look.error());

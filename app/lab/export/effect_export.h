@@ -9,5 +9,9 @@ Result<ExportedLook> export_slang(const ExportRequest& request);
 /// What the preset would lose. The error is the reason why the format can't hold the look.
 Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared);
 
-/// Opens the preset again, which compiles its shaders.
-Result<void> check_slang(const ExportRequest& request);
+/// Opens the written file as a look, which compiles its shaders.
+Result<void> check_effect(const ExportRequest& request);
+
+/// The same for one ISF file.
+Result<ExportedLook> export_isf(const ExportRequest& request);
+Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared);

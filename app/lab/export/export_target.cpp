@@ -40,7 +40,17 @@ const std::vector<ExportTarget>& export_targets() {
                    "the author's shader text with its #include files"},
          .losses = slang_losses,
          .write = export_slang,
-         .check = check_slang,
+         .check = check_effect,
+         .page = nullptr},
+        {.name = "isf",
+         .label = "ISF shader",
+         .extension = ".fs",
+         .help = "one .fs file, for VDMX and other programs with ISF shaders",
+         .keeps = {"looks that process a picture", "all parameters, with label and range",
+                   "the author's shader text"},
+         .losses = isf_losses,
+         .write = export_isf,
+         .check = check_effect,
          .page = nullptr},
     };
     return targets;

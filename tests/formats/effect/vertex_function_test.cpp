@@ -12,8 +12,9 @@ std::string joined(const Pass& pass) {
     return "#version 410 core\n" +
            effect_text(std::string_view(pass.fragment.text),
                        {.words = {{"main", "fragment_main"}}}) +
-           vertex_function(pass, pass.fragment.text, {}) +
-           "out vec4 shown;\nvoid main() { afterglow_set_inputs(vec2(0.5)); fragment_main(); shown "
+           vertex_function(pass, pass.fragment.text, {}).text +
+           "out vec4 shown;\nvoid main() { afterglow_vertex_set_inputs(vec2(0.5)); "
+           "fragment_main(); shown "
            "= color; "
            "}\n";
 }
@@ -50,7 +51,7 @@ TEST_CASE("inputs are matched by location, otherwise by name") {
     pass.fragment = builtin_stage(
         "#version 410 core\nlayout(location = 3) in vec2 ours;\nout vec4 color;\n"
         "void main() { color = vec4(ours, 0.0, 1.0); }\n");
-    CHECK(vertex_function(pass, pass.fragment.text, {}).find("ours = vertex_theirs_at_0") !=
+    CHECK(vertex_function(pass, pass.fragment.text, {}).text.find("ours = vertex_theirs_at_0") !=
           std::string::npos);
     check_compiles(pass);
 }

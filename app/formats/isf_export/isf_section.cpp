@@ -1,0 +1,337 @@
+#include "formats/isf_export/isf_section.h"
+
+#include "base/text.h"
+#include "formats/effect/effect_text.h"
+#include "formats/effect/vertex_function.h"
+#include "glsl/text/interface_statements.h"
+#include "glsl/text/tokens.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace {
+constexpr auto host_words = std::to_array<std::string_view>(
+    {"TIME", "TIMEDELTA", "RENDERSIZE", "PASSINDEX", "FRAMEINDEX", "DATE", "isf_FragNormCoord",
+     "isf_vertShaderInit", "gl_FragColor", "inputImage", "IMG_PIXEL", "IMG_NORM_PIXEL",
+     "IMG_THIS_PIXEL", "IMG_THIS_NORM_PIXEL", "IMG_SIZE"});
+
+constexpr auto sampling =
+    std::to_array<std::pair<std::string_view, std::string_view>>({{"texture", "image_at"},
+                                                                  {"textureLod", "image_lod"},
+                                                                  {"texelFetch", "image_fetch"},
+                                                                  {"textureSize", "image_size"},
+                                                                  {"sampler2D", "int"}});
+
+constexpr auto refused = std::to_array<std::string_view>(
+    {"textureGather", "textureOffset", "textureLodOffset", "texelFetchOffset", "textureGrad",
+     "textureProj", "textureProjLod", "textureQueryLod", "textureQueryLevels", "samplerCube",
+     "isampler2D", "usampler2D", "sampler3D"});
+
+/// Writes the section of one pass.
+class SectionWriter {
+public:
+    SectionWriter(std::size_t pass, const EffectUniforms& uniforms, IsfShared& shared)
+        : m_pass(shared.look.passes[pass]), m_uniforms(uniforms), m_shared(shared) {}
+
+    Result<IsfSection> write() {
+        auto files = effect_files(m_shared.author, m_pass);
+        if (!files)
+            return fail(files.error());
+        const std::string joined = joined_text(*files);
+        if (const std::string word = refused_word(joined); !word.empty())
+            return fail({{},
+                         0,
+                         fmt::format("the pass '{}' uses {}(), which ISF doesn't have. Export it "
+                                     "with --to web or --to slang.",
+                                     m_pass.name, word)});
+        m_rules.words = renamed_built_ins(joined);
+        add_words(joined);
+        add_values();
+        add_images();
+        const std::string body = effect_text(joined, m_rules);
+        m_section.text += fmt::format("// Pass {}.\n", m_pass.name) + m_head + body;
+        add_vertex();
+        set_structs();
+        add_entry(joined);
+        undefine(joined);
+        return std::move(m_section);
+    }
+
+private:
+    static std::string refused_word(const std::string& text) {
+        GlslWords words;
+        ::add_words(text, words);
+        for (const std::string_view word : refused)
+            if (words.contains(word))
+                return std::string(word);
+        return {};
+    }
+
+    // Names that the host or an earlier pass has.
+    void add_words(const std::string& joined) {
+        for (const auto& [word, other] : sampling)
+            m_rules.words[std::string(word)] = other;
+        for (const std::string_view word : host_words)
+            m_rules.words[std::string(word)] = "own_" + to_lower(word);
+        m_rules.words["main"] = "draw_" + m_pass.name;
+        for (const std::string& name : global_names(joined)) {
+            const std::string wanted = named(name);
+            const bool is_free =
+                m_shared.globals.insert(wanted).second && !wanted.starts_with("isf_");
+            if (!is_free)
+                m_rules.words[name] = m_pass.name + "_" + wanted;
+        }
+    }
+
+    std::string named(const std::string& name) const {
+        const auto word = m_rules.words.find(name);
+        return word == m_rules.words.end() ? name : word->second;
+    }
+
+    void add_values() {
+        for (const EffectNumber& number : m_uniforms.numbers) {
+            m_rules.declared.insert(number.name);
+            add_value(number);
+        }
+        for (const EffectStruct& of : m_uniforms.structs) {
+            std::string members;
+            for (const EffectNumber& member : of.members)
+                members += (members.empty() ? "" : ", ") + value_of(member);
+            m_rules.values[of.name] = "";  // no value where it is declared
+            m_structs.push_back({of.name, of.type, members});
+        }
+    }
+
+    // A parameter of the host, a constant, or a variable that the entry sets.
+    void add_value(const EffectNumber& number) {
+        const auto* parameter = std::get_if<const Parameter*>(&number.setter);
+        const IsfControl* control = parameter ? control_of(**parameter) : nullptr;
+        if (control && control->is_direct) {
+            m_rules.words[number.name] = control->names.front();
+            return;
+        }
+        const std::string type = glsl_name(number.type);
+        const std::string name = m_pass.name + "_" + named(number.name);
+        m_rules.words[number.name] = name;
+        if (std::holds_alternative<Value>(number.setter)) {
+            m_head += fmt::format("const {} {} = {};\n", type, name, value_of(number));
+            return;
+        }
+        m_head += fmt::format("{} {};\n", type, name);
+        m_settings += fmt::format("    {} = {};\n", name, value_of(number));
+    }
+
+    const IsfControl* control_of(const Parameter& parameter) const {
+        const auto found = m_shared.controls.find(parameter.name);
+        return found == m_shared.controls.end() ? nullptr : &found->second;
+    }
+
+    std::string value_of(const EffectNumber& number) const {
+        if (const auto* fixed = std::get_if<Value>(&number.setter))
+            return glsl_value(number.type, *fixed);
+        if (const auto* parameter = std::get_if<const Parameter*>(&number.setter)) {
+            const IsfControl* const control = control_of(**parameter);
+            return control ? fmt::format("{}({})", glsl_name(number.type),
+                                         isf_value(*control, (*parameter)->type))
+                           : glsl_zero(number.type);
+        }
+        if (const auto* built = std::get_if<BuiltInUniform>(&number.setter)) {
+            const std::string value = built_in(*built);
+            return value.empty() ? glsl_zero(number.type)
+                                 : fmt::format("{}({})", glsl_name(number.type), value);
+        }
+        return glsl_zero(number.type);
+    }
+
+    std::string frame_text() const {
+        return m_pass.frame_modulo > 0 ? fmt::format("(FRAMEINDEX % {})", m_pass.frame_modulo)
+                                       : "FRAMEINDEX";
+    }
+
+    std::string time_text(BuiltIn kind) const {
+        switch (kind) {
+            case BuiltIn::time:
+                return "TIME + TIMEDELTA";
+            case BuiltIn::time_before:
+                return "TIME";
+            case BuiltIn::time_delta:
+            case BuiltIn::delta_before:
+                return "TIMEDELTA";
+            case BuiltIn::frame:
+                return frame_text() + " + 1";
+            case BuiltIn::frame_index:
+                return frame_text();
+            case BuiltIn::microseconds:
+                return "1e6 * TIMEDELTA";
+            case BuiltIn::frame_rate:
+                return "1.0 / max(TIMEDELTA, 0.001)";
+            case BuiltIn::date:
+                return "DATE";
+            case BuiltIn::date_from_0:
+                return "DATE - vec4(0.0, 1.0, 0.0, 0.0)";
+            default:
+                return {};
+        }
+    }
+
+    // The size of the whole picture, from that of the pass.
+    std::string output_size() const {
+        const auto factor = [&](std::size_t axis) {
+            const Side& side = m_pass.size[axis];
+            return side.by == Side::By::viewport ? side.factor : 1.0;
+        };
+        return fmt::format("floor(RENDERSIZE / vec2({}, {}) + 0.5)", format_number(factor(0)),
+                           format_number(factor(1)));
+    }
+
+    std::string built_in(const BuiltInUniform& uniform) const {
+        const std::string source = m_shared.images.size_of(m_pass.source);
+        const std::string size =
+            m_shared.images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE";
+        const std::string whole_source = m_pass.source.empty() && !m_shared.look.passes.empty()
+                                             ? m_shared.images.size_of("")
+                                             : source;
+        const auto of = [&] {
+            return m_shared.images.size_of(
+                uniform.of && uniform.of->from == Input::From::pass ? uniform.of->name : "");
+        };
+        switch (uniform.kind) {
+            case BuiltIn::target_size:
+                return size;
+            case BuiltIn::target_resolution:
+                return fmt::format("vec3({}, 1.0)", size);
+            case BuiltIn::target_extent:
+                return fmt::format("vec4({0}, 1.0 / {0})", size);
+            case BuiltIn::output_size:
+                return output_size();
+            case BuiltIn::output_extent:
+                return fmt::format("vec4({0}, 1.0 / {0})", output_size());
+            case BuiltIn::source_size:
+                return source;
+            case BuiltIn::source_lines:
+                return fmt::format("vec3(0.0, 1.0 / {0}.y, {0}.y)", whole_source);
+            case BuiltIn::source_columns:
+                return fmt::format("vec3(0.0, 1.0 / {0}.x, {0}.x)", whole_source);
+            case BuiltIn::source_aspect:
+                return fmt::format("{0}.x / {0}.y", whole_source);
+            case BuiltIn::input_extent:
+                return fmt::format("vec4({0}, 1.0 / {0})", of());
+            case BuiltIn::input_resolution:
+                return fmt::format("vec3({}, 1.0)", of());
+            case BuiltIn::samples:
+                return "1";
+            case BuiltIn::quad_to_clip:
+                return fmt::format(
+                    "mat4(2.0, 0.0, 0.0, 0.0, 0.0, {0}2.0, 0.0, 0.0, 0.0, 0.0, 1.0, "
+                    "0.0, -1.0, {1}1.0, 0.0, 1.0)",
+                    m_pass.rows == RowOrder::top_first ? "" : "-",
+                    m_pass.rows == RowOrder::top_first ? "-" : "");
+            default:
+                return time_text(uniform.kind);
+        }
+    }
+
+    void add_images() {
+        const auto add = [&](const std::string& uniform, std::size_t number) {
+            m_rules.declared.insert(uniform);
+            const std::string name = m_pass.name + "_" + uniform;
+            m_rules.words[uniform] = name;
+            m_head += fmt::format("const int {} = {};\n", name, number);
+        };
+        for (const Input& input : m_uniforms.samplers)
+            add(input.uniform, m_shared.images.number_of(input));
+        constexpr std::size_t nothing = 99;
+        for (const std::string& uniform : m_uniforms.unread)
+            add(uniform, nothing);
+    }
+
+    void add_vertex() {
+        if (!has_own_vertex(m_pass))
+            return;
+        const VertexFunction vertex =
+            vertex_function(m_pass, m_pass.fragment.text, m_rules, "vertex_" + m_pass.name + "_");
+        m_section.text += vertex.text;
+        m_set_inputs = vertex.name;
+        m_vertex_prefix = vertex.prefix;
+    }
+
+    // Each stage may declare a struct.
+    void set_structs() {
+        const auto declares = [](std::string_view text, const std::string& name) {
+            const std::vector<std::string> names = global_names(text);
+            return std::ranges::find(names, name) != names.end();
+        };
+        for (const StructValue& of : m_structs) {
+            if (declares(m_pass.fragment.text, of.name))
+                m_settings +=
+                    fmt::format("    {} = {}({});\n", named(of.name), named(of.type), of.members);
+            if (!m_vertex_prefix.empty() && declares(m_pass.vertex.text, of.name))
+                m_settings += fmt::format("    {0}{1} = {0}{2}({3});\n", m_vertex_prefix, of.name,
+                                          of.type, of.members);
+        }
+    }
+
+    // The place in the target, or in the part of it that has the source.
+    std::string place() const {
+        return m_shared.images.is_source(m_pass.name) ? "gl_FragCoord.xy / source_size(0)"
+                                                      : "isf_FragNormCoord";
+    }
+
+    // The shader's inputs and outputs are variables.
+    void add_entry(const std::string& joined) {
+        m_section.entry = "run_" + m_pass.name;
+        std::string input;
+        for (const InterfaceStatement& statement : find_interface_statements(joined)) {
+            if (statement.declarators.empty())
+                continue;
+            const std::string name = named(statement.declarators.front().name);
+            if (statement.kind == InterfaceStatement::Kind::output)
+                m_section.result = name;
+            if (statement.kind == InterfaceStatement::Kind::input)
+                input = name;
+        }
+        std::string text = fmt::format("\nvoid {}() {{\n{}", m_section.entry, m_settings);
+        if (!m_set_inputs.empty())
+            text += fmt::format("    {}({});\n", m_set_inputs, place());
+        else if (!input.empty())
+            text += fmt::format("    {} = {};\n", input, place());
+        m_section.text += text + fmt::format("    {}();\n}}\n", named("main"));
+    }
+
+    // Macros end with their pass.
+    void undefine(const std::string& joined) {
+        const Tokens tokens = scan(joined);
+        std::set<std::string> macros;
+        for (const Directive& directive : find_directives(joined, tokens))
+            if (directive.name == "define" && !directive.arguments.empty())
+                macros.insert(named(std::string(directive.arguments.front().text)));
+        for (const std::string& macro : macros)
+            m_section.text += fmt::format("#undef {}\n", macro);
+        m_section.text += "\n";
+    }
+
+    struct StructValue {
+        std::string name;
+        std::string type;
+        std::string members;  // arguments of its constructor
+    };
+
+    const Pass& m_pass;
+    const EffectUniforms& m_uniforms;
+    IsfShared& m_shared;
+    EffectTextRules m_rules;
+    std::string m_head;      // constants and variables
+    std::string m_settings;  // statements that set the variables
+    std::vector<StructValue> m_structs;
+    std::string m_vertex_prefix;  // "": no vertex shader of its own
+    std::string m_set_inputs;     // the function of the vertex shader
+    IsfSection m_section;
+};
+}  // namespace
+
+Result<IsfSection> isf_section(std::size_t pass, const EffectUniforms& uniforms,
+                               IsfShared& shared) {
+    return SectionWriter(pass, uniforms, shared).write();
+}
