@@ -187,9 +187,8 @@ private:
     }
 
     std::string built_in(const BuiltInUniform& uniform) const {
-        const std::string source = m_shared.images.size_of(m_pass.source);
-        const std::string size =
-            m_shared.images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE";
+        std::string source = m_shared.images.size_of(m_pass.source);
+        std::string size = m_shared.images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE";
         const std::string whole_source = m_pass.source.empty() && !m_shared.look.passes.empty()
                                              ? m_shared.images.size_of("")
                                              : source;

@@ -43,7 +43,9 @@ Diagnostic diagnostic_from(const CompilerMessage& message, const Stage& stage,
 class Compiled {
 public:
     Compiled(const Stage& stage, EShLanguage language)
-        : m_stage(stage), m_text(with_nested_arrays(without_line_directives(stage.text))), m_shader(language) {
+        : m_stage(stage),
+          m_text(with_nested_arrays(without_line_directives(stage.text))),
+          m_shader(language) {
         m_pieces[0] = m_text.c_str();
         m_sizes[0] = static_cast<int>(m_text.size());
         m_shader.setStringsWithLengths(m_pieces, m_sizes, 1);

@@ -195,6 +195,6 @@ std::vector<std::string> global_names(std::string_view text) {
         at = end;
     }
     std::ranges::sort(names);
-    names.erase(std::ranges::unique(names).begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
