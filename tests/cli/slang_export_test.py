@@ -98,8 +98,9 @@ class SlangExportTest(ProgramTest):
 
     def test_the_head_has_author_and_licence(self):
         file, _ = self.export(self.look())
-        for text in (file.read_text(), (self.folder / "look_shaders" / "show.slang").read_text()):
-            self.assertIn("// Author: A. Nyone\n// Licence: MIT\n", text)
+        for mark, part in (("#", file), ("//", self.folder / "look_shaders" / "show.slang")):
+            text = part.read_text()
+            self.assertIn(f"{mark} Author: A. Nyone\n{mark} Licence: MIT\n", text)
             self.assertIn("show.frag", text)
 
     def test_hostile_text_stays_text(self):
@@ -116,12 +117,32 @@ class SlangExportTest(ProgramTest):
     def test_nothing_is_half_written(self):
         self.assert_refused(run("export", "crt", "--to", "slang", "-o", self.folder / "a.txt"), ".slangp")
         self.assert_refused(run("export", "crt", "--to", "slang", "-o", self.folder), "is a folder")
-        (self.folder / "mine_shaders").mkdir()
-        self.assert_refused(run("export", "crt", "--to", "slang", "-o", self.folder / "mine.slangp"),
-                            "is there already")
+        self.write("mine_shaders/notes.txt", "keep")
+        for before in ("", "shaders = 1\n"):  # also if another preset has the name
+            if before:
+                self.write("mine.slangp", before)
+            self.assert_refused(run("export", "crt", "--to", "slang", "-o", self.folder / "mine.slangp"),
+                                "notes.txt", "isn't part of an earlier export")
+        self.assertEqual((self.folder / "mine_shaders" / "notes.txt").read_text(), "keep")
+        self.assertEqual((self.folder / "mine.slangp").read_text(), "shaders = 1\n")
         broken = self.look("broken", shader="#version 410 core\nvoid main() { oops }\n")
         self.assert_refused(run("export", broken, "--to", "slang", "-o", self.folder / "b.slangp"), "show.frag:2")
         self.assertFalse((self.folder / "b.slangp").exists())
+
+    def test_an_exported_preset_is_exported_again(self):
+        self.export("crt", name="first.slangp")
+        self.export(self.folder / "first.slangp", name="second.slangp")  # has vertex shaders of its own
+        self.assert_same_picture(self.folder / "second.slangp")
+
+    def test_what_does_not_compile_there_is_refused_with_the_reason(self):
+        shader = ("#version 410 core\nin vec2 uv;\nout vec4 color;\nuniform sampler2D scene;\n"
+                  "uniform Block { float gain; };\nvoid main() { color = texture(scene, uv) * gain; }\n")
+        look = self.look("block", shader=shader)
+        for options in ([], ["--dry-run"]):
+            done = run("export", look, "--to", "slang", "-o", self.folder / "a.slangp", *options)
+            self.assert_refused(done, "can't be written as a RetroArch preset", "--to web")
+            self.assertIn("\nerror: the look can't", done.stderr)  # without a temporary file
+        self.assertFalse((self.folder / "a.slangp").exists())
 
     def test_an_earlier_export_is_replaced(self):
         self.export("shadow-mask")

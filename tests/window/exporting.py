@@ -152,9 +152,29 @@ class Exporting(Person):
                        stdout=subprocess.DEVNULL)
         self.assertEqual(pasted("UTF8_STRING"), b"text")
 
+    def test_a_look_is_exported_as_a_preset_and_compared(self):
+        program = self.program
+        program.click("look:crt")
+        program.wait("the look is open", lambda s: s["look"] == "crt")
+        program.choose("File", "Export look…")
+        program.click("look_export_target")
+        program.click("look_export_target:RetroArch preset")
+        program.place("look_export_losses")
+        preset = program.folder / "mine.slangp"
+        self.fill(dialog_file=str(preset))
+        self.snapshot("look_export_preset")
+        program.key("Return")
+        program.place("look_export_verification")
+        self.snapshot("look_exported_preset")
+        self.assertIn('alias1 = ', preset.read_text(encoding="utf-8"))
+        program.key("Return")
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
+
     def test_a_look_is_exported_as_a_page_and_compared(self):
         program = self.program
         program.choose("File", "Export look…")
+        program.click("look_export_target")  # the last one is remembered
+        program.click("look_export_target:Web page")
         program.place("look_export_losses")
         self.snapshot("look_export")
         page = program.folder / "page"

@@ -17,8 +17,8 @@ double usual_step(const Range& range) {
     return power * (digit < 1.5 ? 1.0 : digit < 3.5 ? 2.0 : digit < 7.5 ? 5.0 : 10.0);
 }
 
-std::string label_of(const Look& look, const Parameter& parameter) {
-    const std::string group = heading_of(look, parameter);
+std::string label_of(const Parameter& parameter) {
+    const std::string& group = parameter.group;
     std::string label = group.empty() ? parameter.label : group + ": " + parameter.label;
     if (!parameter.unit.empty())
         label += fmt::format(" ({})", parameter.unit);
@@ -61,8 +61,8 @@ std::vector<EffectControl> effect_controls(const Look& look, const Values& value
             continue;
         Value value = value_for_shaders(parameter, value_of(parameter, values));
         Range range = range_with(parameter, value);
-        controls.push_back({&parameter, names.add(parameter.name), label_of(look, parameter),
-                            std::move(value), range});
+        controls.push_back(
+            {&parameter, names.add(parameter.name), label_of(parameter), std::move(value), range});
     }
     return controls;
 }

@@ -35,9 +35,6 @@ std::string obstacle_in(const Pass& pass, const EffectHost& host) {
     for (const Input& input : pass.inputs)
         if (std::string found = obstacle_in(input, host); !found.empty())
             return found;
-    for (const BuiltInUniform& built_in : pass.built_ins)
-        if (built_in.kind == BuiltIn::samples && pass.accumulate)
-            return "accumulates samples over many frames";
     return {};
 }
 }  // namespace

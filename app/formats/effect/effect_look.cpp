@@ -36,8 +36,7 @@ Pass copy_pass(std::string name, Encoding from, Encoding to, Copied how, const I
     return pass;
 }
 
-// The pictures that parameters select become images of the look. A video or sequence gives its
-// first picture.
+// The pictures that parameters select become images of the look.
 void add_chosen_pictures(Look& look, const Values& values) {
     for (const Parameter& parameter : look.parameters) {
         const std::string& path = value_of(parameter, values).path;
@@ -64,6 +63,36 @@ void add_chosen_pictures(Look& look, const Values& values) {
             known->made = image.made;
         }
     }
+}
+
+// A sampler reads black if its picture is not chosen.
+void remove_missing_pictures(Look& look) {
+    const auto is_missing = [&](const Input& input) {
+        return input.from == Input::From::image &&
+               std::ranges::find(look.images, input.name, &Image::name) == look.images.end();
+    };
+    std::erase_if(look.images,
+                  [](const Image& image) { return image.file.empty() && image.made.empty(); });
+    for (Pass& pass : look.passes)
+        std::erase_if(pass.inputs, is_missing);
+}
+
+// What a parameter loses although its shaders can be written; "" if it stays adjustable.
+std::string loss_of(const Look& look, const Parameter& parameter) {
+    if (parameter.bindings.empty())
+        return {};
+    const auto loss = [&](const char* reason) {
+        return fmt::format("The control '{}'. {}", parameter.label, reason);
+    };
+    if (parameter.control == Control::image)
+        return loss("Its picture is fixed.");
+    if (parameter.control == Control::event)
+        return loss("It is never pressed.");
+    if (parameter.is_constant)
+        return loss("It is a constant of the shaders, so its value is fixed.");
+    if (drives_size(look, parameter))
+        return loss("It sets the size of a pass, so its value is fixed.");
+    return {};
 }
 
 /// Reduces a look, pass by pass.
@@ -186,7 +215,7 @@ private:
             else
                 input.name = m_names[input.name];
         } else if (input.from == Input::From::image) {
-            input.name = m_image_names[input.name];
+            input.name = m_image_names.at(input.name);
         }
         input.sampler.mipmap = input.sampler.mipmap && m_host.has_mipmaps;
     }
@@ -252,12 +281,9 @@ private:
     // Bindings have the indices of the reduced look's passes.
     void move_bindings() {
         for (Parameter& parameter : m_effect.look.parameters) {
-            if (drives_size(m_look, parameter) && !parameter.is_constant &&
-                !parameter.bindings.empty()) {
+            if (std::string loss = loss_of(m_look, parameter); !loss.empty()) {
                 m_effect.fixed.push_back(parameter.name);
-                m_effect.losses.push_back(fmt::format(
-                    "The control '{}'. It sets the size of a pass, so its value is fixed.",
-                    parameter.label));
+                m_effect.losses.push_back(std::move(loss));
             }
             std::vector<Binding> bindings;
             for (const Binding& binding : parameter.bindings) {
@@ -297,5 +323,6 @@ Result<Effect> effect_of(const Look& look, const Values& values, Extent size, Ex
         return fail(larger.error());
     Look complete = look;
     add_chosen_pictures(complete, values);
+    remove_missing_pictures(complete);
     return EffectMaker(complete, host, size, std::move(*plan), std::move(*larger)).make();
 }

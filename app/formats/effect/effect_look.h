@@ -24,7 +24,7 @@ struct Effect {
     /// px. Only the first pass reads the source, which has the host's rows and is display-encoded.
     /// The last pass writes the host's rows, display-encoded. Names of passes are identifiers.
     Look look;
-    /// Parameters whose values cannot change, because the size of a pass depends on them.
+    /// Parameters whose values cannot change.
     std::vector<std::string> fixed;
     std::vector<std::string> losses;  // a sentence per item
 };

@@ -25,9 +25,18 @@ Picture turned_over(Picture picture) {
     return picture;
 }
 
+Picture black_picture() {
+    return {.extent = {1, 1},
+            .channels = 4,
+            .encoding = Encoding::display,
+            .pixels = {0.0f, 0.0f, 0.0f, 0.0f}};
+}
+
 Result<EffectPicture> picture_file(const Look& look, const Image& image, const std::string& folder,
                                    RowOrder rows) {
     auto picture = image.made.empty() ? load_picture(image.file) : made_picture(image.made);
+    if (!picture && !image.is_needed)
+        picture = black_picture();
     if (!picture)
         return fail(picture.error());
     const Encoding wanted = image.encoding.value_or(look.source_encoding);
@@ -55,11 +64,7 @@ Result<std::vector<EffectPicture>> effect_pictures(const Look& look, const std::
         files.push_back(std::move(*file));
     }
     if (!black.empty()) {
-        const Picture nothing{.extent = {1, 1},
-                              .channels = 4,
-                              .encoding = Encoding::display,
-                              .pixels = {0.0f, 0.0f, 0.0f, 0.0f}};
-        auto file = exact_picture_file(nothing);
+        auto file = exact_picture_file(black_picture());
         if (!file)
             return fail(file.error());
         files.push_back({black, fmt::format("{}/{}.png", folder, black), {}, std::move(*file)});

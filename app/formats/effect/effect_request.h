@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A look to write in the format of another program.
@@ -26,6 +27,7 @@ struct EffectOutput {
     std::vector<std::string> losses;              // a sentence per item
 };
 
-/// The head of an exported file: the look, and author and licence of each source file, as `//`
-/// lines.
-std::string notice_comment(const Look& look, const SourceNotices& notices);
+/// The head of an exported file: the look, and author and licence of each source file. `mark`: what
+/// starts a comment line.
+std::string notice_comment(const Look& look, const SourceNotices& notices,
+                           std::string_view mark = "//");

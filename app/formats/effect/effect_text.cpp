@@ -145,10 +145,17 @@ std::string effect_text(std::string_view text, const EffectTextRules& rules) {
 WordChanges renamed_built_ins(std::string_view text) {
     static const std::vector<std::string> functions =
         find_built_in_names({.version = 450, .is_vulkan = true}).functions;
+    const std::vector<std::string> names = global_names(text);
     WordChanges words;
-    for (const std::string& name : global_names(text))
-        if (std::ranges::find(functions, name) != functions.end() || name.starts_with("afterglow_"))
-            words.emplace(name, "own_" + name);
+    for (const std::string& name : names) {
+        if (std::ranges::find(functions, name) == functions.end() &&
+            !name.starts_with("afterglow_"))
+            continue;
+        std::string other = "own_" + name;
+        while (std::ranges::find(names, other) != names.end())
+            other.insert(0, "own_");
+        words.emplace(name, std::move(other));
+    }
     return words;
 }
 

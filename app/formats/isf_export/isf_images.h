@@ -24,6 +24,7 @@ public:
     /// Whether a pass has the size of the source. ISF can't name that size, so its picture is at
     /// the bottom left of a larger target.
     bool is_source(const std::string& pass) const;
+    bool has_source() const { return !m_sources.empty(); }
     /// The number for a sampler of a pass.
     std::size_t number_of(const Input& input) const;
     /// The size of a pass's picture as GLSL; of the source for "".

@@ -1,6 +1,7 @@
 #include "formats/isf_export/isf_section.h"
 
 #include "base/text.h"
+#include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_text.h"
 #include "formats/effect/vertex_function.h"
 #include "glsl/text/interface_statements.h"
@@ -28,6 +29,42 @@ constexpr auto refused = std::to_array<std::string_view>(
     {"textureGather", "textureOffset", "textureLodOffset", "texelFetchOffset", "textureGrad",
      "textureProj", "textureProjLod", "textureQueryLod", "textureQueryLevels", "samplerCube",
      "isampler2D", "usampler2D", "sampler3D"});
+
+/// What programs with ISF shaders give to a pass.
+class IsfValues final : public HostValues {
+public:
+    IsfValues(const Pass& pass, const IsfImages& images) : m_pass(pass), m_images(images) {}
+
+    HostSize target() override {
+        return {m_images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE"};
+    }
+    // From the size of the pass.
+    HostSize output() override {
+        const auto factor = [&](std::size_t axis) {
+            const Side& side = m_pass.size[axis];
+            return side.by == Side::By::viewport ? side.factor : 1.0;
+        };
+        return {fmt::format("floor(RENDERSIZE / vec2({}, {}) + 0.5)", format_number(factor(0)),
+                            format_number(factor(1)))};
+    }
+    HostSize source() override {
+        return m_pass.source.empty() && m_images.has_source() ? HostSize{"source_size(0)"}
+                                                              : raster();
+    }
+    HostSize raster() override { return {m_images.size_of(m_pass.source)}; }
+    HostSize input(const Input& input) override {
+        return {m_images.size_of(input.from == Input::From::pass ? input.name : std::string())};
+    }
+    std::string frames_before() override { return "FRAMEINDEX"; }
+    std::string time() override { return "(TIME + TIMEDELTA)"; }
+    std::string time_before() override { return "TIME"; }
+    std::string time_delta() override { return "TIMEDELTA"; }
+    std::string date() override { return "DATE"; }
+
+private:
+    const Pass& m_pass;
+    const IsfImages& m_images;
+};
 
 /// Writes the section of one pass.
 class SectionWriter {
@@ -138,98 +175,10 @@ private:
                            : glsl_zero(number.type);
         }
         if (const auto* built = std::get_if<BuiltInUniform>(&number.setter)) {
-            const std::string value = built_in(*built);
-            return value.empty() ? glsl_zero(number.type)
-                                 : fmt::format("{}({})", glsl_name(number.type), value);
+            IsfValues values(m_pass, m_shared.images);
+            return built_in_value(*built, number.type, m_pass, values);
         }
         return glsl_zero(number.type);
-    }
-
-    std::string frame_text() const {
-        return m_pass.frame_modulo > 0 ? fmt::format("(FRAMEINDEX % {})", m_pass.frame_modulo)
-                                       : "FRAMEINDEX";
-    }
-
-    std::string time_text(BuiltIn kind) const {
-        switch (kind) {
-            case BuiltIn::time:
-                return "TIME + TIMEDELTA";
-            case BuiltIn::time_before:
-                return "TIME";
-            case BuiltIn::time_delta:
-            case BuiltIn::delta_before:
-                return "TIMEDELTA";
-            case BuiltIn::frame:
-                return frame_text() + " + 1";
-            case BuiltIn::frame_index:
-                return frame_text();
-            case BuiltIn::microseconds:
-                return "1e6 * TIMEDELTA";
-            case BuiltIn::frame_rate:
-                return "1.0 / max(TIMEDELTA, 0.001)";
-            case BuiltIn::date:
-                return "DATE";
-            case BuiltIn::date_from_0:
-                return "DATE - vec4(0.0, 1.0, 0.0, 0.0)";
-            default:
-                return {};
-        }
-    }
-
-    // The size of the whole picture, from that of the pass.
-    std::string output_size() const {
-        const auto factor = [&](std::size_t axis) {
-            const Side& side = m_pass.size[axis];
-            return side.by == Side::By::viewport ? side.factor : 1.0;
-        };
-        return fmt::format("floor(RENDERSIZE / vec2({}, {}) + 0.5)", format_number(factor(0)),
-                           format_number(factor(1)));
-    }
-
-    std::string built_in(const BuiltInUniform& uniform) const {
-        std::string source = m_shared.images.size_of(m_pass.source);
-        std::string size = m_shared.images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE";
-        const std::string whole_source = m_pass.source.empty() && !m_shared.look.passes.empty()
-                                             ? m_shared.images.size_of("")
-                                             : source;
-        const auto of = [&] {
-            return m_shared.images.size_of(
-                uniform.of && uniform.of->from == Input::From::pass ? uniform.of->name : "");
-        };
-        switch (uniform.kind) {
-            case BuiltIn::target_size:
-                return size;
-            case BuiltIn::target_resolution:
-                return fmt::format("vec3({}, 1.0)", size);
-            case BuiltIn::target_extent:
-                return fmt::format("vec4({0}, 1.0 / {0})", size);
-            case BuiltIn::output_size:
-                return output_size();
-            case BuiltIn::output_extent:
-                return fmt::format("vec4({0}, 1.0 / {0})", output_size());
-            case BuiltIn::source_size:
-                return source;
-            case BuiltIn::source_lines:
-                return fmt::format("vec3(0.0, 1.0 / {0}.y, {0}.y)", whole_source);
-            case BuiltIn::source_columns:
-                return fmt::format("vec3(0.0, 1.0 / {0}.x, {0}.x)", whole_source);
-            case BuiltIn::source_aspect:
-                return fmt::format("{0}.x / {0}.y", whole_source);
-            case BuiltIn::input_extent:
-                return fmt::format("vec4({0}, 1.0 / {0})", of());
-            case BuiltIn::input_resolution:
-                return fmt::format("vec3({}, 1.0)", of());
-            case BuiltIn::samples:
-                return "1";
-            case BuiltIn::quad_to_clip:
-                return fmt::format(
-                    "mat4(2.0, 0.0, 0.0, 0.0, 0.0, {0}2.0, 0.0, 0.0, 0.0, 0.0, 1.0, "
-                    "0.0, -1.0, {1}1.0, 0.0, 1.0)",
-                    m_pass.rows == RowOrder::top_first ? "" : "-",
-                    m_pass.rows == RowOrder::top_first ? "-" : "");
-            default:
-                return time_text(uniform.kind);
-        }
     }
 
     void add_images() {

@@ -63,7 +63,8 @@ public:
         if (auto added = add_pictures(); !added)
             return fail(added.error());
         m_output.texts[m_request.name + ".slangp"] =
-            notice_lines() + slang_preset_text(look(), m_shaders, m_pictures);
+            notice_comment(m_request.look, m_request.notices, "#") + include_lines() +
+            slang_preset_text(look(), m_shaders, m_pictures);
         return std::move(m_output);
     }
 
@@ -71,6 +72,15 @@ private:
     const Look& look() const { return m_effect.look; }
 
     std::string notice_lines() const { return notice_comment(m_request.look, m_request.notices); }
+
+    // So that the preset names all files of its folder.
+    std::string include_lines() const {
+        std::string text;
+        for (const auto& [path, content] : m_output.texts)
+            if (std::ranges::find(m_shaders, path) == m_shaders.end())
+                text += fmt::format("# Included: {}\n", path);
+        return text;
+    }
 
     Result<void> read_uniforms() {
         for (std::size_t i = 0; i < look().passes.size(); ++i) {
@@ -131,7 +141,7 @@ private:
             rules.values[of.name] = block.value(of);
         const bool has_vertex = has_own_vertex(pass);
         if (has_vertex) {
-            rules.words["main"] = "fragment_main";
+            rules.words["main"] = "afterglow_main";
         } else {
             rules.input = "layout(location = 0) in";
             rules.output = "layout(location = 0) out";
@@ -154,19 +164,20 @@ private:
     }
 
     // The fragment shader's inputs and outputs are variables then.
-    std::string own_vertex(const Pass& pass, EffectTextRules rules) const {
-        rules.words.clear();
+    static std::string own_vertex(const Pass& pass, const EffectTextRules& rules) {
         std::string output;
         for (const InterfaceStatement& statement :
              find_interface_statements(std::string_view(pass.fragment.text)))
             if (statement.kind == InterfaceStatement::Kind::output &&
                 !statement.declarators.empty())
                 output = statement.declarators.front().name;
+        if (const auto word = rules.words.find(output); word != rules.words.end())
+            output = word->second;
         const VertexFunction vertex = vertex_function(pass, pass.fragment.text, rules);
         return vertex.text + fmt::format(
                                  "\nlayout(location = 0) in vec2 afterglow_place;\n"
                                  "layout(location = 0) out vec4 afterglow_color;\n"
-                                 "void main() {{\n    {}(afterglow_place);\n    fragment_main();\n"
+                                 "void main() {{\n    {}(afterglow_place);\n    afterglow_main();\n"
                                  "    afterglow_color = {};\n}}\n",
                                  vertex.name, output);
     }

@@ -1,50 +1,13 @@
 #include "formats/slang_export/slang_values.h"
 
+#include "formats/effect/built_in_value.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace {
 constexpr const char* block = "global";
-
-// The type of an expression for a built-in value.
-NumberType natural_type(BuiltIn kind) {
-    switch (kind) {
-        case BuiltIn::target_size:
-        case BuiltIn::output_size:
-        case BuiltIn::source_size:
-        case BuiltIn::mouse:
-            return {Scalar::floating, 2, 1};
-        case BuiltIn::source_lines:
-        case BuiltIn::source_columns:
-        case BuiltIn::target_resolution:
-        case BuiltIn::input_resolution:
-            return {Scalar::floating, 3, 1};
-        case BuiltIn::press:
-        case BuiltIn::date:
-        case BuiltIn::date_from_0:
-        case BuiltIn::target_extent:
-        case BuiltIn::output_extent:
-        case BuiltIn::input_extent:
-            return {Scalar::floating, 4, 1};
-        case BuiltIn::view:
-        case BuiltIn::camera:
-        case BuiltIn::quad_to_clip:
-            return {Scalar::floating, 4, 4};
-        case BuiltIn::frame:
-        case BuiltIn::frame_index:
-        case BuiltIn::samples:
-            return {Scalar::integer, 1, 1};
-        case BuiltIn::drawn_onto:
-            return {Scalar::boolean, 1, 1};
-        default:
-            return {};
-    }
-}
-
-std::string converted(const std::string& expression, const NumberType& from, const NumberType& to) {
-    return from == to ? expression : fmt::format("{}({})", glsl_name(to), expression);
-}
 }  // namespace
 
 std::string SlangBlock::member(const char* type, const std::string& name) {
@@ -54,75 +17,38 @@ std::string SlangBlock::member(const char* type, const std::string& name) {
     return fmt::format("{}.{}", block, name);
 }
 
-std::string SlangBlock::time_value(BuiltIn kind) {
-    const std::string count = member("uint", "FrameCount");
-    const std::string frame =
-        m_pass.frame_modulo > 0 ? fmt::format("({} % {}u)", count, m_pass.frame_modulo) : count;
-    switch (kind) {
-        case BuiltIn::time:
-            return fmt::format("float({} + 1u) / 60.0", count);
-        case BuiltIn::time_before:
-            return fmt::format("float({}) / 60.0", count);
-        case BuiltIn::delta_before:
-            return fmt::format("({} == 0u ? 0.0 : 1.0 / 60.0)", count);
-        case BuiltIn::frame:
-            return fmt::format("int({}) + 1", frame);
-        case BuiltIn::frame_index:
-            return fmt::format("int({})", frame);
-        case BuiltIn::time_delta:
-            return "1.0 / 60.0";
-        case BuiltIn::microseconds:
-            return "16667.0";
-        case BuiltIn::frame_rate:
-            return "60.0";
-        default:
-            return glsl_zero(natural_type(kind));
-    }
-}
+/// What RetroArch gives to a pass. It has no clock; libretro cores run at about 60 frames per
+/// second.
+class SlangBlock::Values final : public HostValues {
+public:
+    explicit Values(SlangBlock& block) : m_block(block) {}
 
-std::string SlangBlock::built_in(const BuiltInUniform& uniform) {
-    const auto size_of = [&](const std::string& texture) {
-        return member("vec4", texture.empty() ? "OriginalSize" : texture + "Size");
-    };
-    const std::string& source = m_pass.source;
-    const std::string of =
-        uniform.of && uniform.of->from != Input::From::source ? uniform.of->name : std::string();
-    switch (uniform.kind) {
-        case BuiltIn::samples:
-            return "1";
-        case BuiltIn::target_size:
-            return member("vec4", "OutputSize") + ".xy";
-        case BuiltIn::target_resolution:
-            return fmt::format("vec3({}.xy, 1.0)", member("vec4", "OutputSize"));
-        case BuiltIn::target_extent:
-            return member("vec4", "OutputSize");
-        case BuiltIn::output_size:
-            return member("vec4", "FinalViewportSize") + ".xy";
-        case BuiltIn::output_extent:
-            return member("vec4", "FinalViewportSize");
-        case BuiltIn::source_size:
-            return size_of(source) + ".xy";
-        case BuiltIn::source_lines:
-            return fmt::format("vec3(0.0, {0}.w, {0}.y)", size_of(source));
-        case BuiltIn::source_columns:
-            return fmt::format("vec3(0.0, {0}.z, {0}.x)", size_of(source));
-        case BuiltIn::source_aspect:
-            return fmt::format("{0}.x / {0}.y", size_of(source));
-        case BuiltIn::input_extent:
-            return size_of(of);
-        case BuiltIn::input_resolution:
-            return fmt::format("vec3({}.xy, 1.0)", size_of(of));
-        case BuiltIn::quad_to_clip:
-            return fmt::format(
-                "mat4(2.0, 0.0, 0.0, 0.0, 0.0, {0}2.0, 0.0, 0.0, 0.0, 0.0, 1.0, "
-                "0.0, -1.0, {1}1.0, 0.0, 1.0)",
-                m_pass.rows == RowOrder::top_first ? "" : "-",
-                m_pass.rows == RowOrder::top_first ? "-" : "");
-        default:
-            return tells_time(uniform.kind) ? time_value(uniform.kind)
-                                            : glsl_zero(natural_type(uniform.kind));
+    HostSize target() override { return size("OutputSize"); }
+    HostSize output() override { return size("FinalViewportSize"); }
+    HostSize source() override { return texture(m_block.m_pass.source); }
+    HostSize raster() override { return source(); }
+    HostSize input(const Input& input) override {
+        return texture(input.from == Input::From::source ? std::string() : input.name);
     }
-}
+    std::string frames_before() override { return fmt::format("int({})", count()); }
+    std::string time() override { return fmt::format("float({} + 1u) / 60.0", count()); }
+    std::string time_before() override { return fmt::format("float({}) / 60.0", count()); }
+    std::string time_delta() override { return "1.0 / 60.0"; }
+    std::string date() override { return {}; }
+
+private:
+    HostSize size(const std::string& name) {
+        const std::string extent = m_block.member("vec4", name);
+        return {extent + ".xy", extent};
+    }
+    // "": the source picture.
+    HostSize texture(const std::string& name) {
+        return size(name.empty() ? "OriginalSize" : name + "Size");
+    }
+    std::string count() { return m_block.member("uint", "FrameCount"); }
+
+    SlangBlock& m_block;
+};
 
 std::string SlangBlock::parameter_value(const Parameter& parameter, const NumberType& type) {
     m_used.insert(parameter.name);
@@ -149,8 +75,10 @@ std::string SlangBlock::parameter_value(const Parameter& parameter, const Number
 std::string SlangBlock::value(const EffectNumber& number) {
     if (const auto* fixed = std::get_if<Value>(&number.setter))
         return glsl_value(number.type, *fixed);
-    if (const auto* built = std::get_if<BuiltInUniform>(&number.setter))
-        return converted(built_in(*built), natural_type(built->kind), number.type);
+    if (const auto* built = std::get_if<BuiltInUniform>(&number.setter)) {
+        Values values(*this);
+        return built_in_value(*built, number.type, m_pass, values);
+    }
     if (const auto* parameter = std::get_if<const Parameter*>(&number.setter))
         if (m_parameters.contains((*parameter)->name))
             return parameter_value(**parameter, number.type);

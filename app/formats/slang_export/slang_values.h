@@ -26,9 +26,9 @@ public:
     std::string declaration() const;
 
 private:
+    class Values;
+
     std::string member(const char* type, const std::string& name);
-    std::string built_in(const BuiltInUniform& uniform);
-    std::string time_value(BuiltIn kind);
     std::string parameter_value(const Parameter& parameter, const NumberType& type);
 
     const Pass& m_pass;

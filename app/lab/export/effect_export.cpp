@@ -18,13 +18,41 @@ namespace fs = std::filesystem;
 namespace {
 /// A format whose main file has the files that it reads in a folder next to it.
 struct EffectFormat {
+    const char* label;      // "a RetroArch preset"
     const char* extension;  // ".slangp"
     const char* folder;     // "_shaders", after the name of the main file
     Result<EffectOutput> (*write)(const EffectRequest& request);
 };
 
-constexpr EffectFormat slang_format{".slangp", "_shaders", slang_files};
-constexpr EffectFormat isf_format{".fs", "_pictures", isf_files};
+constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders", slang_files};
+constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files};
+
+fs::path folder_of(const fs::path& path, const EffectFormat& format) {
+    return path.parent_path() / (path.stem().string() + format.folder);
+}
+
+// The folder next to the main file is replaced, so it may only have files that the main file of an
+// earlier export names.
+Result<void> check_folder(const fs::path& path, const EffectFormat& format) {
+    const fs::path folder = folder_of(path, format);
+    std::error_code error;
+    if (!fs::exists(folder, error))
+        return {};
+    const std::string earlier = read_bytes(path).value_or(std::string());
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string name =
+            entry->path()
+                .lexically_relative(path.parent_path().empty() ? fs::path(".") : path.parent_path())
+                .generic_string();
+        if (!entry->is_directory() && earlier.find(name) == std::string::npos)
+            return fail({entry->path(), 0,
+                         "isn't part of an earlier export. Move it, or choose another name."});
+    }
+    if (error)
+        return fail({folder, 0, error.message()});
+    return {};
+}
 
 Result<void> check_path(const fs::path& path, const EffectFormat& format) {
     std::error_code error;
@@ -34,10 +62,7 @@ Result<void> check_path(const fs::path& path, const EffectFormat& format) {
              fmt::format("is a folder. Add a file name, such as look{}.", format.extension)});
     if (path.extension() != format.extension)
         return fail({path, 0, fmt::format("needs the ending {}", format.extension)});
-    const fs::path folder = path.parent_path() / (path.stem().string() + format.folder);
-    if (fs::exists(folder, error) && !fs::exists(path, error))
-        return fail({folder, 0, "is there already. Remove it, or choose another name."});
-    return {};
+    return check_folder(path, format);
 }
 
 Result<EffectOutput> output_of(const PreparedLook& prepared, Extent size, const std::string& name,
@@ -81,64 +106,94 @@ Result<ExportedLook> write_files(const EffectOutput& output, const fs::path& fol
     return made;
 }
 
-// Moves checked files to their place: first the folder, then the main file.
-Result<void> move_into_place(const fs::path& from, const fs::path& path,
-                             const EffectFormat& format) {
-    const std::string stem = path.stem().string();
-    const std::string folder = stem + format.folder;
-    std::error_code error;
-    if (fs::exists(from / folder, error)) {
-        auto target = AtomicFolder::create(path.parent_path() / folder);
-        if (!target)
-            return fail(target.error());
-        fs::copy(from / folder, target->path(), fs::copy_options::recursive, error);
-        if (error)
-            return fail({path.parent_path() / folder, 0, error.message()});
-        if (auto done = target->finish(); !done)
-            return fail(done.error());
-    }
-    const auto text = read_bytes(from / path.filename());
-    return text ? write_atomically(path, *text) : fail(text.error());
+// Opened as a look, which compiles the shaders. The error names the look, because the files are not
+// in their place.
+Result<void> check_files(const fs::path& file, const EffectFormat& format) {
+    const LoadedLook read = load_look(file, {});
+    const Diagnostics& problems = read.look ? read.warnings : read.look.error();
+    if (problems.empty())
+        return {};
+    return fail({{},
+                 0,
+                 fmt::format("the look can't be written as {}: {}. Export it with --to web or --to "
+                             "portable.",
+                             format.label, problems.front().message)});
 }
 
-// The files are opened before they get to their place.
-Result<ExportedLook> export_effect(const ExportRequest& request, const EffectFormat& format) {
-    if (auto good = check_path(request.path, format); !good)
-        return fail(good.error());
-    const auto output =
-        output_of(request.prepared, request.size, request.path.stem().string(), format);
+/// Files in a temporary folder, which Afterglow could open.
+struct CheckedFiles {
+    ScratchFolder folder;
+    fs::path main_file;
+    ExportedLook made;
+    std::vector<std::string> losses;
+};
+
+Result<CheckedFiles> checked_files(const PreparedLook& prepared, Extent size,
+                                   const std::string& name, const EffectFormat& format) {
+    auto output = output_of(prepared, size, name, format);
     if (!output)
         return fail(output.error());
-    const auto scratch = ScratchFolder::create();
+    auto scratch = ScratchFolder::create();
     if (!scratch)
         return fail(scratch.error());
     auto made = write_files(*output, scratch->path());
     if (!made)
-        return made;
-    ExportRequest written = request;
-    written.path = scratch->path() / request.path.filename();
-    if (auto good = check_effect(written); !good)
+        return fail(made.error());
+    const fs::path main_file = scratch->path() / (name + format.extension);
+    if (auto good = check_files(main_file, format); !good)
         return fail(good.error());
-    if (auto moved = move_into_place(scratch->path(), request.path, format); !moved)
+    return CheckedFiles{std::move(*scratch), main_file, *made, std::move(output->losses)};
+}
+
+// Moves checked files to their place: first the folder, then the main file.
+Result<void> move_into_place(const fs::path& main_file, const fs::path& path,
+                             const EffectFormat& format) {
+    const fs::path from = folder_of(main_file, format);
+    const fs::path folder = folder_of(path, format);
+    std::error_code error;
+    if (!fs::exists(from, error)) {
+        fs::remove_all(folder, error);  // of an earlier export, see check_folder()
+        if (error)
+            return fail({folder, 0, error.message()});
+    } else {
+        auto target = AtomicFolder::create(folder);
+        if (!target)
+            return fail(target.error());
+        fs::copy(from, target->path(), fs::copy_options::recursive, error);
+        if (error)
+            return fail({folder, 0, error.message()});
+        if (auto done = target->finish(); !done)
+            return fail(done.error());
+    }
+    const auto text = read_bytes(main_file);
+    return text ? write_atomically(path, *text) : fail(text.error());
+}
+
+Result<ExportedLook> export_effect(const ExportRequest& request, const EffectFormat& format) {
+    if (auto good = check_path(request.path, format); !good)
+        return fail(good.error());
+    const auto files =
+        checked_files(request.prepared, request.size, request.path.stem().string(), format);
+    if (!files)
+        return fail(files.error());
+    if (auto moved = move_into_place(files->main_file, request.path, format); !moved)
         return fail(moved.error());
-    made->path = request.path;
+    ExportedLook made = files->made;
+    made.path = request.path;
     return made;
+}
+
+Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
+                                           const EffectFormat& format) {
+    constexpr Extent usual{1280, 720};
+    auto files = checked_files(prepared, usual, "look", format);
+    return files ? Result<std::vector<std::string>>(std::move(files->losses)) : fail(files.error());
 }
 }  // namespace
 
 Result<ExportedLook> export_slang(const ExportRequest& request) {
     return export_effect(request, slang_format);
 }
-
-namespace {
-Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
-                                           const EffectFormat& format) {
-    constexpr Extent usual{1280, 720};
-    auto output = output_of(prepared, usual, "look", format);
-    return output ? Result<std::vector<std::string>>(std::move(output->losses))
-                  : fail(output.error());
-}
-}  // namespace
 
 Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared) {
     return losses_in(prepared, slang_format);

@@ -9,6 +9,8 @@
 #include "lab/export/page_picture.h"
 #include "lab/offline/offline.h"
 #include "model/picture/display_bytes.h"
+#include "model/picture/source_spec.h"
+#include "signals/patterns/patterns.h"
 
 #include <fmt/format.h>
 
@@ -118,18 +120,77 @@ Verification compared_with_page(const Picture& ours, const fs::path& page, int f
                   : not_verified(theirs.error());
 }
 
-// Opens the written file, and draws it with the source of the look.
-Verification compared_with_file(const Picture& ours, const ExportRequest& request, int frames) {
+// The source as other programs have it, with 8 bits. nullopt: it has no more than that, or is a
+// video.
+std::optional<Picture> reduced_source(const Document& document) {
+    constexpr double seconds = 1.0;  // of a moving pattern, which is empty at first
+    constexpr std::string_view prefix = "pattern:";
+    const auto source = parse_source(document.state().source);
+    if (document.look().driven_by != Driver::picture || !source)
+        return std::nullopt;
+    const auto picture = source->is_pattern()
+                             ? make_pattern(source->picture.substr(prefix.size()), seconds)
+                             : load_picture(source->picture);
+    if (!picture || picture->encoding == Encoding::display)
+        return std::nullopt;
+    Picture reduced{
+        .extent = picture->extent, .channels = 3, .encoding = Encoding::display, .pixels = {}};
+    for (const std::uint8_t byte : display_bytes(*picture))
+        reduced.pixels.push_back(static_cast<float>(byte) / 255.0f);
+    return reduced;
+}
+
+// The last frame. `source`: instead of the document's.
+Result<Picture> drawn_frame(PreparedLook prepared, Extent size, int frames,
+                            const std::optional<Picture>& source) {
+    auto offline = Offline::create(std::move(prepared), size, 60.0);
+    if (!offline)
+        return fail(offline.error());
+    if (source)
+        if (auto shown = offline->override_source(*source); !shown)
+            return fail(shown.error());
+    return offline->picture_after(frames);
+}
+
+// Opens the written file as a look. Both looks get the same source, without modulation, which the
+// file does not have.
+Verification compared_with_file(const ExportRequest& request, Extent size, int frames,
+                                JobProgress* work) {
     LoadedLook read = load_look(request.path, {});
     if (!read.look)
         return {Outcome::failed, "failed: " + read.look.error().front().message};
-    Document document(std::move(*read.look));
-    const std::string source = request.prepared.document.state().source;
-    document.amend([&](DocumentState& state) { state.source = source; });
-    auto offline = Offline::create({.document = std::move(document)}, ours.extent, 60.0);
-    if (!offline)
-        return not_verified(offline.error());
-    return compared(display_bytes(ours), display_bytes(offline->picture_after(frames)));
+    PreparedLook ours = request.prepared;
+    ours.document.amend([](DocumentState& state) { state.modulations.clear(); });
+    PreparedLook theirs{.document = Document(std::move(*read.look))};
+    theirs.document.amend(
+        [&](DocumentState& state) { state.source = request.prepared.document.state().source; });
+    const std::optional<Picture> source = reduced_source(ours.document);
+    const auto our_frame = drawn_frame(std::move(ours), size, frames, source);
+    if (!our_frame)
+        return not_verified(our_frame.error());
+    if (work)
+        work->share = 0.6;
+    const auto their_frame = drawn_frame(std::move(theirs), size, frames, source);
+    return their_frame ? compared(display_bytes(*our_frame), display_bytes(*their_frame))
+                       : not_verified(their_frame.error());
+}
+
+Verification verified_page(const ExportTarget& target, const ExportRequest& request, Extent size,
+                           int frames, double seconds, JobProgress* work) {
+    const auto scratch = ScratchFolder::create();
+    if (!scratch)
+        return not_verified(scratch.error());
+    const auto page = target.page(request, scratch->path());
+    if (!page)
+        return {Outcome::failed, "failed: " + page.error().front().message};
+    if (!can_verify())
+        return {Outcome::not_verified, "not verified: chromium is not installed"};
+    const auto ours = drawn_frame(request.prepared, size, frames, {});
+    if (!ours)
+        return not_verified(ours.error());
+    if (work)
+        work->share = 0.5;
+    return compared_with_page(*ours, *page, frames, scratch->path(), seconds, work);
 }
 }  // namespace
 
@@ -137,25 +198,8 @@ Verification verify_export(const ExportTarget& target, const ExportRequest& requ
                            JobProgress* work) {
     if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
         return {Outcome::not_verified, "not verified: " + reason};
-    const auto scratch = ScratchFolder::create();
-    if (!scratch)
-        return not_verified(scratch.error());
-    std::optional<fs::path> page;
-    if (target.page) {
-        auto written = target.page(request, scratch->path());
-        if (!written)
-            return {Outcome::failed, "failed: " + written.error().front().message};
-        page = std::move(*written);
-        if (!can_verify())
-            return {Outcome::not_verified, "not verified: chromium is not installed"};
-    }
+    const Extent size = compared_size(request.size);
     const int frames = compared_frames(request.prepared.document.look());
-    auto offline = Offline::create(request.prepared, compared_size(request.size), 60.0);
-    if (!offline)
-        return not_verified(offline.error());
-    const Picture ours = offline->picture_after(frames);
-    if (work)
-        work->share = 0.5;
-    return page ? compared_with_page(ours, *page, frames, scratch->path(), seconds, work)
-                : compared_with_file(ours, request, frames);
+    return target.page ? verified_page(target, request, size, frames, seconds, work)
+                       : compared_with_file(request, size, frames, work);
 }

@@ -80,13 +80,17 @@ bool draw_losses(const LookExportForm& form, const LookExporter& exporter, Edits
 
 void draw_verify(LookExportForm& form, Edits& edits) {
     static const bool has_browser = can_verify();
+    const bool is_page = export_targets()[form.target].page != nullptr;
+    const bool is_possible = has_browser || !is_page;
     dialog_row("Check");
-    const ScopedDisabled disabled(!has_browser);
-    bool verifies = form.verifies && has_browser;
-    if (ImGui::Checkbox("Draw the export in Chromium and compare", &verifies))
+    const ScopedDisabled disabled(!is_possible);
+    bool verifies = form.verifies && is_possible;
+    if (ImGui::Checkbox(
+            is_page ? "Draw the export in Chromium and compare" : "Draw the export and compare",
+            &verifies))
         form.verifies = verifies;
     edits.mark("look_export_verify");
-    if (!has_browser) {
+    if (!is_possible) {
         dialog_row("");
         dim_text("Chromium is not installed.");
     }

@@ -85,6 +85,27 @@ TEST_CASE("what a host can't draw is refused with the pass, the reason and an al
     CHECK(refusal(look).find("more than one frame ago") != std::string::npos);
 }
 
+TEST_CASE("a picture that is not chosen is not read, and a chosen one is fixed") {
+    Look look = chain();
+    look.passes[0].inputs.push_back({"lut", Input::From::image, "lut", 0, {}});
+    Parameter lut;
+    lut.name = lut.label = "lut";
+    lut.control = Control::image;
+    lut.bindings = {{0, "lut"}};
+    look.parameters = {lut};
+    const auto without = effect_of(look, {}, {64, 32}, {32, 16}, host);
+    REQUIRE(without.has_value());
+    CHECK(without->look.passes[1].inputs.size() == 1);
+    CHECK(without->look.images.empty());
+    const Values values{{"lut", Value::of_path("pattern:ramp")}};
+    const auto with = effect_of(look, values, {64, 32}, {32, 16}, host);
+    REQUIRE(with.has_value());
+    REQUIRE(with->look.images.size() == 1);
+    CHECK(with->look.images[0].made == "pattern:ramp");
+    CHECK(with->look.passes[1].inputs[1].name == with->look.images[0].name);
+    CHECK(with->losses == std::vector<std::string>{"The control 'lut'. Its picture is fixed."});
+}
+
 TEST_CASE("names are identifiers, each once") {
     EffectNames names({"taken"});
     CHECK(names.add("crt/mask size") == "crt_mask_size");
