@@ -37,21 +37,24 @@ class IsfExportTest(ProgramTest):
             "passes": [{"name": "show", "fragment": "show.frag", "inputs": {"scene": "source"}}]}), encoding="utf-8")
         return folder
 
-    def picture(self, look, *options):
+    def picture(self, look, *options, size="320x240"):
         file = self.folder / "picture.png"
-        self.assert_done(run("render", look, "--source", "pattern:harbour", "--size", "320x240", "--frames", "3",
+        self.assert_done(run("render", look, "--source", "pattern:harbour", "--size", size, "--frames", "3",
                              "-o", file, *options))
         return b"".join(read_png(file)[2])
 
-    def assert_same_picture(self, look, *options):
+    def assert_same_picture(self, look, *options, size="320x240"):
         file = self.export(look, "--source", "pattern:harbour", *options)
-        ours, theirs = self.picture(look, *options), self.picture(file)
+        ours, theirs = self.picture(look, *options, size=size), self.picture(file, size=size)
         self.assertGreater(len(set(ours)), 30)
         self.assertLessEqual(max(abs(a - b) for a, b in zip(ours, theirs)), 1)
 
     def test_looks_and_stacks_draw_the_same_picture(self):
         self.assert_same_picture("shadow-mask", "--preset", "dot-triads")
         self.assert_same_picture("shadow-mask+crt", "--set", "crt/aberration=3")
+
+    def test_the_source_can_be_larger_than_the_picture(self):
+        self.assert_same_picture("shadow-mask", "--preset", "studio-grille", size="128x96")
 
     def test_a_preset_of_another_program_draws_the_same_picture(self):
         slang = self.folder / "crt.slangp"

@@ -158,7 +158,7 @@ private:
         pass.format = m_look.source_format;
         pass.size.fill({Side::By::source, 1.0, {}});
         m_effect.look.passes.push_back(std::move(pass));
-        m_has_source = true;
+        m_effect.source_pass = m_source;
     }
 
     // Expressions become a factor of the viewport, or a number of pixels.
@@ -205,7 +205,7 @@ private:
     }
 
     void redirect(Input& input) {
-        if (input.from == Input::From::source && m_has_source) {
+        if (input.from == Input::From::source && !m_effect.source_pass.empty()) {
             input.from = Input::From::pass;
             input.name = m_source;
         } else if (input.from == Input::From::pass) {
@@ -304,7 +304,6 @@ private:
     Effect m_effect;
     EffectNames m_given;
     std::string m_source;
-    bool m_has_source = false;
     std::map<std::string, std::string> m_names;  // of passes
     std::map<std::string, std::string> m_image_names;
     std::vector<std::size_t> m_kept;

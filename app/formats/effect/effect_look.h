@@ -24,6 +24,7 @@ struct Effect {
     /// px. Only the first pass reads the source, which has the host's rows and is display-encoded.
     /// The last pass writes the host's rows, display-encoded. Names of passes are identifiers.
     Look look;
+    std::string source_pass;  // the first pass, if it only decodes or flips the source; or ""
     /// Parameters whose values cannot change.
     std::vector<std::string> fixed;
     std::vector<std::string> losses;  // a sentence per item

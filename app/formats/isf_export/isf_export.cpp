@@ -13,16 +13,19 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 std::set<std::string, std::less<>> reserved_names() {
-    return {"inputImage",        "source_size", "texel_middle", "bordered",    "image_read",
-            "image_size",        "image_lod",   "image_at",     "image_fetch", "last_level",
-            "display_to_linear", "TIME",        "DATE",         "PASSINDEX",   "RENDERSIZE"};
+    return {"inputImage", "source_size", "texel_middle", "bordered",
+            "image_read", "image_size",  "source_texel", "image_lod",
+            "image_at",   "image_fetch", "last_level",   "display_to_linear",
+            "TIME",       "DATE",        "PASSINDEX",    "RENDERSIZE"};
 }
 
-// An expression of the picture's size. Hosts replace each name only once.
-std::string size_text(const Side& side, const char* whole, int level) {
+// An expression of the picture's length `whole`, for a mip level. What has the length of the source
+// also has room for a source of `source` px. Hosts replace each name only once.
+std::string size_text(const Side& side, const char* whole, int source, int level) {
     const std::string base =
-        side.by == Side::By::pixels ? format_number(side.factor)
-        : side.by == Side::By::viewport && side.factor != 1.0
+        side.by == Side::By::pixels   ? format_number(side.factor)
+        : side.by == Side::By::source ? fmt::format("max({}, {})", whole, source)
+        : side.factor != 1.0
             ? fmt::format("floor({} * {} + 0.5)", whole, format_number(side.factor))
             : whole;
     return fmt::format("max(1, floor({} / {}))", base, 1 << level);
@@ -32,7 +35,7 @@ std::string size_text(const Side& side, const char* whole, int level) {
 class IsfWriter {
 public:
     IsfWriter(const EffectRequest& request, Effect effect)
-        : m_request(request), m_effect(std::move(effect)), m_images(m_effect.look) {
+        : m_request(request), m_effect(std::move(effect)), m_images(m_effect) {
         m_output.losses = m_effect.losses;
     }
 
@@ -73,6 +76,10 @@ private:
         for (const auto& [parameter, control] : m_controls)
             shared.globals.insert(control.names.begin(), control.names.end());
         for (std::size_t i = 0; i < look().passes.size(); ++i) {
+            if (look().passes[i].name == m_effect.source_pass) {
+                m_entries.emplace_back();  // the source is decoded where it is read
+                continue;
+            }
             auto uniforms = effect_uniforms(look(), i, m_request.values, m_effect.fixed);
             if (!uniforms)
                 return fail(uniforms.error());
@@ -101,11 +108,10 @@ private:
         if (target.name.empty())
             return Json::object();
         const Pass& pass = look().passes[target.pass];
-        const bool is_source = pass.size[0].by == Side::By::source;
-        const Side whole{Side::By::viewport, 1.0, {}};
+        const Extent source = m_request.source;
         Json json{{"TARGET", target.name},
-                  {"WIDTH", size_text(is_source ? whole : pass.size[0], "$WIDTH", target.level)},
-                  {"HEIGHT", size_text(is_source ? whole : pass.size[1], "$HEIGHT", target.level)}};
+                  {"WIDTH", size_text(pass.size[0], "$WIDTH", source.width, target.level)},
+                  {"HEIGHT", size_text(pass.size[1], "$HEIGHT", source.height, target.level)}};
         if (info_of(pass.format).is_float)
             json["FLOAT"] = true;
         const auto reads_before = [&](const Pass& reader) {

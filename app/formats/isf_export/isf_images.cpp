@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace {
-constexpr int most_samplers = 16;
+constexpr std::size_t most_samplers = 16;
 constexpr int most_levels = 8;
 constexpr const char* source_image = "inputImage";
 
@@ -20,6 +21,33 @@ vec4 bordered(vec4 read, vec2 at, vec2 size, bool is_smooth) {
                             : step(vec2(0.0), place) * step(place, size);
     return read * inside.x * inside.y;
 }
+
+)";
+
+// The source keeps its size on each level, but no level is larger than its target.
+constexpr const char* source_size = R"(
+vec2 source_size(int level, vec2 room) {
+    return max(min(floor(IMG_SIZE(inputImage) / exp2(float(level))), room), 1.0);
+}
+
+)";
+
+// Texels are decoded before they are mixed.
+constexpr const char* decoding_reader = R"(
+vec4 source_texel(vec2 texel) {{
+    vec2 size = IMG_SIZE(inputImage);
+    vec2 at = (clamp(texel, vec2(0.0), size - 1.0) + 0.5) / size;
+{flip}    return display_to_linear(IMG_NORM_PIXEL(inputImage, at));
+}}
+
+vec4 {reader}(vec2 at) {{
+    vec2 place = at * IMG_SIZE(inputImage) - 0.5;
+    vec2 texel = floor(place);
+    vec2 part = place - texel;
+    vec4 lower = mix(source_texel(texel), source_texel(texel + vec2(1.0, 0.0)), part.x);
+    vec4 upper = mix(source_texel(texel + vec2(0.0, 1.0)), source_texel(texel + 1.0), part.x);
+    return mix(lower, upper, part.y);
+}}
 
 )";
 
@@ -52,45 +80,54 @@ std::string picture_of(const Input& input) {
     return input.from == Input::From::image ? input.name : source_image;
 }
 
+// Whether the host gives the picture as it is read.
+bool is_given(const Input& input) {
+    return input.from != Input::From::pass;
+}
+
 bool is_same_picture(const Input& a, const Input& b) {
     return a.from == b.from && a.name == b.name && a.frames_ago == b.frames_ago &&
            a.sampler == b.sampler;
 }
 }  // namespace
 
-IsfImages::IsfImages(const Look& look) : m_look(look), m_levels(look.passes.size(), 0) {
-    for (std::size_t i = 0; i + 1 < look.passes.size(); ++i)
-        if (look.passes[i].size[0].by == Side::By::source)
-            m_sources.push_back(look.passes[i].name);
-    for (const Pass& pass : look.passes)
+IsfImages::IsfImages(const Effect& effect)
+    : m_look(effect.look), m_source_pass(effect.source_pass), m_levels(m_look.passes.size(), 0) {
+    for (const Pass& pass : m_look.passes)
         for (const Input& input : pass.inputs) {
             const auto is_known = [&](const Image& image) {
                 return is_same_picture(image.input, input);
             };
-            if (std::ranges::none_of(m_images, is_known))
+            if (pass.name != m_source_pass && std::ranges::none_of(m_images, is_known))
                 m_images.push_back({input});
         }
     add_levels();
-    for (std::size_t i = 0; i < look.passes.size(); ++i)
-        for (int level = 0; level <= m_levels[i]; ++level)
-            m_targets.push_back({i, level,
-                                 i + 1 < look.passes.size()
-                                     ? target_name(look.passes[i].name, level)
-                                     : std::string()});
+    for (std::size_t i = 0; i < m_look.passes.size(); ++i) {
+        const std::string& pass = m_look.passes[i].name;
+        for (int level = pass == m_source_pass ? 1 : 0; level <= m_levels[i]; ++level)
+            m_targets.push_back(
+                {i, level,
+                 i + 1 < m_look.passes.size() ? target_name(pass, level) : std::string()});
+    }
+}
+
+// The last pass has no target, but there is the source.
+std::size_t IsfImages::sampler_count() const {
+    return m_look.passes.size() - (m_source_pass.empty() ? 0 : 1) + m_look.images.size();
 }
 
 // As many levels as there are samplers left.
 void IsfImages::add_levels() {
-    int free = most_samplers - static_cast<int>(m_look.passes.size());  // the last has no target,
-                                                                        // but there is the source
+    int free = static_cast<int>(most_samplers) - static_cast<int>(sampler_count());
     for (Image& image : m_images) {
         const auto pass = find_pass(m_look, image.input.name);
         if (image.input.from != Input::From::pass || !image.input.sampler.mipmap || !pass)
             continue;
         int& levels = m_levels[static_cast<std::size_t>(*pass)];
-        if (levels == 0)
+        if (levels == 0) {
             levels = std::clamp(free, 0, most_levels);
-        free -= levels;
+            free -= levels;
+        }
         image.levels = levels;
     }
 }
@@ -106,43 +143,77 @@ std::size_t IsfImages::number_of(const Input& input) const {
         m_images.begin());
 }
 
-bool IsfImages::is_source(const std::string& pass) const {
-    return std::ranges::find(m_sources, pass) != m_sources.end();
+bool IsfImages::has_source_size(const std::string& pass) const {
+    const auto index = find_pass(m_look, pass);
+    return index &&
+           std::ranges::any_of(m_look.passes[static_cast<std::size_t>(*index)].size,
+                               [](const Side& side) { return side.by == Side::By::source; });
 }
 
-std::string IsfImages::size_of(const std::string& pass) const {
-    if (pass.empty())
+// The sides that have the source's length are limited to it.
+std::string IsfImages::limited_size(const std::string& pass, int level,
+                                    const std::string& whole) const {
+    if (!has_source_size(pass))
+        return whole;
+    const std::array<Side, 2>& size =
+        m_look.passes[static_cast<std::size_t>(*find_pass(m_look, pass))].size;
+    const std::string limited = fmt::format("source_size({}, {})", level, whole);
+    if (size[0].by == size[1].by)
+        return limited;
+    return size[0].by == Side::By::source ? fmt::format("vec2({}.x, {}.y)", limited, whole)
+                                          : fmt::format("vec2({}.x, {}.y)", whole, limited);
+}
+
+std::string IsfImages::size_of(const std::string& pass, int level) const {
+    if (pass.empty() || (pass == m_source_pass && level == 0))
         return fmt::format("IMG_SIZE({})", source_image);
-    return is_source(pass) ? "source_size(0)" : fmt::format("IMG_SIZE({}_picture)", pass);
+    return limited_size(pass, level, fmt::format("IMG_SIZE({})", target_name(pass, level)));
+}
+
+std::string IsfImages::drawn_size(const std::string& pass, int level) const {
+    return limited_size(pass, level, "RENDERSIZE");
+}
+
+std::string IsfImages::source_reader() const {
+    const bool flips = m_look.source_rows != RowOrder::bottom_first;
+    const std::string reader = "read_" + target_name(m_source_pass, 0);
+    if (m_look.source_encoding == Encoding::linear)
+        return fmt::format(fmt::runtime(decoding_reader),
+                           fmt::arg("flip", flips ? "    at.y = 1.0 - at.y;\n" : ""),
+                           fmt::arg("reader", reader));
+    return fmt::format("vec4 {}(vec2 at) {{\n{}    return IMG_NORM_PIXEL({}, at);\n}}\n", reader,
+                       flips ? "    at.y = 1.0 - at.y;\n" : "", source_image);
 }
 
 // A function that reads a whole target, or the part of it that has the source.
 std::string IsfImages::reader(const Image& image, int level) const {
-    if (image.input.from != Input::From::pass)
+    if (is_given(image.input))
         return fmt::format("vec4 read_{0}(vec2 at) {{ return IMG_NORM_PIXEL({0}, at); }}\n",
                            picture_of(image.input));
-    const std::string target = target_name(image.input.name, level);
-    if (!is_source(image.input.name))
+    const std::string& pass = image.input.name;
+    const std::string target = target_name(pass, level);
+    if (pass == m_source_pass && level == 0)
+        return source_reader();
+    if (!has_source_size(pass))
         return fmt::format("vec4 read_{0}(vec2 at) {{ return IMG_NORM_PIXEL({0}, at); }}\n",
                            target);
     return fmt::format(
         "vec4 read_{0}(vec2 at) {{\n"
-        "    vec2 size = source_size({1});\n"
+        "    vec2 size = {1};\n"
         "    vec2 place = clamp(at * size, vec2(0.5), size - 0.5) / IMG_SIZE({0});\n"
         "    return IMG_NORM_PIXEL({0}, place);\n}}\n",
-        target, level);
+        target, size_of(pass, level));
 }
 
 // The lines of image_read() for one picture.
 std::string IsfImages::read(const Image& image, std::size_t number) const {
     std::string text = fmt::format("    if (image == {}) {{\n", number);
-    const bool is_given = image.input.from != Input::From::pass;
     for (int level = image.levels; level >= 0; --level) {
+        const bool is_whole = is_given(image.input);
         const std::string target =
-            is_given ? picture_of(image.input) : target_name(image.input.name, level);
-        const std::string size = !is_given && is_source(image.input.name)
-                                     ? fmt::format("source_size({})", level)
-                                     : fmt::format("IMG_SIZE({})", target);
+            is_whole ? picture_of(image.input) : target_name(image.input.name, level);
+        const std::string size =
+            is_whole ? fmt::format("IMG_SIZE({})", target) : size_of(image.input.name, level);
         const std::string place = image.input.sampler.filter == Filter::nearest
                                       ? fmt::format("texel_middle(at, {})", size)
                                       : "at";
@@ -158,22 +229,11 @@ std::string IsfImages::read(const Image& image, std::size_t number) const {
     return text + "    }\n";
 }
 
-// Of the pass's own picture, in targets().
-std::size_t IsfImages::target_index(const std::string& pass) const {
-    const std::string name = target_name(pass, 0);
-    return static_cast<std::size_t>(std::ranges::find(m_targets, name, &Target::name) -
-                                    m_targets.begin());
-}
-
 std::string IsfImages::readers() const {
-    std::string text;
-    if (!m_sources.empty())
-        text += fmt::format(
-            "// The source has its own size, at the bottom left of its target.\n"
-            "vec2 source_size(int level) {{\n"
-            "    vec2 whole = PASSINDEX <= {} ? RENDERSIZE : IMG_SIZE({}_picture);\n"
-            "    return max(floor(min(IMG_SIZE({}), whole) / exp2(float(level))), 1.0);\n}}\n\n",
-            target_index(m_sources.front()), m_sources.front(), source_image);
+    const bool has_source_sizes = std::ranges::any_of(m_targets, [&](const Target& target) {
+        return has_source_size(m_look.passes[target.pass].name);
+    });
+    std::string text = has_source_sizes ? source_size : "";
     std::vector<std::string> written;
     for (const Image& image : m_images)
         for (int level = 0; level <= image.levels; ++level) {
@@ -208,10 +268,8 @@ std::string IsfImages::functions() const {
 
 std::string IsfImages::level_text(const Target& target) const {
     const std::string& pass = m_look.passes[target.pass].name;
-    const std::string larger = target_name(pass, target.level - 1);
-    const std::string size =
-        is_source(pass) ? fmt::format("source_size({})", target.level) : "RENDERSIZE";
-    return fmt::format("read_{}(gl_FragCoord.xy / {})", larger, size);
+    return fmt::format("read_{}(gl_FragCoord.xy / {})", target_name(pass, target.level - 1),
+                       drawn_size(pass, target.level));
 }
 
 std::string IsfImages::obstacle() const {
@@ -233,7 +291,7 @@ std::string IsfImages::obstacle() const {
         for (const Side& side : pass.size)
             if (side.by == Side::By::source && side.factor != 1.0)
                 return fmt::format("the pass '{}' has a part of the source's size", pass.name);
-    if (m_look.passes.size() > static_cast<std::size_t>(most_samplers))
-        return "it has more than 16 passes";
+    if (sampler_count() > most_samplers)
+        return "it needs more than 16 textures";
     return {};
 }

@@ -35,9 +35,7 @@ class IsfValues final : public HostValues {
 public:
     IsfValues(const Pass& pass, const IsfImages& images) : m_pass(pass), m_images(images) {}
 
-    HostSize target() override {
-        return {m_images.is_source(m_pass.name) ? "source_size(0)" : "RENDERSIZE"};
-    }
+    HostSize target() override { return {m_images.drawn_size(m_pass.name)}; }
     // From the size of the pass.
     HostSize output() override {
         const auto factor = [&](std::size_t axis) {
@@ -47,10 +45,7 @@ public:
         return {fmt::format("floor(RENDERSIZE / vec2({}, {}) + 0.5)", format_number(factor(0)),
                             format_number(factor(1)))};
     }
-    HostSize source() override {
-        return m_pass.source.empty() && m_images.has_source() ? HostSize{"source_size(0)"}
-                                                              : raster();
-    }
+    HostSize source() override { return raster(); }
     HostSize raster() override { return {m_images.size_of(m_pass.source)}; }
     HostSize input(const Input& input) override {
         return {m_images.size_of(input.from == Input::From::pass ? input.name : std::string())};
@@ -223,8 +218,9 @@ private:
 
     // The place in the target, or in the part of it that has the source.
     std::string place() const {
-        return m_shared.images.is_source(m_pass.name) ? "gl_FragCoord.xy / source_size(0)"
-                                                      : "isf_FragNormCoord";
+        return m_shared.images.has_source_size(m_pass.name)
+                   ? "gl_FragCoord.xy / " + m_shared.images.drawn_size(m_pass.name)
+                   : "isf_FragNormCoord";
     }
 
     // The shader's inputs and outputs are variables.

@@ -8,6 +8,8 @@
 #include "io/files/atomic_folder.h"
 #include "io/files/scratch_folder.h"
 #include "lab/export/described_look.h"
+#include "lab/media/source.h"
+#include "model/picture/placing.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +67,16 @@ Result<void> check_path(const fs::path& path, const EffectFormat& format) {
     return check_folder(path, format);
 }
 
+// The size of the source as the look sees it; the picture's size if there is no source.
+Result<Extent> source_size(const Document& document, Extent size) {
+    if (document.look().driven_by != Driver::picture || document.state().source.empty())
+        return size;
+    auto source = Source::open(document.state().source);
+    if (!source)
+        return fail(source.error());
+    return placed_extent(source->extent(), source->spec(), size);
+}
+
 Result<EffectOutput> output_of(const PreparedLook& prepared, Extent size, const std::string& name,
                                const EffectFormat& format) {
     const Document& document = prepared.document;
@@ -72,10 +84,13 @@ Result<EffectOutput> output_of(const PreparedLook& prepared, Extent size, const 
     const auto notices = notices_of(look);
     if (!notices)
         return fail(notices.error());
+    const auto source = source_size(document, size);
+    if (!source)
+        return fail(source.error());
     auto output = format.write({.look = look,
                                 .values = document.values(),
                                 .size = size,
-                                .source = size,
+                                .source = *source,
                                 .name = name,
                                 .notices = *notices});
     if (output)
