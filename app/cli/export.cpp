@@ -22,6 +22,7 @@ struct ExportArguments {
     std::string output;
     bool is_dry_run = false;
     bool has_stages = false;
+    bool has_parameters = false;
     bool verifies = false;
     double timeout = 60.0;  // s
 };
@@ -72,6 +73,8 @@ Command add_export(CommandLine& program) {
     options.add_flag("--stages", arguments->has_stages,
                      "With 'portable': also write the shaders as SPIR-V, GLSL ES 3.00, HLSL and "
                      "MSL");
+    options.add_flag("--params", arguments->has_parameters,
+                     "With 'mpv': write values as parameters, for libplacebo 5 or newer");
     options.add_flag("--dry-run", arguments->is_dry_run,
                      "Print what would be lost, and write nothing");
     options.add_flag("--verify", arguments->verifies,
@@ -87,15 +90,17 @@ Command add_export(CommandLine& program) {
             throw UsageError("-o: missing. Add -o PATH, or --dry-run.");
         if (arguments->has_stages && arguments->target != "portable")
             throw UsageError("--stages: only with --to portable");
+        if (arguments->has_parameters && arguments->target != "mpv")
+            throw UsageError("--params: only with --to mpv");
         if (arguments->timeout <= 0.0)
             throw UsageError("--timeout: must be above 0");
         const RenderRequest request = arguments->look.request();
         return run_prepared(request, data, [&](const PreparedLook& prepared, const Library&) {
-            return arguments->is_dry_run
-                       ? print_losses(**target, prepared)
-                       : write(**target,
-                               {prepared, request.size, arguments->output, arguments->has_stages},
-                               *arguments);
+            return arguments->is_dry_run ? print_losses(**target, prepared)
+                                         : write(**target,
+                                                 {prepared, request.size, arguments->output,
+                                                  arguments->has_stages, arguments->has_parameters},
+                                                 *arguments);
         });
     };
 }

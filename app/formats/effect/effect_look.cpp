@@ -233,7 +233,7 @@ private:
     void add_screen() {
         const Look& look = m_effect.look;
         const Pass& last = look.passes.back();
-        const bool flips = last.rows != m_host.rows;
+        const bool flips = last.rows != m_host.rows && !m_host.turns_last_pass;
         const Side whole{Side::By::viewport, 1.0, {}};
         const bool is_whole = last.size[0] == whole && last.size[1] == whole;
         if (!flips && is_whole && m_look.output == Encoding::display)
@@ -243,6 +243,8 @@ private:
                               flips ? Copied::upside_down : Copied::whole,
                               {{}, Input::From::pass, last.name, 0, sampler});
         pass.format = Format::rgba8;
+        if (m_host.turns_last_pass)
+            pass.rows = last.rows;
         m_effect.look.passes.push_back(std::move(pass));
         m_effect.look.output = Encoding::display;
     }

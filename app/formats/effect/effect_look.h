@@ -16,6 +16,7 @@ struct EffectHost {
     bool has_feedback = true;             // a pass can read pictures of the previous frame
     bool has_integers = true;             // targets with integer texels
     bool has_images = true;               // picture files of the look
+    bool turns_last_pass = false;         // the writer turns the rows of the last pass
 };
 
 /// A look reduced to what such programs draw.

@@ -18,6 +18,7 @@ struct EffectRequest {
     Extent source;     // of the source picture, px
     std::string name;  // of the main file, without its ending
     const SourceNotices& notices;
+    bool has_live_parameters = false;  // not constants, in a format that has both
 };
 
 /// What was written, all paths relative to the folder of the main file.

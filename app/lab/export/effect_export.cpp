@@ -3,6 +3,8 @@
 #include "base/file.h"
 #include "formats/isf_export/isf_export.h"
 #include "formats/look_format.h"
+#include "formats/mpv_export/mpv_check.h"
+#include "formats/mpv_export/mpv_export.h"
 #include "formats/slang_export/slang_export.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
@@ -20,17 +22,35 @@ namespace fs = std::filesystem;
 namespace {
 /// A format whose main file has the files that it reads in a folder next to it.
 struct EffectFormat {
-    const char* label;      // "a RetroArch preset"
-    const char* extension;  // ".slangp"
-    const char* folder;     // "_shaders", after the name of the main file
+    const char* label;        // "a RetroArch preset"
+    const char* extension;    // ".slangp"
+    std::string_view folder;  // "_shaders", after the name of the main file; "": no other files
     Result<EffectOutput> (*write)(const EffectRequest& request);
+    Result<void> (*read)(const fs::path& file);
 };
 
-constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders", slang_files};
-constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files};
+// Opened as a look, which compiles the shaders.
+Result<void> read_look(const fs::path& file) {
+    const LoadedLook read = load_look(file, {});
+    if (!read.look)
+        return fail(read.look.error());
+    if (!read.warnings.empty())
+        return fail(read.warnings);
+    return {};
+}
+
+Result<void> read_mpv(const fs::path& file) {
+    const auto text = read_bytes(file);
+    return text ? check_mpv_shader(*text) : fail(text.error());
+}
+
+constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders", slang_files,
+                                    read_look};
+constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files, read_look};
+constexpr EffectFormat mpv_format{"an mpv shader", ".glsl", "", mpv_files, read_mpv};
 
 fs::path folder_of(const fs::path& path, const EffectFormat& format) {
-    return path.parent_path() / (path.stem().string() + format.folder);
+    return path.parent_path() / (path.stem().string() + std::string(format.folder));
 }
 
 // The folder next to the main file is replaced, so it may only have files that the main file of an
@@ -38,7 +58,7 @@ fs::path folder_of(const fs::path& path, const EffectFormat& format) {
 Result<void> check_folder(const fs::path& path, const EffectFormat& format) {
     const fs::path folder = folder_of(path, format);
     std::error_code error;
-    if (!fs::exists(folder, error))
+    if (format.folder.empty() || !fs::exists(folder, error))
         return {};
     const std::string earlier = read_bytes(path).value_or(std::string());
     for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
@@ -77,22 +97,22 @@ Result<Extent> source_size(const Document& document, Extent size) {
     return placed_extent(source->extent(), source->spec(), size);
 }
 
-Result<EffectOutput> output_of(const PreparedLook& prepared, Extent size, const std::string& name,
-                               const EffectFormat& format) {
-    const Document& document = prepared.document;
+Result<EffectOutput> output_of(const ExportRequest& request, const EffectFormat& format) {
+    const Document& document = request.prepared.document;
     const Look look = document.drawn_look();
     const auto notices = notices_of(look);
     if (!notices)
         return fail(notices.error());
-    const auto source = source_size(document, size);
+    const auto source = source_size(document, request.size);
     if (!source)
         return fail(source.error());
     auto output = format.write({.look = look,
                                 .values = document.values(),
-                                .size = size,
+                                .size = request.size,
                                 .source = *source,
-                                .name = name,
-                                .notices = *notices});
+                                .name = request.path.stem().string(),
+                                .notices = *notices,
+                                .has_live_parameters = request.has_parameters});
     if (output)
         for (const auto& [parameter, modulation] : document.state().modulations)
             if (const Parameter* moved = find_parameter(look, parameter))
@@ -121,18 +141,16 @@ Result<ExportedLook> write_files(const EffectOutput& output, const fs::path& fol
     return made;
 }
 
-// Opened as a look, which compiles the shaders. The error names the look, because the files are not
-// in their place.
+// The error names the look, because the files are not in their place.
 Result<void> check_files(const fs::path& file, const EffectFormat& format) {
-    const LoadedLook read = load_look(file, {});
-    const Diagnostics& problems = read.look ? read.warnings : read.look.error();
-    if (problems.empty())
+    const auto good = format.read(file);
+    if (good)
         return {};
     return fail({{},
                  0,
                  fmt::format("the look can't be written as {}: {}. Export it with --to web or --to "
                              "portable.",
-                             format.label, problems.front().message)});
+                             format.label, good.error().front().message)});
 }
 
 /// Files in a temporary folder, which Afterglow could open.
@@ -143,9 +161,8 @@ struct CheckedFiles {
     std::vector<std::string> losses;
 };
 
-Result<CheckedFiles> checked_files(const PreparedLook& prepared, Extent size,
-                                   const std::string& name, const EffectFormat& format) {
-    auto output = output_of(prepared, size, name, format);
+Result<CheckedFiles> checked_files(const ExportRequest& request, const EffectFormat& format) {
+    auto output = output_of(request, format);
     if (!output)
         return fail(output.error());
     auto scratch = ScratchFolder::create();
@@ -154,32 +171,34 @@ Result<CheckedFiles> checked_files(const PreparedLook& prepared, Extent size,
     auto made = write_files(*output, scratch->path());
     if (!made)
         return fail(made.error());
-    const fs::path main_file = scratch->path() / (name + format.extension);
+    const fs::path main_file = scratch->path() / request.path.filename();
     if (auto good = check_files(main_file, format); !good)
         return fail(good.error());
     return CheckedFiles{std::move(*scratch), main_file, *made, std::move(output->losses)};
 }
 
+// Replaces a folder of an earlier export, see check_folder().
+Result<void> move_folder(const fs::path& from, const fs::path& folder) {
+    std::error_code error;
+    if (!fs::exists(from, error)) {
+        fs::remove_all(folder, error);
+        return error ? Result<void>(fail({folder, 0, error.message()})) : Result<void>();
+    }
+    auto target = AtomicFolder::create(folder);
+    if (!target)
+        return fail(target.error());
+    fs::copy(from, target->path(), fs::copy_options::recursive, error);
+    if (error)
+        return fail({folder, 0, error.message()});
+    return target->finish();
+}
+
 // Moves checked files to their place: first the folder, then the main file.
 Result<void> move_into_place(const fs::path& main_file, const fs::path& path,
                              const EffectFormat& format) {
-    const fs::path from = folder_of(main_file, format);
-    const fs::path folder = folder_of(path, format);
-    std::error_code error;
-    if (!fs::exists(from, error)) {
-        fs::remove_all(folder, error);  // of an earlier export, see check_folder()
-        if (error)
-            return fail({folder, 0, error.message()});
-    } else {
-        auto target = AtomicFolder::create(folder);
-        if (!target)
-            return fail(target.error());
-        fs::copy(from, target->path(), fs::copy_options::recursive, error);
-        if (error)
-            return fail({folder, 0, error.message()});
-        if (auto done = target->finish(); !done)
-            return fail(done.error());
-    }
+    if (!format.folder.empty())
+        if (auto moved = move_folder(folder_of(main_file, format), folder_of(path, format)); !moved)
+            return moved;
     const auto text = read_bytes(main_file);
     return text ? write_atomically(path, *text) : fail(text.error());
 }
@@ -187,8 +206,7 @@ Result<void> move_into_place(const fs::path& main_file, const fs::path& path,
 Result<ExportedLook> export_effect(const ExportRequest& request, const EffectFormat& format) {
     if (auto good = check_path(request.path, format); !good)
         return fail(good.error());
-    const auto files =
-        checked_files(request.prepared, request.size, request.path.stem().string(), format);
+    const auto files = checked_files(request, format);
     if (!files)
         return fail(files.error());
     if (auto moved = move_into_place(files->main_file, request.path, format); !moved)
@@ -201,7 +219,8 @@ Result<ExportedLook> export_effect(const ExportRequest& request, const EffectFor
 Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
                                            const EffectFormat& format) {
     constexpr Extent usual{1280, 720};
-    auto files = checked_files(prepared, usual, "look", format);
+    auto files =
+        checked_files({prepared, usual, fs::path("look").concat(format.extension)}, format);
     return files ? Result<std::vector<std::string>>(std::move(files->losses)) : fail(files.error());
 }
 }  // namespace
@@ -223,10 +242,17 @@ Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared) {
 }
 
 Result<void> check_effect(const ExportRequest& request) {
-    const LoadedLook read = load_look(request.path, {});
-    if (!read.look)
-        return fail(read.look.error());
-    if (!read.warnings.empty())
-        return fail(read.warnings);
-    return {};
+    return read_look(request.path);
+}
+
+Result<ExportedLook> export_mpv(const ExportRequest& request) {
+    return export_effect(request, mpv_format);
+}
+
+Result<std::vector<std::string>> mpv_losses(const PreparedLook& prepared) {
+    return losses_in(prepared, mpv_format);
+}
+
+Result<void> check_mpv(const ExportRequest& request) {
+    return read_mpv(request.path);
 }

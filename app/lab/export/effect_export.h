@@ -15,3 +15,8 @@ Result<void> check_effect(const ExportRequest& request);
 /// The same for one ISF file.
 Result<ExportedLook> export_isf(const ExportRequest& request);
 Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared);
+
+/// The same for one mpv user shader. check_mpv() compiles its blocks.
+Result<ExportedLook> export_mpv(const ExportRequest& request);
+Result<std::vector<std::string>> mpv_losses(const PreparedLook& prepared);
+Result<void> check_mpv(const ExportRequest& request);

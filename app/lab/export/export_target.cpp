@@ -52,6 +52,17 @@ const std::vector<ExportTarget>& export_targets() {
          .write = export_isf,
          .check = check_effect,
          .page = nullptr},
+        {.name = "mpv",
+         .label = "mpv shader",
+         .extension = ".glsl",
+         .help = "one .glsl file, for mpv and other programs with its user shaders",
+         .keeps = {"looks that process a picture", "the author's shader text",
+                   "present values, as lines that you can edit"},
+         .losses = mpv_losses,
+         .write = export_mpv,
+         .check = check_mpv,
+         .page = nullptr,
+         .why_not_drawn = "Afterglow can't draw user shaders of mpv. Compare the pictures in mpv"},
     };
     return targets;
 }

@@ -18,7 +18,8 @@ struct ExportRequest {
     const PreparedLook& prepared;
     Extent size;
     std::filesystem::path path;
-    bool has_stages = false;  // also other shader languages, if the target has them
+    bool has_stages = false;      // also other shader languages, if the target has them
+    bool has_parameters = false;  // parameters of mpv instead of `#define` lines
 };
 
 /// A format for using a look in another program: one row of export_targets().
@@ -39,6 +40,7 @@ struct ExportTarget {
     /// the written file as a look.
     Result<std::filesystem::path> (*page)(const ExportRequest& request,
                                           const std::filesystem::path& folder);
+    std::string why_not_drawn = {};  // by verify_export(); "": it can draw it
 };
 const std::vector<ExportTarget>& export_targets();
 

@@ -198,6 +198,8 @@ Verification verify_export(const ExportTarget& target, const ExportRequest& requ
                            JobProgress* work) {
     if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
         return {Outcome::not_verified, "not verified: " + reason};
+    if (!target.why_not_drawn.empty())
+        return {Outcome::not_verified, "not verified: " + target.why_not_drawn};
     const Extent size = compared_size(request.size);
     const int frames = compared_frames(request.prepared.document.look());
     return target.page ? verified_page(target, request, size, frames, seconds, work)

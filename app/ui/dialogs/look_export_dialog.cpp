@@ -80,8 +80,9 @@ bool draw_losses(const LookExportForm& form, const LookExporter& exporter, Edits
 
 void draw_verify(LookExportForm& form, Edits& edits) {
     static const bool has_browser = can_verify();
-    const bool is_page = export_targets()[form.target].page != nullptr;
-    const bool is_possible = has_browser || !is_page;
+    const ExportTarget& target = export_targets()[form.target];
+    const bool is_page = target.page != nullptr;
+    const bool is_possible = target.why_not_drawn.empty() && (has_browser || !is_page);
     dialog_row("Check");
     const ScopedDisabled disabled(!is_possible);
     bool verifies = form.verifies && is_possible;
@@ -92,7 +93,8 @@ void draw_verify(LookExportForm& form, Edits& edits) {
     edits.mark("look_export_verify");
     if (!is_possible) {
         dialog_row("");
-        dim_text("Chromium is not installed.");
+        dim_text(target.why_not_drawn.empty() ? "Chromium is not installed."
+                                              : (target.why_not_drawn + ".").c_str());
     }
 }
 
