@@ -56,7 +56,7 @@ constexpr std::string_view numbered = R"(float afterglow_level_for(int image, ve
 }
 
 vec4 afterglow_texture(int image, vec2 at, float bias) {
-    return afterglow_read(image, at, afterglow_level_for(image, dFdx(at), dFdy(at)) + bias);
+    return afterglow_read(image, at, afterglow_level_at(image, at) + bias);
 }
 vec4 afterglow_texture(int image, vec2 at) {
     return afterglow_texture(image, at, 0.0);
@@ -100,8 +100,10 @@ vec4 afterglow_textureGather(int image, vec2 at) {
 }
 )";
 
+// The product is what Mesa's software renderer reads. A quotient can differ in the last bit, which
+// changes comparisons of texels.
 constexpr std::string_view rounding = R"(vec4 afterglow_rounded(vec4 texel) {
-    return floor(clamp(texel, 0.0, 1.0) * 255.0 + 0.5) / 255.0;
+    return floor(clamp(texel, 0.0, 1.0) * 255.0 + 0.5) * (1.0 / 255.0);
 }
 
 vec4 afterglow_rounded_in_srgb(vec4 texel) {

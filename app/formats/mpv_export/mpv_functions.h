@@ -16,7 +16,7 @@ std::vector<MpvFunction> mpv_reader_functions();
 
 /// The functions of GLSL that read a texture, for numbers instead of samplers: afterglow_texture(),
 /// afterglow_textureSize() and so on. They call afterglow_read(), afterglow_texel(),
-/// afterglow_texelFetch() and afterglow_size().
+/// afterglow_texelFetch(), afterglow_size() and afterglow_level_at().
 std::vector<MpvFunction> mpv_numbered_functions();
 
 /// Rounding to 8 bits, with the curve of sRGB or without.

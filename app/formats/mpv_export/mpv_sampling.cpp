@@ -41,7 +41,8 @@ public:
         add({{"afterglow_read", read_function()},
              {"afterglow_texel", texel_function()},
              {"afterglow_texelFetch", fetch_function()},
-             {"afterglow_size", size_function()}});
+             {"afterglow_size", size_function()},
+             {"afterglow_level_at", level_at_function()}});
         add(mpv_numbered_functions());
     }
 
@@ -154,6 +155,17 @@ private:
                        exact(input, 0, Filter::nearest,
                              fmt::format("texelFetch({}, texel, 0)", m_textures.sampler_of(input)));
             });
+    }
+
+    // The level that the graphics card would choose. It is the same for a texture without levels.
+    std::string level_at_function() const {
+        return choice("float afterglow_level_at(int image, vec2 at)", "0.0",
+                      [&](const Input& input, std::size_t) {
+                          return m_textures.levels_of(input) > 0
+                                     ? fmt::format("textureQueryLod({}, at).y",
+                                                   m_textures.sampler_of(input))
+                                     : std::string("0.0");
+                      });
     }
 
     std::string size_function() const {

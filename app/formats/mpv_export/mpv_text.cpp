@@ -32,8 +32,8 @@ std::string mpv_block_text(const MpvBlock& block) {
 std::string mpv_side(const Side& side, std::size_t axis) {
     if (side.by == Side::By::pixels)
         return fmt::format("{:.0f}", side.factor);
-    const std::string whole = fmt::format(
-        "{}.{}", side.by == Side::By::viewport ? "OUTPUT" : "HOOKED", axis == 0 ? 'w' : 'h');
+    std::string whole = fmt::format("{}.{}", side.by == Side::By::viewport ? "OUTPUT" : "HOOKED",
+                                    axis == 0 ? 'w' : 'h');
     if (side.factor == 1.0)
         return whole;
     const std::string part = fmt::format("{} {:.9f} *", whole, side.factor);

@@ -47,6 +47,15 @@ TEST_CASE("only the first pass reads the source, and only the last has the host'
     CHECK(effect->look.passes[2].inputs[0].name == "first_pass");
 }
 
+TEST_CASE("a host that turns the last pass itself gets no pass for that") {
+    EffectHost turning = host;
+    turning.turns_last_pass = true;
+    const auto effect = effect_of(chain(), {}, {64, 32}, {32, 16}, turning);
+    REQUIRE(effect.has_value());
+    CHECK(names_of(effect->look) == std::vector<std::string>{"source", "first_pass", "last"});
+    CHECK(effect->look.passes.back().rows == RowOrder::bottom_first);
+}
+
 TEST_CASE("a texture with two samplers gets a copy for the second") {
     Look look = chain();
     look.passes.insert(
