@@ -93,8 +93,8 @@ void draw_verify(LookExportForm& form, Edits& edits) {
     edits.mark("look_export_verify");
     if (!is_possible) {
         dialog_row("");
-        dim_text(target.why_not_drawn.empty() ? "Chromium is not installed."
-                                              : (target.why_not_drawn + ".").c_str());
+        wrapped_dim_text(target.why_not_drawn.empty() ? "Chromium is not installed."
+                                                      : target.why_not_drawn + ".");
     }
 }
 
