@@ -12,8 +12,9 @@ import tempfile
 from pathlib import Path
 
 import export_mpv
+import export_reshade
 
-TARGETS = {"mpv": export_mpv}
+TARGETS = {"mpv": export_mpv, "reshade": export_reshade}
 
 
 class Program:

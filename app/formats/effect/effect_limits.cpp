@@ -14,8 +14,10 @@ std::string obstacle_in(const Input& input, const EffectHost& host) {
         return "reads a sound";
     if (input.frames_ago > 0 && !host.has_feedback)
         return "reads the previous frame";
-    if (input.frames_ago > 1)
-        return "reads a picture from more than one frame ago";
+    if (input.frames_ago > host.most_frames_ago)
+        return host.most_frames_ago == 1
+                   ? "reads a picture from more than one frame ago"
+                   : fmt::format("reads a picture from {} frames ago", input.frames_ago);
     if (input.from == Input::From::image && !host.has_images)
         return "reads a picture file";
     return {};

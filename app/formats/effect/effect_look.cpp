@@ -141,7 +141,8 @@ private:
     }
 
     bool needs_source_pass() const {
-        return m_look.source_encoding == Encoding::linear || m_look.source_rows != m_host.rows ||
+        return m_host.is_on_screen || m_look.source_encoding == Encoding::linear ||
+               m_look.source_rows != m_host.rows ||
                std::ranges::any_of(m_look.passes, [](const Pass& pass) {
                    return std::ranges::any_of(pass.inputs, [](const Input& input) {
                        return input.from == Input::From::source &&
@@ -236,7 +237,8 @@ private:
         const bool flips = last.rows != m_host.rows && !m_host.turns_last_pass;
         const Side whole{Side::By::viewport, 1.0, {}};
         const bool is_whole = last.size[0] == whole && last.size[1] == whole;
-        if (!flips && is_whole && m_look.output == Encoding::display)
+        const bool is_read = m_host.is_on_screen && !readers_of(last.name).empty();
+        if (!flips && is_whole && m_look.output == Encoding::display && !is_read)
             return;
         Sampler sampler{.filter = is_whole ? Filter::nearest : Filter::linear};
         Pass pass = copy_pass(m_given.add(screen_name), m_look.output, Encoding::display,

@@ -14,9 +14,13 @@ struct EffectHost {
     bool samples_per_texture = false;     // a texture has one filter and one wrap for all readers
     bool has_mipmaps = true;              // of targets
     bool has_feedback = true;             // a pass can read pictures of the previous frame
+    int most_frames_ago = 1;              // of such pictures
     bool has_integers = true;             // targets with integer texels
     bool has_images = true;               // picture files of the look
     bool turns_last_pass = false;         // the writer turns the rows of the last pass
+    // The source and the last target are the screen: the first pass copies the source, and no pass
+    // reads the last target.
+    bool is_on_screen = false;
 };
 
 /// A look reduced to what such programs draw.

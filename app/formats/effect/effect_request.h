@@ -18,7 +18,8 @@ struct EffectRequest {
     Extent source;     // of the source picture, px
     std::string name;  // of the main file, without its ending
     const SourceNotices& notices;
-    bool has_live_parameters = false;  // not constants, in a format that has both
+    bool has_live_parameters = false;   // not constants, in a format that has both
+    std::filesystem::path folder = {};  // of the main file, absolute
 };
 
 /// What was written, all paths relative to the folder of the main file.

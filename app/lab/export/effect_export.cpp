@@ -5,6 +5,7 @@
 #include "formats/look_format.h"
 #include "formats/mpv_export/mpv_check.h"
 #include "formats/mpv_export/mpv_export.h"
+#include "formats/reshade_export/reshade_export.h"
 #include "formats/slang_export/slang_export.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
@@ -44,10 +45,18 @@ Result<void> read_mpv(const fs::path& file) {
     return text ? check_mpv_shader(*text) : fail(text.error());
 }
 
+// Afterglow can't compile effects of ReShade.
+Result<void> read_reshade(const fs::path& file) {
+    const auto text = read_bytes(file);
+    return text ? Result<void>() : fail(text.error());
+}
+
 constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders", slang_files,
                                     read_look};
 constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files, read_look};
 constexpr EffectFormat mpv_format{"an mpv shader", ".glsl", "", mpv_files, read_mpv};
+constexpr EffectFormat reshade_format{"a ReShade effect", ".fx", "_reshade", reshade_files,
+                                      read_reshade};
 
 fs::path folder_of(const fs::path& path, const EffectFormat& format) {
     return path.parent_path() / (path.stem().string() + std::string(format.folder));
@@ -112,7 +121,8 @@ Result<EffectOutput> output_of(const ExportRequest& request, const EffectFormat&
                                 .source = *source,
                                 .name = request.path.stem().string(),
                                 .notices = *notices,
-                                .has_live_parameters = request.has_parameters});
+                                .has_live_parameters = request.has_parameters,
+                                .folder = fs::absolute(request.path).parent_path()});
     if (output)
         for (const auto& [parameter, modulation] : document.state().modulations)
             if (const Parameter* moved = find_parameter(look, parameter))
@@ -255,4 +265,16 @@ Result<std::vector<std::string>> mpv_losses(const PreparedLook& prepared) {
 
 Result<void> check_mpv(const ExportRequest& request) {
     return read_mpv(request.path);
+}
+
+Result<ExportedLook> export_reshade(const ExportRequest& request) {
+    return export_effect(request, reshade_format);
+}
+
+Result<std::vector<std::string>> reshade_losses(const PreparedLook& prepared) {
+    return losses_in(prepared, reshade_format);
+}
+
+Result<void> check_reshade(const ExportRequest& request) {
+    return read_reshade(request.path);
 }

@@ -20,3 +20,9 @@ Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared);
 Result<ExportedLook> export_mpv(const ExportRequest& request);
 Result<std::vector<std::string>> mpv_losses(const PreparedLook& prepared);
 Result<void> check_mpv(const ExportRequest& request);
+
+/// The same for an effect of ReShade and vkBasalt.
+Result<ExportedLook> export_reshade(const ExportRequest& request);
+Result<std::vector<std::string>> reshade_losses(const PreparedLook& prepared);
+/// Reads the effect. Afterglow can't compile it.
+Result<void> check_reshade(const ExportRequest& request);

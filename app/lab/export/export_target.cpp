@@ -8,8 +8,10 @@
 
 #include <algorithm>
 
-const std::vector<ExportTarget>& export_targets() {
-    static const std::vector<ExportTarget> targets{
+namespace {
+// Formats that draw the look with its own player.
+std::vector<ExportTarget> player_targets() {
+    return {
         {.name = "portable",
          .label = "Portable look",
          .extension = {},
@@ -31,6 +33,12 @@ const std::vector<ExportTarget>& export_targets() {
          .write = export_web,
          .check = check_web,
          .page = page_of_web},
+    };
+}
+
+// Formats of programs that draw chains of passes.
+std::vector<ExportTarget> effect_targets() {
+    return {
         {.name = "slang",
          .label = "RetroArch preset",
          .extension = ".slangp",
@@ -63,7 +71,28 @@ const std::vector<ExportTarget>& export_targets() {
          .check = check_mpv,
          .page = nullptr,
          .why_not_drawn = "Afterglow can't draw user shaders of mpv. Compare the pictures in mpv"},
+        {.name = "reshade",
+         .label = "ReShade effect",
+         .extension = ".fx",
+         .help = "an .fx file with a preset and pictures, for ReShade and vkBasalt",
+         .keeps = {"looks that process a picture", "all parameters, with label, range and step",
+                   "licences and authors"},
+         .losses = reshade_losses,
+         .write = export_reshade,
+         .check = check_reshade,
+         .page = nullptr,
+         .why_not_drawn = "Afterglow can't draw effects of ReShade"},
     };
+}
+}  // namespace
+
+const std::vector<ExportTarget>& export_targets() {
+    static const std::vector<ExportTarget> targets = [] {
+        std::vector<ExportTarget> all = player_targets();
+        for (const ExportTarget& target : effect_targets())
+            all.push_back(target);
+        return all;
+    }();
     return targets;
 }
 
