@@ -12,7 +12,6 @@
 #include <algorithm>
 
 namespace {
-constexpr const char* alternative = "Export it with --to web or --to slang.";
 
 // What an effect can't read.
 constexpr auto refused = std::to_array<std::string_view>(
@@ -99,7 +98,7 @@ private:
         return fail({{},
                      0,
                      fmt::format("the pass '{}' {}, which ReShade can't do. {}", m_pass.name,
-                                 reason, alternative)});
+                                 reason, fx_alternative)});
     }
 
     void add_rules() {

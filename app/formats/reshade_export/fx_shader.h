@@ -7,6 +7,9 @@
 #include <map>
 #include <string>
 
+/// What to do with a look that ReShade can't draw.
+inline constexpr const char* fx_alternative = "Export it with --to web or --to slang.";
+
 /// What the shaders of all passes share.
 struct FxShared {
     const Look& look;  // reduced

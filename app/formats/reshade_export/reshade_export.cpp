@@ -11,7 +11,6 @@
 #include <cmath>
 
 namespace {
-constexpr const char* alternative = "Export it with --to web or --to slang.";
 constexpr std::size_t most_samplers = 32;  // of an effect in vkBasalt
 
 // ReShade shows them as settings of the effect.
@@ -121,7 +120,7 @@ public:
                 {{},
                  0,
                  fmt::format("it reads textures in {} ways, of which vkBasalt can do {}. {}",
-                             textures.sampler_count(), most_samplers - 2, alternative)});
+                             textures.sampler_count(), most_samplers - 2, fx_alternative)});
         m_output.texts[m_request.name + ".fx"] = effect_text(textures);
         add_settings();
         return std::move(m_output);
@@ -143,7 +142,7 @@ private:
                              0,
                              fmt::format("the picture '{}' has more than 8 bits, which vkBasalt "
                                          "can't read. {}",
-                                         picture.name, alternative)});
+                                         picture.name, fx_alternative)});
             m_output.pictures[picture.path] = picture.file;
         }
         return {};
