@@ -165,7 +165,9 @@ class ReshadeExportTest(ProgramTest):
     def test_nothing_is_half_written(self):
         self.assert_refused(run("export", "crt", "--to", "reshade", "-o", self.folder / "a.txt"), ".fx")
         (self.folder / "mine_reshade").mkdir()
-        self.assert_refused(run("export", "crt", "--to", "reshade", "-o", self.folder / "mine.fx"), "is there already")
+        (self.folder / "mine_reshade" / "own.png").write_text("mine", encoding="utf-8")
+        self.assert_refused(run("export", "crt", "--to", "reshade", "-o", self.folder / "mine.fx"),
+                            "own.png", "isn't part of an earlier export")
         broken = self.look("broken", shader="#version 410 core\nvoid main() { oops }\n")
         self.assert_refused(run("export", broken, "--to", "reshade", "-o", self.folder / "b.fx"), "show.frag:2")
         self.assertFalse((self.folder / "b.fx").exists())
