@@ -68,7 +68,7 @@ std::string size_value(const BuiltInUniform& uniform, HostValues& host) {
         case BuiltIn::source_columns:
             return fmt::format("vec3(0.0, 1.0 / {0}.x, {0}.x)", host.raster().pixels);
         case BuiltIn::source_aspect:
-            return fmt::format("{0}.x / {0}.y", host.raster().pixels);
+            return host.aspect();
         case BuiltIn::input_extent:
             return extent_of(host.input(uniform.of.value_or(Input{})));
         case BuiltIn::input_resolution:
@@ -120,6 +120,10 @@ std::string quad_to_clip(RowOrder rows) {
         is_down ? "" : "-", is_down ? "-" : "");
 }
 }  // namespace
+
+std::string HostValues::aspect() {
+    return fmt::format("{0}.x / {0}.y", raster().pixels);
+}
 
 std::string built_in_value(const BuiltInUniform& uniform, const NumberType& type, const Pass& pass,
                            HostValues& host) {

@@ -19,6 +19,7 @@ public:
     virtual HostSize output() = 0;  // of the whole picture
     virtual HostSize source() = 0;  // of what its look reads as the source
     virtual HostSize raster() = 0;  // columns and lines of the source
+    virtual std::string aspect();   // width / height of the source as it is shown
     virtual HostSize input(const Input& input) = 0;
     virtual std::string frames_before() = 0;  // an int, 0 in the first frame
     virtual std::string time() = 0;           // at the end of the frame, s

@@ -20,11 +20,6 @@ public:
     const std::set<std::string>& used_parameters() const { return m_used; }
 
 private:
-    std::string built_in(const BuiltInUniform& uniform) const;
-    std::string time_value(BuiltIn kind) const;
-    std::string source_size() const;
-    std::string size_of(const std::optional<Input>& input) const;
-
     const Look& m_look;
     const Pass& m_pass;
     const MpvParameters& m_parameters;

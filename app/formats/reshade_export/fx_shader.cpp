@@ -1,5 +1,6 @@
 #include "formats/reshade_export/fx_shader.h"
 
+#include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_text.h"
 #include "formats/effect/vertex_function.h"
 #include "formats/glsl/modern_glsl.h"
@@ -10,9 +11,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 
 namespace {
-
 // What an effect can't read.
 constexpr auto refused = std::to_array<std::string_view>(
     {"textureQueryLod", "textureQueryLevels", "textureGatherOffsets", "samplerCube", "isampler2D",
@@ -61,6 +62,34 @@ vec4 afterglow_gather(sampler2D s, vec2 p) {
 std::string size_name(const std::string& texture) {
     return "afterglow_size_of_" + (texture.empty() ? "the_source" : texture);
 }
+
+/// What ReShade gives to a pass. `declared`: declares a value of the effect and returns its name.
+class FxHost final : public HostValues {
+public:
+    using Declared = std::function<std::string(const char* type, const std::string& name)>;
+    FxHost(const Pass& pass, Declared declared) : m_pass(pass), m_declared(std::move(declared)) {}
+
+    HostSize target() override { return size_of(m_pass.name); }
+    HostSize output() override { return {m_declared("vec2", "afterglow_output")}; }
+    HostSize source() override { return raster(); }
+    HostSize raster() override { return size_of(m_pass.source); }
+    HostSize input(const Input& input) override {
+        return size_of(input.from == Input::From::source ? std::string() : input.name);
+    }
+    std::string frames_before() override { return m_declared("int", "afterglow_frame_count"); }
+    std::string time() override { return m_declared("float", "afterglow_time"); }
+    std::string time_before() override { return time() + " - " + time_delta(); }
+    std::string time_delta() override { return m_declared("float", "afterglow_delta"); }
+    std::string date() override { return m_declared("vec4", "afterglow_date"); }
+
+private:
+    HostSize size_of(const std::string& texture) {
+        return {m_declared("vec2", size_name(texture))};
+    }
+
+    const Pass& m_pass;
+    Declared m_declared;
+};
 
 /// Writes one pass in GLSL, which is then translated.
 class ShaderWriter {
@@ -123,16 +152,6 @@ private:
             m_head += fmt::format("uniform {} {};\n", type, name);
     }
 
-    // The name of a value of the program.
-    std::string value(const char* type, const std::string& name) {
-        declare(type, name);
-        return name;
-    }
-    std::string size_of(const std::string& texture) { return value("vec2", size_name(texture)); }
-    std::string with_reciprocals(const std::string& size) {
-        return fmt::format("vec4({0}, 1.0 / {0})", size);
-    }
-
     void add_values() {
         for (const EffectNumber& number : m_uniforms.numbers) {
             m_rules.declared.insert(number.name);
@@ -147,7 +166,6 @@ private:
     }
 
     std::string value_of(const EffectNumber& number) {
-        const std::string type = glsl_name(number.type);
         if (const auto* fixed = std::get_if<Value>(&number.setter))
             return glsl_value(number.type, *fixed);
         if (const auto* parameter = std::get_if<const Parameter*>(&number.setter)) {
@@ -157,80 +175,14 @@ private:
             declare(glsl_name(found->second.type), found->second.control.id);
             return fx_glsl_value(found->second, number.type);
         }
-        if (const auto* built = std::get_if<BuiltInUniform>(&number.setter))
-            if (const std::string text = built_in(*built); !text.empty())
-                return fmt::format("{}({})", type, text);
+        if (const auto* built = std::get_if<BuiltInUniform>(&number.setter)) {
+            FxHost host(m_pass, [this](const char* of, const std::string& name) {
+                declare(of, name);
+                return name;
+            });
+            return built_in_value(*built, number.type, m_pass, host);
+        }
         return glsl_zero(number.type);
-    }
-
-    std::string time_text(BuiltIn kind) {
-        const std::string count = value("int", "afterglow_frame_count");
-        std::string frame =
-            m_pass.frame_modulo > 0 ? fmt::format("({} % {})", count, m_pass.frame_modulo) : count;
-        switch (kind) {
-            case BuiltIn::time:
-                return value("float", "afterglow_time");
-            case BuiltIn::time_before:
-                return value("float", "afterglow_time") + " - " + value("float", "afterglow_delta");
-            case BuiltIn::time_delta:
-                return value("float", "afterglow_delta");
-            case BuiltIn::delta_before:
-                return fmt::format("{} == 0 ? 0.0 : {}", count, value("float", "afterglow_delta"));
-            case BuiltIn::microseconds:
-                return fmt::format("round({} * 1e6)", value("float", "afterglow_delta"));
-            case BuiltIn::frame_rate:
-                return fmt::format("1.0 / max({}, 0.0001)", value("float", "afterglow_delta"));
-            case BuiltIn::frame:
-                return frame + " + 1";
-            case BuiltIn::frame_index:
-                return frame;
-            case BuiltIn::date:
-                return value("vec4", "afterglow_date");
-            case BuiltIn::date_from_0:
-                return value("vec4", "afterglow_date") + " - vec4(0.0, 1.0, 0.0, 0.0)";
-            default:
-                return {};
-        }
-    }
-
-    std::string built_in(const BuiltInUniform& uniform) {
-        const std::string of =
-            uniform.of && uniform.of->from != Input::From::source ? uniform.of->name : "";
-        const std::string& source = m_pass.source;
-        switch (uniform.kind) {
-            case BuiltIn::target_size:
-                return size_of(m_pass.name);
-            case BuiltIn::target_resolution:
-                return fmt::format("vec3({}, 1.0)", size_of(m_pass.name));
-            case BuiltIn::target_extent:
-                return with_reciprocals(size_of(m_pass.name));
-            case BuiltIn::output_size:
-                return value("vec2", "afterglow_output");
-            case BuiltIn::output_extent:
-                return with_reciprocals(value("vec2", "afterglow_output"));
-            case BuiltIn::source_size:
-                return size_of(source);
-            case BuiltIn::source_lines:
-                return fmt::format("vec3(0.0, 1.0 / {0}.y, {0}.y)", size_of(source));
-            case BuiltIn::source_columns:
-                return fmt::format("vec3(0.0, 1.0 / {0}.x, {0}.x)", size_of(source));
-            case BuiltIn::source_aspect:
-                return fmt::format("{0}.x / {0}.y", size_of(source));
-            case BuiltIn::input_extent:
-                return with_reciprocals(size_of(of));
-            case BuiltIn::input_resolution:
-                return fmt::format("vec3({}, 1.0)", size_of(of));
-            case BuiltIn::samples:
-                return "1";
-            case BuiltIn::quad_to_clip:
-                return fmt::format(
-                    "mat4(2.0, 0.0, 0.0, 0.0, 0.0, {0}2.0, 0.0, 0.0, 0.0, 0.0, 1.0, "
-                    "0.0, -1.0, {1}1.0, 0.0, 1.0)",
-                    m_pass.rows == RowOrder::top_first ? "" : "-",
-                    m_pass.rows == RowOrder::top_first ? "-" : "");
-            default:
-                return time_text(uniform.kind);
-        }
     }
 
     void add_samplers() {
