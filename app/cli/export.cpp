@@ -2,6 +2,9 @@
 #include "lab/export/export_target.h"
 #include "lab/export/verification.h"
 #include "lab/files/file_rows.h"
+#include "lab/library/library.h"
+#include "lab/send/look_sender.h"
+#include "lab/send/running_program.h"
 
 #include <fmt/format.h>
 
@@ -20,6 +23,7 @@ struct ExportArguments {
     LookOptions look;
     std::string target;
     std::string output;
+    std::string send;  // address of a running program; "": do not send
     bool is_dry_run = false;
     bool has_stages = false;
     bool has_parameters = false;
@@ -51,6 +55,16 @@ int verify(const ExportTarget& target, const ExportRequest& request, double time
     return verification.outcome == Verification::Outcome::verified ? exit_done : exit_failure;
 }
 
+int send(const ExportRequest& request, const ExportArguments& arguments, const Library& library) {
+    const std::size_t program = *program_for(arguments.target);
+    const auto sent = send_look(request.prepared, request.size, {program, arguments.send},
+                                library.roots().cache / "sent");
+    if (!sent)
+        return report(sent.error());
+    std::cout << fmt::format("sent to {}\n", running_programs()[program].name);
+    return exit_done;
+}
+
 int write(const ExportTarget& target, const ExportRequest& request,
           const ExportArguments& arguments) {
     const auto made = export_look(target, request);
@@ -70,6 +84,9 @@ Command add_export(CommandLine& program) {
     options.add("--to TARGET", arguments->target, "Program or format to export for").required();
     options.add("-o,--output PATH", arguments->output,
                 "File or folder to write. A portable look can be a .zip");
+    options.add("--send ADDRESS", arguments->send,
+                "Also load the export in the running program: the port of RetroArch's network "
+                "commands (usually 55355), or the socket of mpv's --input-ipc-server");
     options.add_flag("--stages", arguments->has_stages,
                      "With 'portable': also write the shaders as SPIR-V, GLSL ES 3.00, HLSL and "
                      "MSL");
@@ -86,8 +103,10 @@ Command add_export(CommandLine& program) {
         const auto target = find_export_target(arguments->target);
         if (!target)
             throw UsageError("--to: " + target.error().front().message);
-        if (arguments->output.empty() && !arguments->is_dry_run)
-            throw UsageError("-o: missing. Add -o PATH, or --dry-run.");
+        if (arguments->output.empty() && !arguments->is_dry_run && arguments->send.empty())
+            throw UsageError("-o: missing. Add -o PATH, --send ADDRESS or --dry-run.");
+        if (!arguments->send.empty() && !program_for(arguments->target))
+            throw UsageError("--send: only with --to slang or --to mpv");
         if (arguments->has_stages && arguments->target != "portable")
             throw UsageError("--stages: only with --to portable");
         if (arguments->has_parameters && arguments->target != "mpv")
@@ -95,12 +114,17 @@ Command add_export(CommandLine& program) {
         if (arguments->timeout <= 0.0)
             throw UsageError("--timeout: must be above 0");
         const RenderRequest request = arguments->look.request();
-        return run_prepared(request, data, [&](const PreparedLook& prepared, const Library&) {
-            return arguments->is_dry_run ? print_losses(**target, prepared)
-                                         : write(**target,
-                                                 {prepared, request.size, arguments->output,
-                                                  arguments->has_stages, arguments->has_parameters},
-                                                 *arguments);
-        });
+        return run_prepared(
+            request, data, [&](const PreparedLook& prepared, const Library& library) {
+                const ExportRequest wanted{prepared, request.size, arguments->output,
+                                           arguments->has_stages, arguments->has_parameters};
+                if (arguments->is_dry_run)
+                    return print_losses(**target, prepared);
+                const int code =
+                    arguments->output.empty() ? exit_done : write(**target, wanted, *arguments);
+                return code == exit_done && !arguments->send.empty()
+                           ? send(wanted, *arguments, library)
+                           : code;
+            });
     };
 }

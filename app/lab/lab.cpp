@@ -40,6 +40,8 @@ void Lab::update(double wall_seconds, WindowState* window) {
     m_work.size.update(wall_seconds);
     m_jobs.update();
     m_work.programs.update();
+    m_work.sender.update(document(), m_frames.passes().switches(), m_work.size.extent(),
+                         m_work.messages, wall_seconds);
     if (m_work.document && m_work.renderer)
         update_drawing(wall_seconds, loading_seconds);
 }
@@ -71,7 +73,7 @@ void Lab::update_drawing(double wall_seconds, double loading_seconds) {
 bool Lab::is_moving() const {
     return m_loader.is_loading() || m_frames.is_moving() || m_presets.navigation().morphing() ||
            m_remote.is_busy() || m_jobs.is_running() || m_looks.packs().is_running() ||
-           m_sequencer.is_busy() || m_work.messages.is_counting();
+           m_sequencer.is_busy() || m_work.sender.is_busy() || m_work.messages.is_counting();
 }
 
 void Lab::take(BuiltLook built) {

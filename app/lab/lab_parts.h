@@ -13,6 +13,7 @@ struct LabParts {
     const Messages& messages;
     const MediaInput& media;
     const RenderSize& size;
+    const LookSender& sender;
     const FrameLoop& frames;
     const LookLoader& loader;
     const ExternalPrograms& programs;

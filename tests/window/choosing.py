@@ -42,7 +42,7 @@ class Choosing(Person):
         program = self.program
         program.key("F10")
         program.place("menu:Open…")
-        program.key(*["Up"] * 10, "Right")  # over Quit and nine more items
+        program.key(*["Up"] * 12, "Right")  # over Quit and eleven more items
         program.place("menu:Morph: To Amber P3")
         program.key("Down", "Return")
         program.wait("the morph reaches the preset", lambda s: s["preset"] == "Amber P3")

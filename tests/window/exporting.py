@@ -5,10 +5,15 @@ import os
 import shutil
 import struct
 import subprocess
+import sys
 import time
 import unittest
+from pathlib import Path
 
 from person import PICTURE, Person
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
+from running_programs import MpvStub  # noqa: E402
 
 
 class Exporting(Person):
@@ -169,6 +174,31 @@ class Exporting(Person):
         self.assertIn('alias1 = ', preset.read_text(encoding="utf-8"))
         program.key("Return")
         program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
+
+    def test_edits_are_sent_to_a_running_program(self):
+        program = self.program
+        program.click("look:crt")
+        program.wait("the look is open", lambda s: s["look"] == "crt")
+        mpv = MpvStub(program.folder / "mpv", ["own.glsl"])
+        self.addCleanup(mpv.close)
+        program.choose("File", "Send to mpv…")
+        self.fill(send_address=str(program.folder / "wrong"))
+        program.click("dialog_ok")
+        program.place("send_failed")
+        self.snapshot("send_failed")
+        self.fill(send_address=str(program.folder / "mpv"))
+        program.click("send_follows")
+        program.click("dialog_ok")
+        program.place("send_done")
+        self.snapshot("send_done")
+        first = mpv.shaders
+        self.assertEqual((first[0], len(first)), ("own.glsl", 2))
+        program.click("dialog_cancel")
+        program.wait("the dialog is closed", lambda s: s["dialog"] == 0)
+        program.set("exposure", "2")
+        state = program.wait("the edit is sent", lambda s: mpv.shaders != first or s["notice"])
+        self.assertNotEqual(mpv.shaders, first, state["notice"])
+        self.assertIn("2.0", Path(mpv.shaders[1]).read_text(encoding="utf-8"))
 
     def test_a_look_is_exported_as_a_page_and_compared(self):
         program = self.program

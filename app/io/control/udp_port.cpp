@@ -6,6 +6,7 @@
 #include <array>
 #include <cerrno>
 #include <netinet/in.h>
+#include <poll.h>
 #include <sys/socket.h>
 #include <system_error>
 
@@ -56,6 +57,11 @@ std::optional<UdpPacket> UdpPort::take() const {
         return std::nullopt;
     return UdpPacket{{buffer.begin(), buffer.begin() + size},
                      {ntohl(sender.sin_addr.s_addr), ntohs(sender.sin_port)}};
+}
+
+std::optional<UdpPacket> UdpPort::take_within(std::chrono::milliseconds longest) const {
+    pollfd wanted{m_socket.get(), POLLIN, 0};
+    return ::poll(&wanted, 1, static_cast<int>(longest.count())) > 0 ? take() : std::nullopt;
 }
 
 Result<void> UdpPort::send(std::span<const std::uint8_t> bytes, const UdpAddress& to) const {

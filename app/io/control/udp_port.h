@@ -5,6 +5,7 @@
 #include "io/system/descriptor.h"
 #include "model/devices/network_reach.h"
 
+#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,6 +29,8 @@ public:
     int descriptor() const { return m_socket.get(); }
     /// The next received packet; nullopt if none is queued. Never waits.
     std::optional<UdpPacket> take() const;
+    /// The next packet; nullopt if none comes within the time.
+    std::optional<UdpPacket> take_within(std::chrono::milliseconds longest) const;
     /// Sends a packet from this port. Never waits; a packet can get lost without an error.
     Result<void> send(std::span<const std::uint8_t> bytes, const UdpAddress& to) const;
 

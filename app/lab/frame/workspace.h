@@ -11,6 +11,7 @@
 #include "lab/playback/player.h"
 #include "lab/rendering/pending_redraw.h"
 #include "lab/rendering/renderer.h"
+#include "lab/send/look_sender.h"
 
 #include <memory>
 
@@ -24,6 +25,7 @@ struct Workspace {
     Player player{machine_sound_devices()};
     MediaInput media{RecentMedia(library.roots())};
     RenderSize size{document, media};
+    LookSender sender{library.roots().cache / "sent"};
     std::unique_ptr<Renderer> renderer = {};  // null until a look has drawn
     LookPictures pictures = {};
     PendingRedraw redraw = {};

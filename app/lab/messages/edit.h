@@ -16,6 +16,7 @@ class ExternalPrograms;
 class FrameLoop;
 class Lab;
 class LookCommands;
+class LookSender;
 class MediaInput;
 class Messages;
 class ParameterSettingsStore;
@@ -34,7 +35,7 @@ struct WindowState;
 using MutableParts =
     std::tuple<AudioControl*, Automation*, BackgroundJobs*, ComparisonView*, ContentCommands*,
                Document*, DrawingTool*, ExternalPrograms*, FrameLoop*, Lab*, LookCommands*,
-               MediaInput*, Messages*, ParameterSettingsStore*, PassControl*, Player*,
+               LookSender*, MediaInput*, Messages*, ParameterSettingsStore*, PassControl*, Player*,
                PresetCommands*, Previews*, RemoteControl*, RenderSize*, Renderer*, Sequencer*,
                WindowState*>;
 

@@ -40,6 +40,7 @@ struct Dialog {
         asked,  // a number or text for the choice with the id in `subject`
         export_frames,
         export_look,
+        send_look,
         quit_exporting,  // asks whether to quit while exports run
     };
     enum class Host { undecided, own, desktop };

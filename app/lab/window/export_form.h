@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <string>
 
 /// The fields of the export dialog, as typed or chosen. "" is the default of a field.
@@ -30,6 +31,15 @@ struct StillForm {
     int format = 0;           // index in still_formats()
 
     bool operator==(const StillForm&) const = default;
+};
+
+/// The fields of the dialog that sends a look to a running program.
+struct SendForm {
+    std::size_t program = 0;                       // index of running_programs()
+    std::map<std::size_t, std::string> addresses;  // typed, by program
+    bool follows = false;                          // send after each edit
+
+    bool operator==(const SendForm&) const = default;
 };
 
 /// The fields of the dialog that exports a look.

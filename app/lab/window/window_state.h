@@ -88,6 +88,7 @@ struct WindowState {
     ExportForm exporting;
     StillForm saving;
     LookExportForm look_export;
+    SendForm sending;
     FileDialogChoices file_dialogs;
     FirstSteps first_steps;
     Dialog dialog;

@@ -6,6 +6,7 @@
 #include "lab/document/opened_preset.h"
 #include "lab/storage/name_check.h"
 #include "ui/dialogs/look_export_dialog.h"
+#include "ui/dialogs/send_dialog.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
@@ -273,6 +274,13 @@ std::vector<Action> sharing_actions() {
          false,
          show<Kind::export_frames>,
          has_document},
+    };
+}
+
+std::vector<Action> program_actions() {
+    using Kind = Dialog::Kind;
+    using file_actions::has_document;
+    return {
         {ActionId::export_look,
          Menu::file,
          "Export look…",
@@ -280,6 +288,14 @@ std::vector<Action> sharing_actions() {
          false,
          export_look,
          has_document},
+        {ActionId::send_to_retroarch,
+         Menu::file,
+         "Send to RetroArch…",
+         {},
+         false,
+         send_look<0>,
+         has_document},
+        {ActionId::send_to_mpv, Menu::file, "Send to mpv…", {}, false, send_look<1>, has_document},
         {ActionId::save_pack,
          Menu::file,
          "Save pack…",
@@ -315,8 +331,10 @@ std::vector<Action> file_actions::list() {
     actions.insert(actions.end(), presets.begin(), presets.end());
     const std::vector<Action> ring = preset_ring_actions();
     actions.insert(actions.end(), ring.begin(), ring.end());
-    const std::vector<Action> others = sharing_actions();
-    actions.insert(actions.end(), others.begin(), others.end());
+    const std::vector<Action> sharing = sharing_actions();
+    actions.insert(actions.end(), sharing.begin(), sharing.end());
+    const std::vector<Action> programs = program_actions();
+    actions.insert(actions.end(), programs.begin(), programs.end());
     actions.push_back({ActionId::use_desktop_dialog,
                        Menu::file,
                        "Use desktop file dialog",

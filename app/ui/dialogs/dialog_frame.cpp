@@ -137,13 +137,13 @@ bool draw_close_button(const char* label, Edits& edits, bool is_default) {
     return is_left;
 }
 
-bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits) {
+bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits, const char* closing) {
     ImGui::Spacing();
     const float width = ImGui::GetFontSize() * 6.5f;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float start = ImGui::GetWindowContentRegionMax().x - 2.0f * width - gap;
     ImGui::SetCursorPosX(std::max(start, ImGui::GetCursorPosX()));
-    if (ImGui::Button("Cancel", {width, 0.0f}))
+    if (ImGui::Button(closing, {width, 0.0f}))
         close_dialog(edits);
     edits.mark("dialog_cancel");
     ImGui::SameLine();

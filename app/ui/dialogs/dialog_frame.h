@@ -53,6 +53,7 @@ std::optional<std::string> draw_name_advice(const NameCheck& check, Edits& edits
 /// activated.
 bool draw_close_button(const char* label, Edits& edits, bool is_default = true);
 
-/// Cancel and the default button, which Enter activates too. Returns true when the default
-/// button is activated and `can_do`. Cancel closes the dialog.
-bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits);
+/// A button that closes the dialog, and the default button, which Enter activates too. Returns true
+/// when the default button is activated and `can_do`.
+bool draw_dialog_buttons(const char* label, bool can_do, Edits& edits,
+                         const char* closing = "Cancel");

@@ -18,6 +18,7 @@
 #include "ui/dialogs/prompt_dialog.h"
 #include "ui/dialogs/rates_dialog.h"
 #include "ui/dialogs/remote_dialog.h"
+#include "ui/dialogs/send_dialog.h"
 #include "ui/dialogs/still_dialog.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/theme.h"
@@ -171,6 +172,9 @@ void draw_dialogs(const Scene& scene, Edits& edits) {
             return;
         case Kind::export_look:
             draw_look_export_dialog(scene, edits);
+            return;
+        case Kind::send_look:
+            draw_send_dialog(scene, edits);
             return;
         case Kind::quit_exporting:
             draw_quit_exporting_dialog(scene, edits);

@@ -38,6 +38,8 @@ enum class ActionId {
     copy_picture,
     export_frames,
     export_look,
+    send_to_retroarch,
+    send_to_mpv,
     save_pack,
     use_desktop_dialog,
     quit,

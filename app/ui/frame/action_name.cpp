@@ -34,6 +34,8 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::copy_picture, "copy_picture"},
     {ActionId::export_frames, "export"},
     {ActionId::export_look, "export_look"},
+    {ActionId::send_to_retroarch, "send_to_retroarch"},
+    {ActionId::send_to_mpv, "send_to_mpv"},
     {ActionId::save_pack, "save_pack"},
     {ActionId::use_desktop_dialog, "use_desktop_dialog"},
     {ActionId::quit, "quit"},

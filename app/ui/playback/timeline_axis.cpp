@@ -1,6 +1,8 @@
 #include "ui/playback/timeline_axis.h"
 
+#include "lab/sequencer/sequencer.h"
 #include "lab/sequencer/sound_region.h"
+#include "signals/audio/sound_peaks.h"
 #include "ui/playback/sound_controls.h"
 #include "ui/playback/timeline_cues.h"
 #include "ui/widgets/theme.h"
