@@ -22,7 +22,8 @@ bool is_good(const std::string& argument, const Library& library) {
     }
     warn(prepared->warnings);
     const Look& look = prepared->document.look();
-    const Diagnostics media = check_media(prepared->document);
+    Diagnostics media = check_media(prepared->document);
+    add_new(media, check_other_driver(look));
     report(media);
     if (has_errors(media))
         return false;

@@ -1,10 +1,13 @@
 #include "formats/look_format.h"
 
+#include "base/file.h"
 #include "base/text.h"
 #include "formats/foreign_format.h"
+#include "formats/json/json_document.h"
 #include "formats/look/look_manifest.h"
 #include "glsl/parameters/constant_parameters.h"
 #include "glsl/parameters/parameters.h"
+#include "glsl/text/declarations.h"
 #include "glsl/text/include.h"
 #include "glsl/text/shader_files.h"
 #include "model/plan/plan.h"
@@ -13,6 +16,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string_view>
 
 namespace fs = std::filesystem;
@@ -48,10 +52,14 @@ Diagnostics load_stages(Look& look, const IncludeFolders& includes, ShaderFiles*
                         std::vector<fs::path>& files) {
     const fs::path folder = look.manifest.has_parent_path() ? look.manifest.parent_path() : ".";
     StageLoader loader({folder, includes, {}, folder}, files, disk);
+    const bool has_macro = look.has_other_driver && look.driven_by == Driver::picture;
+    const auto load = [&](const fs::path& file) {
+        Stage stage = loader.load(file);
+        return has_macro ? with_line_after_version(stage, "#define DRIVEN_BY_PICTURE") : stage;
+    };
     for (Pass& pass : look.passes) {
-        pass.fragment = loader.load(pass.fragment.file);
-        pass.vertex =
-            pass.vertex.file.empty() ? fullscreen_vertex_stage() : loader.load(pass.vertex.file);
+        pass.fragment = load(pass.fragment.file);
+        pass.vertex = pass.vertex.file.empty() ? fullscreen_vertex_stage() : load(pass.vertex.file);
     }
     return std::move(loader.problems);
 }
@@ -76,7 +84,7 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
         const bool is_used = std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
             return heading_of(look, parameter) == group.name;
         });
-        if (!is_used)
+        if (!is_used && !look.has_other_driver)  // the other driver may have them
             warnings.push_back({group.declared.file, group.declared.line,
                                 fmt::format("the group '{}' has no parameters", group.name),
                                 Severity::warning});
@@ -84,9 +92,28 @@ void order_by_groups(Look& look, Diagnostics& warnings) {
     std::ranges::stable_sort(look.parameters, {}, order_of);
 }
 
+// The uniforms of the texts for the other driver, which its files name. Reading the look with that
+// driver reports errors.
+void find_other_parameters(Look& look, const IncludeFolders& includes, const LoadOptions& help,
+                           std::vector<fs::path>& files) {
+    auto other = load_manifest(look.manifest, files, help.disk, !help.is_picture_driven);
+    if (!other)
+        return;
+    (void)load_stages(*other, includes, help.disk, files);
+    std::set<fs::path> scanned;
+    std::set<std::string> names;
+    for (const Pass& pass : other->passes)
+        for (const Stage* stage : {&pass.vertex, &pass.fragment})
+            if (scanned.insert(stage->file).second)
+                for (const Declaration& declaration : find_declarations(*stage->text))
+                    if (!find_parameter(look, declaration.name))
+                        names.insert(declaration.name);
+    look.other_parameters.assign(names.begin(), names.end());
+}
+
 Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
                        const LoadOptions& help, LoadedLook& loaded) {
-    auto look = load_manifest(manifest, loaded.files, help.disk);
+    auto look = load_manifest(manifest, loaded.files, help.disk, help.is_picture_driven);
     if (!look)
         return look;
     Diagnostics problems = load_stages(*look, includes, help.disk, loaded.files);
@@ -101,6 +128,8 @@ Result<Look> read_look(const fs::path& manifest, const IncludeFolders& includes,
         return fail(std::move(parameters.error()));
     look->parameters.insert(look->parameters.begin(), parameters->begin(), parameters->end());
     order_by_groups(*look, loaded.warnings);
+    if (look->has_other_driver)
+        find_other_parameters(*look, includes, help, loaded.files);
     problems = check_sizes(*look);
     if (!problems.empty())
         return fail(std::move(problems));
@@ -140,4 +169,19 @@ bool is_foreign_look(const fs::path& file) {
 
 std::string look_id_at(const fs::path& path) {
     return is_foreign_look(path) ? foreign_look_id(path) : look_id_of(manifest_of(path));
+}
+
+Stack with_driver(Stack stack, bool is_picture_driven) {
+    const auto has_other_driver = [](const StackPart& part) {
+        const fs::path manifest = manifest_of(part.path);
+        if (is_foreign_look(manifest))
+            return false;
+        const auto text = read_text(manifest);
+        const auto document = text ? parse_json(*text, manifest) : fail(text.error());
+        const JsonValue* driver = document ? find_member(*document, "driven_by") : nullptr;
+        return driver && driver->text == either_driver;
+    };
+    if (std::ranges::none_of(stack, has_other_driver))
+        return stack;
+    return with_picture_driven(std::move(stack), is_picture_driven);
 }

@@ -18,5 +18,9 @@ LoadedLook load_look(const std::filesystem::path& folder_or_manifest,
 /// its content.
 bool is_foreign_look(const std::filesystem::path& file);
 
+/// The stack with a source picture or a signal as its driver, if that is possible for one of its
+/// looks; otherwise unchanged. Reads their look.json.
+Stack with_driver(Stack stack, bool is_picture_driven);
+
 /// The id of the look in a folder, manifest or foreign file, from the path only.
 std::string look_id_at(const std::filesystem::path& path);

@@ -96,7 +96,7 @@ void Lab::open_document(BuiltLook& built) {
     const bool loses_changes = had_changes && has_unlocked_changes(*document);
     const Content content = document ? content_of(*document) : m_content.initial();
     const bool keeps_time =
-        document && !request.brings_content && is_locked_in(*built.look, content.locks);
+        document && !request.brings_content && is_locked_in(built.look->driven_by, content.locks);
     const Tempo tempo = document ? document->state().tempo : m_sequencer.initial_tempo();
     const CueText cues = document ? document->state().cues : m_sequencer.initial_cues();
     std::optional<Session> left;

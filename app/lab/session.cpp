@@ -54,6 +54,7 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
     if (!state.signal.kind.empty())
         saved.preset.signal = state.signal;
     saved.preset.source = state.source;
+    saved.is_picture_driven = is_picture_driven(state.stack);
     saved.locks = state.locks;
     saved.cues = state.cues;
     return saved;
@@ -62,7 +63,8 @@ SessionState session_state(const DocumentState& state, const Look& look, std::st
 using LookPaths = std::map<std::string, std::string>;
 
 // The looks of a state; empty if the session lacks the location of one of them.
-Stack stack_in(const Preset& preset, const LookPaths& paths) {
+Stack stack_in(const SessionState& state, const LookPaths& paths) {
+    const Preset& preset = state.preset;
     Stack stack;
     if (!fault_of_stack_size(preset.look).empty())
         return stack;
@@ -72,6 +74,7 @@ Stack stack_in(const Preset& preset, const LookPaths& paths) {
             return {};
         stack.push_back({id, found->second, free_tag(stack, id)});
     }
+    stack = with_picture_driven(std::move(stack), state.is_picture_driven);
     return with_bypass(std::move(stack), preset.bypass);
 }
 
@@ -84,7 +87,7 @@ struct Ground {
 DocumentState document_state(const SessionState& saved, const Ground& ground) {
     const Look& look = ground.look;
     DocumentState state = initial_state(look);
-    if (Stack stack = stack_in(saved.preset, ground.paths); !stack.empty())
+    if (Stack stack = stack_in(saved, ground.paths); !stack.empty())
         state.stack = std::move(stack);
     state.values = saved.preset.values;
     if (stack_id(state.stack) == look.id) {
@@ -296,7 +299,7 @@ void restore(Lab& lab, const Session& session, const std::function<void(Lab&)>& 
     lab.loader().open({session.look,
                        {},
                        {},
-                       stack_in(session.current.preset, session.looks),
+                       stack_in(session.current, session.looks),
                        session.current.preset.values},
                       restore_rest);
 }

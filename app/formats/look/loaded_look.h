@@ -18,6 +18,7 @@ struct LoadOptions {
     PassProgress* progress = nullptr;  // for translated looks; cancelling it makes loading fail
     const Values* values = nullptr;    // values, including those of adjustable constants
     ShaderFiles* disk = nullptr;       // avoids reading unchanged files again
+    bool is_picture_driven = false;    // for a look that a signal or a picture can drive
 };
 
 /// A loaded look, or its errors.

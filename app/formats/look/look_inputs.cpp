@@ -108,8 +108,9 @@ void check_texels(ObjectReader& reader, const Look& look, const JsonValue& membe
             fmt::format("pass '{}' has an integer format, which can't have mipmaps", input.name));
 }
 
-Input read_input(const JsonValue& member, ObjectReader& parent, const Look& look,
-                 std::size_t pass) {
+// nullopt: an input for the other driver.
+std::optional<Input> read_input(const JsonValue& member, ObjectReader& parent, const Look& look,
+                                std::size_t pass) {
     Input input;
     input.uniform = member.key;
     if (member.is(JsonValue::Kind::text)) {
@@ -118,6 +119,8 @@ Input read_input(const JsonValue& member, ObjectReader& parent, const Look& look
         return input;
     }
     ObjectReader reader(member, parent.file(), parent.problems());
+    if (!is_for_driver(reader, look))
+        return std::nullopt;
     const JsonValue* from = reader.require("from");
     if (from && reader.expect(*from, JsonValue::Kind::text))
         InputReading(reader, look, pass, *from).refer(from->text, input);
@@ -139,5 +142,6 @@ void read_inputs(ObjectReader& reader, Look& look, std::size_t pass) {
         return reader.problem(*inputs, fmt::format("the pass has {} inputs; the limit is {}",
                                                    inputs->children.size(), max_inputs));
     for (const JsonValue& member : inputs->children)
-        look.passes[pass].inputs.push_back(read_input(member, reader, look, pass));
+        if (auto input = read_input(member, reader, look, pass))
+            look.passes[pass].inputs.push_back(std::move(*input));
 }

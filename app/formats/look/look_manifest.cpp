@@ -21,7 +21,7 @@ void read_default_signal(ObjectReader& reader, LookFolder& folder, Look& look) {
     const JsonValue* member = reader.find("default_signal");
     if (!member)
         return;
-    if (look.driven_by != Driver::signal)
+    if (look.driven_by != Driver::signal && !look.has_other_driver)
         reader.problem(*member, "'default_signal' needs 'driven_by': 'signal'");
     auto spec = read_spec(*member, reader.file(), reader.problems());
     if (!spec)
@@ -48,12 +48,14 @@ void check_pattern(std::string_view pattern, const JsonValue& member, ObjectRead
 void read_default_source(ObjectReader& reader, LookFolder& folder, Look& look) {
     const JsonValue* driver = reader.find("driven_by");
     const JsonValue* member = reader.find("default_source");
-    if (!member && look.driven_by == Driver::picture)
-        reader.problem(*driver,
-                       "'driven_by': 'picture' needs a 'default_source' such as 'pattern:smpte'");
+    const bool has_source = look.driven_by == Driver::picture || look.has_other_driver;
+    if (!member && has_source)
+        reader.problem(*driver, fmt::format("'driven_by': '{}' needs a 'default_source' such as "
+                                            "'pattern:smpte'",
+                                            driver->text));
     if (!member || !reader.expect(*member, JsonValue::Kind::text))
         return;
-    if (look.driven_by != Driver::picture)
+    if (!has_source)
         reader.problem(*member, "'default_source' needs 'driven_by': 'picture'");
     constexpr std::string_view pattern = "pattern:";
     look.default_source = member->text;
@@ -107,12 +109,27 @@ void read_groups(ObjectReader& reader, Look& look) {
             look.groups.push_back({name.text, {look.manifest, name.line}});
 }
 
-void read_look(ObjectReader& reader, LookFolder& folder, Look& look) {
+void read_driver(ObjectReader& reader, Look& look, bool is_picture_driven) {
+    enum class Named { signal, picture, either, nothing };
+    const Choices<Named> names{{"signal", Named::signal},
+                               {"picture", Named::picture},
+                               {either_driver, Named::either},
+                               {"nothing", Named::nothing}};
+    const Named named = reader.choice("driven_by", names, Named::nothing);
+    look.has_other_driver = named == Named::either;
+    const bool has_picture =
+        named == Named::picture || (look.has_other_driver && is_picture_driven);
+    look.driven_by = has_picture               ? Driver::picture
+                     : named == Named::nothing ? Driver::nothing
+                                               : Driver::signal;
+}
+
+void read_look(ObjectReader& reader, LookFolder& folder, Look& look, bool is_picture_driven) {
     look.name = reader.text("name", look.id);
     look.about = reader.text("about");
     look.author = reader.text("author");
     look.license = reader.text("license");
-    look.driven_by = reader.choice("driven_by", driver_names(), Driver::nothing);
+    read_driver(reader, look, is_picture_driven);
     read_default_signal(reader, folder, look);
     read_default_source(reader, folder, look);
     look.source_encoding = reader.choice("source_encoding", encoding_names(), Encoding::linear);
@@ -134,7 +151,7 @@ std::string look_id_of(const fs::path& manifest) {
 }
 
 Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& files,
-                           ShaderFiles* disk) {
+                           ShaderFiles* disk, bool is_picture_driven) {
     files.push_back(manifest);
     const auto text = disk ? disk->read_plain(manifest) : read_text(manifest);
     if (!text)
@@ -149,7 +166,7 @@ Result<Look> load_manifest(const fs::path& manifest, std::vector<fs::path>& file
     ObjectReader reader(*document, manifest, problems);
     LookFolder folder(manifest.parent_path(), files);
     if (accept_header(reader, look_file))
-        read_look(reader, folder, look);
+        read_look(reader, folder, look, is_picture_driven);
     if (problems.empty())
         return look;
     std::ranges::stable_sort(problems, {}, &Diagnostic::line);

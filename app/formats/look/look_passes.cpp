@@ -238,14 +238,13 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     return pass;
 }
 
-void check_names(std::vector<ObjectReader>& readers, const Look& look) {
+void check_names(const JsonValue& passes, ObjectReader& reader, const Look& look) {
     std::map<std::string, int> lines;
-    for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        const std::string& name = look.passes[i].name;
-        const JsonValue* value = find_member(readers[i].object(), "name");
-        if (!value || name.empty())
+    for (const JsonValue& pass : passes.children) {
+        const JsonValue* value = find_member(pass, "name");
+        const std::string name = value ? value->text : std::string();
+        if (name.empty())
             continue;
-        ObjectReader& reader = readers[i];
         const auto [first, is_new] = lines.emplace(name, value->line);
         if (!is_new)
             reader.problem(*value,
@@ -269,19 +268,33 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look) {
             *passes, fmt::format("a look must have 1 to {} passes, got {}", max_passes, count));
     std::vector<ObjectReader> readers;
     for (const JsonValue& child : passes->children) {
-        readers.emplace_back(child, reader.file(), reader.problems());
-        const bool is_last = readers.size() == count;
+        ObjectReader own(child, reader.file(), reader.problems());
+        if (!is_for_driver(own, look))
+            continue;
+        readers.push_back(own);
+        const bool is_last = &child == &passes->children.back();
         look.passes.push_back(child.is(JsonValue::Kind::object)
                                   ? read_pass(readers.back(), folder, look, is_last)
                                   : Pass{});
     }
-    check_names(readers, look);
-    for (std::size_t i = 0; i < count; ++i)
+    if (readers.empty())
+        return reader.problem(*passes, fmt::format("no pass is left with 'driven_by': '{}'",
+                                                   name_of(driver_names(), look.driven_by)));
+    check_names(*passes, reader, look);
+    for (std::size_t i = 0; i < readers.size(); ++i)
         read_inputs(readers[i], look, i);
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < readers.size(); ++i) {
         read_onto(readers[i], look, i);
         readers[i].report_unknown_keys();
     }
+}
+
+bool is_for_driver(ObjectReader& reader, const Look& look) {
+    const Choices<Driver> names{{"signal", Driver::signal}, {"picture", Driver::picture}};
+    const JsonValue* member = reader.find("driven_by");
+    if (member && !look.has_other_driver)
+        reader.problem(*member, "'driven_by' needs a look with 'driven_by': 'signal-or-picture'");
+    return reader.choice("driven_by", names, look.driven_by) == look.driven_by;
 }
 
 Sampler read_sampler(ObjectReader& reader) {

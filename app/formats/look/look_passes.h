@@ -13,6 +13,9 @@ void read_passes(ObjectReader& reader, LookFolder& folder, Look& look);
 /// Reads the "filter", "wrap" and "mipmap" of an input or image.
 Sampler read_sampler(ObjectReader& reader);
 
+/// Whether a pass or an input exists for the look's driver. Reads its key `driven_by`.
+bool is_for_driver(ObjectReader& reader, const Look& look);
+
 /// Whether the name is valid for a pass or image. It becomes part of file names and of "NAME@1".
 bool is_look_name(std::string_view name);
 std::string_view look_name_rule();

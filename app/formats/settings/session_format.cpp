@@ -33,6 +33,8 @@ nlohmann::ordered_json json_of(const SessionState& state) {
     nlohmann::ordered_json json{{"step", state.step},
                                 {"preset", preset_json(state.preset, nullptr, Digits::all)},
                                 {"overrides", json_of(state.overrides)}};
+    if (state.is_picture_driven)
+        json["picture_driven"] = true;
     if (state.locks.signal)
         json["keeps_signal"] = true;
     if (state.locks.source)
@@ -296,6 +298,7 @@ private:
         if (const JsonValue* overrides = reader.find("overrides"))
             for (const JsonValue& pass : overrides->children)
                 state.overrides[pass.key] = read_override(pass, m_file, m_problems);
+        state.is_picture_driven = reader.boolean("picture_driven", false);
         state.locks.signal = reader.boolean("keeps_signal", false);
         state.locks.source = reader.boolean("keeps_source", false);
         state.chose_content = reader.boolean("chose_content", false);

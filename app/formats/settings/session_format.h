@@ -19,6 +19,7 @@ struct SessionState {
     std::string step;
     Preset preset;  // values, signal and source
     PassOverrides overrides;
+    bool is_picture_driven = false;  // see StackPart
     ContentLocks locks = {};
     bool chose_content = false;  // the step changed the content, so undo restores the content of
                                  // this state

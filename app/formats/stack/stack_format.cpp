@@ -45,7 +45,8 @@ public:
         const Values values =
             m_help.values ? values_of_part(*m_help.values, m_stack, part) : Values{};
         const auto is_same = [&](const Read& read) {
-            return read.path == m_stack[part].path && read.values == values;
+            return read.path == m_stack[part].path && read.values == values &&
+                   read.is_picture_driven == m_stack[part].is_picture_driven;
         };
         const auto known = std::ranges::find_if(m_read, is_same);
         if (known != m_read.end()) {
@@ -53,14 +54,15 @@ public:
                 looks.push_back(*known->look);
             return;
         }
-        LoadedLook loaded = load_look(m_stack[part].path, m_includes,
-                                      {m_help.cache, m_help.progress, &values, m_help.disk});
+        LoadedLook loaded = load_look(
+            m_stack[part].path, m_includes,
+            {m_help.cache, m_help.progress, &values, m_help.disk, m_stack[part].is_picture_driven});
         add_new(whole.warnings, loaded.warnings);
         whole.is_parsed = whole.is_parsed && loaded.is_parsed;
         for (const fs::path& file : loaded.files)
             if (std::ranges::find(whole.files, file) == whole.files.end())
                 whole.files.push_back(file);
-        m_read.push_back({m_stack[part].path, values, {}});
+        m_read.push_back({m_stack[part].path, values, m_stack[part].is_picture_driven, {}});
         if (!loaded.look)
             return add_new(errors, loaded.look.error());
         looks.push_back(*loaded.look);
@@ -74,6 +76,7 @@ private:
     struct Read {
         fs::path path;
         Values values;
+        bool is_picture_driven = false;
         std::optional<Look> look;
     };
 
@@ -105,10 +108,10 @@ LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const LoadOpt
     return whole;
 }
 
-LoadedLook load_again(const Look& look, const LoadOptions& help) {
+LoadedLook load_again(const Look& look, const Stack& stack, const LoadOptions& help) {
     CheckCache checks(nullptr, look.shader_limits);
     LoadOptions all = help;
     if (!all.cache)
         all.cache = &checks;
-    return load_stack(look.stack, look.includes, all);
+    return load_stack(stack, look.includes, all);
 }

@@ -7,6 +7,6 @@
 /// Like load_look().
 LoadedLook load_stack(Stack stack, const IncludeFolders& includes, const LoadOptions& help = {});
 
-/// Reloads a look returned by load_stack(), for other values of its constants. Without a cache, the
-/// original shader limits apply.
-LoadedLook load_again(const Look& look, const LoadOptions& help);
+/// Reloads a look returned by load_stack(), for other values of its constants or other settings of
+/// its parts. Without a cache, the original shader limits apply.
+LoadedLook load_again(const Look& look, const Stack& stack, const LoadOptions& help);

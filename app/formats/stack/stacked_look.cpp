@@ -80,6 +80,7 @@ private:
         m_look.manifest = m_looks.front().manifest;
         m_look.stack = m_stack;
         m_look.driven_by = driving().driven_by;
+        m_look.has_other_driver = std::ranges::any_of(m_looks, &Look::has_other_driver);
         m_look.default_signal = driving().default_signal;
         m_look.default_source = driving().default_source;
         m_look.source_encoding = driving().source_encoding;
@@ -186,6 +187,8 @@ private:
                 parameter.bindings.clear();
             m_look.parameters.push_back(std::move(parameter));
         }
+        for (const std::string& name : look.other_parameters)
+            m_look.other_parameters.push_back(scope + name);
         for (const auto& [name, value] : look.constants)
             m_look.constants[scope + name] = value;
     }

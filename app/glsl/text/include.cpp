@@ -207,6 +207,22 @@ Result<Stage> load_stage(const fs::path& file, const IncludeRoots& roots,
     return Assembler(file, roots, files, disk ? *disk : own).assemble();
 }
 
+Stage with_line_after_version(const Stage& stage, std::string_view added) {
+    Stage result{stage.file, {}, {}};
+    bool is_added = false;
+    const auto lines = split(*stage.text, '\n');
+    for (std::size_t i = 0; i < stage.lines.size(); ++i) {
+        result.text.own().append(lines[i]).push_back('\n');
+        result.lines.push_back(stage.lines[i]);
+        if (is_added || !trim(lines[i]).starts_with("#version"))
+            continue;
+        result.text.own().append(added).push_back('\n');
+        result.lines.push_back(stage.lines[i]);
+        is_added = true;
+    }
+    return result;
+}
+
 Stage builtin_stage(std::string text) {
     Stage stage;
     stage.lines.append({{}, 1}, split_lines(text).size());

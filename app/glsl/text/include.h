@@ -36,6 +36,10 @@ std::filesystem::path opened_tree(const std::filesystem::path& file);
 Result<Stage> load_stage(const std::filesystem::path& file, const IncludeRoots& roots,
                          std::vector<std::filesystem::path>& files, ShaderFiles* disk = nullptr);
 
+/// The stage with another line after its #version, such as a #define. Errors in it are reported at
+/// the #version.
+Stage with_line_after_version(const Stage& stage, std::string_view line);
+
 /// A stage from a built-in text without includes.
 Stage builtin_stage(std::string text);
 

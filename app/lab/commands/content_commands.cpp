@@ -24,6 +24,12 @@ Spec playing(const fs::path& file, const Spec& current) {
 }
 }  // namespace
 
+namespace {
+bool can_use(const Look& look, Driver driver) {
+    return look.driven_by == driver || look.has_other_driver;
+}
+}  // namespace
+
 bool ContentCommands::is_content(const fs::path& file) {
     const bool is_source = is_source_file(file) && !(is_picture_file(file) && load_preset(file));
     return is_sound_file(file) || is_svg_file(file) || is_scene_file(file) || is_source;
@@ -31,8 +37,9 @@ bool ContentCommands::is_content(const fs::path& file) {
 
 std::string ContentCommands::look_for(const fs::path& file) const {
     const bool is_beam = is_sound_file(file) || is_svg_file(file) || is_scene_file(file);
-    const Driver needed = is_beam ? Driver::signal : Driver::picture;
-    if (m_work.document && m_work.document->look().driven_by == needed)
+    // A picture does not turn a beam look into one for pictures.
+    if (m_work.document && (is_beam ? can_use(m_work.document->look(), Driver::signal)
+                                    : driver_of(*m_work.document) == Driver::picture))
         return "";
     return is_beam ? "phosphor" : "crt";
 }
@@ -44,7 +51,7 @@ void ContentCommands::open(const fs::path& file) {
     const Driver needed = is_sound ? Driver::signal : Driver::picture;
     if (m_work.document && is_picture_file(file) && m_comparison.is_file_wanted())
         return m_comparison.compare_with_file(file);
-    if (!m_work.document || m_work.document->look().driven_by != needed) {
+    if (!m_work.document || !can_use(m_work.document->look(), needed)) {
         return m_work.messages.say(is_sound ? needs_signal_look : needs_picture_look, true);
     }
     if (is_sound)
@@ -107,7 +114,7 @@ void ContentCommands::take_content() {
     const ChosenContent& chosen = **taken;
     m_work.opened_files.add(chosen.file);
     const bool is_signal = chosen.driver == Driver::signal;
-    if (m_work.document->look().driven_by != chosen.driver) {
+    if (!can_use(m_work.document->look(), chosen.driver)) {
         Content content = content_of(*m_work.document);  // stored for the next look that uses it
         (is_signal ? content.locks.signal : content.locks.source) = true;
         is_signal ? void(content.signal = chosen.signal) : void(content.source = chosen.source);
@@ -144,18 +151,21 @@ void ContentCommands::offer_outside(const OutsideContent& content) {
 // While the user's own content is locked, a button offers the preset's.
 void ContentCommands::offer_own(const Preset& preset) {
     const Look& look = m_work.document->look();
-    const bool is_signal = look.driven_by == Driver::signal;
+    const Driver current_driver = driver_of(*m_work.document);
+    const bool is_signal =
+        look.has_other_driver ? preset.source.empty() : current_driver == Driver::signal;
+    const Driver driver = is_signal ? Driver::signal : Driver::picture;
     const bool names_content = is_signal ? preset.signal.has_value() : !preset.source.empty();
     if (!is_content_locked(*m_work.document) || !names_content)
         return;
     const Content own{preset.signal.value_or(Spec{}), preset.source, {}};
     const Content current = content_of(*m_work.document);
-    if (is_signal ? is_same_content(own.signal, current.signal)
-                  : is_same_content(own.source, current.source))
+    if (driver == current_driver && (is_signal ? is_same_content(own.signal, current.signal)
+                                               : is_same_content(own.source, current.source)))
         return;
-    const std::string text = fmt::format("Kept {}", content_name(current, look));
+    const std::string text = fmt::format("Kept {}", content_name(current, current_driver));
     m_work.messages.append(
-        text, {.name = use_content_label(look),
+        text, {.name = use_content_label(driver),
                .commands = {[own](Document& document) { use_content(document, own); }}});
 }
 

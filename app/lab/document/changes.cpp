@@ -181,6 +181,10 @@ std::string stack_text(const Stack& stack) {
         text += (i > 0 ? " + " : "") + (stack[i].is_bypassed ? "(" + keys[i] + ")" : keys[i]);
     return text;
 }
+
+std::string driver_text(const DocumentState& state) {
+    return is_picture_driven(state.stack) ? "source picture" : "signal";
+}
 }  // namespace
 
 std::vector<Change> changes_between(const Look& look, const DocumentState& before,
@@ -194,6 +198,8 @@ std::vector<Change> changes_between(const Look& look, const DocumentState& befor
         changes.push_back({{}, "Tempo", tempo_text(before.tempo), tempo_text(after.tempo), {}});
     if (before.cues != after.cues)
         changes.push_back({{}, "Cues", cues_text(before.cues), cues_text(after.cues), {}});
+    if (is_picture_driven(before.stack) != is_picture_driven(after.stack))
+        changes.push_back({{}, "Driven by", driver_text(before), driver_text(after), {}});
     add_signal(before.signal, after.signal, changes);
     if (before.source != after.source)
         changes.push_back(

@@ -44,10 +44,13 @@ DocumentState comparable_state(const Document& document) {
     state.overrides = saved.overrides;
     state.origin = saved.origin;
     state.files = saved.files;
-    if (document.look().driven_by != Driver::signal || state.locks.signal)
+    const Driver driver = driver_of(document);
+    if (driver != Driver::signal || state.locks.signal)
         state.signal = saved.signal;
-    if (document.look().driven_by != Driver::picture || state.locks.source)
+    if (driver != Driver::picture || state.locks.source)
         state.source = saved.source;
+    if (document.look().has_other_driver && is_content_locked(document))
+        state.stack = with_picture_driven(std::move(state.stack), is_picture_driven(saved.stack));
     state.locks = saved.locks;
     if (!uses_tempo(state.modulations))
         state.tempo = saved.tempo;  // has no effect on the picture
@@ -87,9 +90,9 @@ Preset preset_of(const Document& document) {
         preset.tempo = state.tempo;
     preset.signal.reset();
     preset.source.clear();
-    if (look.driven_by == Driver::signal)
+    if (driver_of(document) == Driver::signal)
         preset.signal = state.signal;
-    if (look.driven_by == Driver::picture)
+    if (driver_of(document) == Driver::picture)
         preset.source = state.source;
     return preset;
 }
@@ -108,6 +111,9 @@ DocumentState state_of(const Preset& preset, const Document& document) {
     DocumentState state = initial_state(look);
     const bool is_present = stack_id(current.stack) == stack_id(look.stack);
     state.stack = with_bypass(is_present ? current.stack : look.stack, preset.bypass);
+    const bool has_picture =
+        look.has_other_driver ? !preset.source.empty() : is_picture_driven(look.stack);
+    state.stack = with_picture_driven(std::move(state.stack), has_picture);
     state.values = renamed_values(look, preset.values);
     for (auto& [name, value] : state.values)
         if (const Parameter* parameter = find_parameter(look, name))
@@ -136,6 +142,8 @@ DocumentState with_current_overrides(DocumentState state, const Document& docume
 // The defaults of the look at the current tempo.
 DocumentState default_state(const Document& document) {
     DocumentState state = initial_state(document.look());
+    if (document.look().has_other_driver)
+        state.stack = with_picture_driven(std::move(state.stack), false);
     state.tempo = document.state().tempo;
     return state;
 }
@@ -144,8 +152,7 @@ void open_state(Document& document, OpenedPreset preset, std::string step_name,
                 OpenedContent content = OpenedContent::locked) {
     preset.saved = with_current_overrides(std::move(preset.saved), document);
     const bool keeps_content = content == OpenedContent::locked;
-    DocumentState next =
-        keeps_content ? with_locked_content(preset.saved, content_of(document)) : preset.saved;
+    DocumentState next = keeps_content ? with_locked_content(preset.saved, document) : preset.saved;
     const bool is_open = preset.file == opened_preset(document).file;
     if (is_open && next == document.state() && !is_modified(document))
         return;
@@ -158,7 +165,7 @@ void open_state(Document& document, OpenedPreset preset, std::string step_name,
 void apply_preset(Document& document, const Preset& preset, const std::string& step_name) {
     DocumentState next = with_current_overrides(state_of(preset, document), document);
     next = with_locked_parameters(std::move(next), document);
-    document.change(with_locked_content(std::move(next), content_of(document)), step_name);
+    document.change(with_locked_content(std::move(next), document), step_name);
 }
 
 void open_preset(Document& document, const Preset& preset, std::filesystem::path file,

@@ -7,7 +7,8 @@ void set_stack(Document& document, Stack stack, const std::string& step_name) {
     next.values = moved(next.values, next.stack, stack);
     next.overrides = moved(next.overrides, next.stack, stack);
     next.modulations = moved(next.modulations, next.stack, stack);
-    next.stack = std::move(stack);
+    const bool has_picture = is_picture_driven(stack);
+    next.stack = with_picture_driven(std::move(stack), has_picture);
     document.change(std::move(next), step_name);
 }
 

@@ -107,21 +107,19 @@ std::optional<Fit> beam_fit_of(const Spec& signal) {
     return find_fit(std::get<std::string>(complete->settings.at(fit_key)));
 }
 
-std::string content_name(const Content& content, const Look& look) {
-    return look.driven_by == Driver::picture ? source_name(content.source)
-                                             : signal_name(content.signal);
+std::string content_name(const Content& content, Driver driver) {
+    return driver == Driver::picture ? source_name(content.source) : signal_name(content.signal);
 }
 
-std::string keep_content_label(const Look& look) {
-    return look.driven_by == Driver::picture ? "Keep my source" : "Keep my signal";
+std::string keep_content_label(Driver driver) {
+    return driver == Driver::picture ? "Keep my source" : "Keep my signal";
 }
 
-std::string use_content_label(const Look& look) {
-    return look.driven_by == Driver::picture ? "Use the preset's source"
-                                             : "Use the preset's signal";
+std::string use_content_label(Driver driver) {
+    return driver == Driver::picture ? "Use the preset's source" : "Use the preset's signal";
 }
 
-bool is_locked_in(const Look& look, const ContentLocks& locks) {
-    return (look.driven_by == Driver::signal && locks.signal) ||
-           (look.driven_by == Driver::picture && locks.source);
+bool is_locked_in(Driver driver, const ContentLocks& locks) {
+    return (driver == Driver::signal && locks.signal) ||
+           (driver == Driver::picture && locks.source);
 }

@@ -28,7 +28,7 @@ std::string with_users_defaults(const std::string& source, const Look& look);
 std::optional<Fit> beam_fit_of(const Spec& signal);
 
 /// The display name of the content: "song.wav", "Live sound", "HELLO", "SMPTE bars".
-std::string content_name(const Content& content, const Look& look);
+std::string content_name(const Content& content, Driver driver);
 
 /// Messages for content that the look does not use.
 inline constexpr const char* needs_signal_look =
@@ -37,8 +37,8 @@ inline constexpr const char* needs_picture_look =
     "This look doesn't use a picture or video. Open a picture look (such as CRT) first.";
 
 /// Labels: "Keep my signal" or "Keep my source"; "Use the preset's signal" or "... source".
-std::string keep_content_label(const Look& look);
-std::string use_content_label(const Look& look);
+std::string keep_content_label(Driver driver);
+std::string use_content_label(Driver driver);
 
 /// Whether the content that this look uses is locked.
-bool is_locked_in(const Look& look, const ContentLocks& locks);
+bool is_locked_in(Driver driver, const ContentLocks& locks);

@@ -167,7 +167,8 @@ void ComparisonView::compare_with_file(const fs::path& file) {
 bool ComparisonView::is_file_wanted() const {
     const bool is_compared = m_selection.chosen().mode != CompareMode::off &&
                              m_selection.chosen().other.kind == Other::Kind::file;
-    return is_compared || m_work.document->look().driven_by != Driver::picture;
+    const Look& look = m_work.document->look();
+    return is_compared || (look.driven_by != Driver::picture && !look.has_other_driver);
 }
 
 void ComparisonView::show_reference(bool is_reference_shown) {

@@ -23,6 +23,13 @@ Result<CueAction> preset_action(const Cue& cue, const Look& look,
                      0,
                      fmt::format("'{}' is a preset for '{}', not for '{}'", cue.name, preset.look,
                                  look.id)});
+    if (look.has_other_driver && preset.source.empty() == (look.driven_by == Driver::picture))
+        return fail({{},
+                     0,
+                     fmt::format("'{}' is for a {}, but a {} drives the look. A cue can't change "
+                                 "that.",
+                                 cue.name, preset.source.empty() ? "signal" : "source picture",
+                                 preset.source.empty() ? "source picture" : "signal")});
     const auto values = fitted_values(look, preset, request->preset_file);
     if (!values)
         return fail(values.error());

@@ -69,6 +69,13 @@ Result<OpenRequest> request_of_preset(Preset preset, fs::path file, const Librar
         stack.push_back(std::move(*part));
     }
     stack = with_bypass(std::move(stack), preset.bypass);
+    if (!preset.source.empty())
+        stack = with_driver(std::move(stack), true);
+    if (is_picture_driven(stack) && preset.signal)
+        return fail({file, 0,
+                     fmt::format("a signal or a picture drives '{}', but not both. Remove 'signal' "
+                                 "or 'source'.",
+                                 preset.look)});
     const fs::path first = stack.front().path;
     return OpenRequest{first, std::move(preset), std::move(file), std::move(stack)};
 }

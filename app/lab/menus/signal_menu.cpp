@@ -133,13 +133,34 @@ Edit command_for(const SignalKind& kind) {
 
 MenuEntry content_lock_entry(const Document& document) {
     const bool is_locked = is_content_locked(document);
-    return {.name = keep_content_label(document.look()),
+    return {.name = keep_content_label(driver_of(document)),
             .commands = {[is_locked](Document& changed) { lock_content(changed, !is_locked); }},
             .is_present = is_locked};
 }
 
-std::vector<MenuSection> signal_sections(const Document& document) {
-    if (document.look().driven_by != Driver::signal)
+std::vector<MenuEntry> driver_entries(const Document& document) {
+    if (!document.look().has_other_driver)
         return {};
-    return {kind_section(document.state().signal.kind), setting_section(document)};
+    const Driver driver = driver_of(document);
+    const Edit use_signal = [](Document& changed) {
+        set_signal(changed, changed.state().signal, false, "Use a signal");
+    };
+    const Edit use_picture = [](Document& changed) {
+        set_source(changed, changed.state().source, false, "Use a source picture");
+    };
+    return {{.name = "Signal", .commands = {use_signal}, .is_present = driver == Driver::signal},
+            {.name = "Source picture",
+             .commands = {use_picture},
+             .is_present = driver == Driver::picture}};
+}
+
+std::vector<MenuSection> signal_sections(const Document& document) {
+    std::vector<MenuSection> sections;
+    if (auto drivers = driver_entries(document); !drivers.empty())
+        sections.push_back({"Driven by", MenuSection::Menu::edit, std::move(drivers)});
+    if (document.look().driven_by == Driver::signal) {
+        sections.push_back(kind_section(document.state().signal.kind));
+        sections.push_back(setting_section(document));
+    }
+    return sections;
 }

@@ -15,5 +15,9 @@ std::string label_of_word(std::string word);
 /// Locks or unlocks the signal or source.
 MenuEntry content_lock_entry(const Document& document);
 
-/// The kinds of signal and the settings of the current one; empty if the look uses no signal.
+/// A signal or the source picture; empty if the look can have only one of them.
+std::vector<MenuEntry> driver_entries(const Document& document);
+
+/// The driver, the kinds of signal and the settings of the current one; empty if the look uses no
+/// signal.
 std::vector<MenuSection> signal_sections(const Document& document);

@@ -165,11 +165,12 @@ Result<void> Offline::load_pictures() {
     return m_chosen_images.show(look, m_document.values(), m_executors.picture());
 }
 
-// Rebuilds the programs after changes of constants. Unchanged programs are kept.
+// Rebuilds the programs after changes of constants or of the driver. Unchanged programs are kept.
 Result<void> Offline::follow_constants() {
     if (auto done = apply_constants(m_document); !done)
         return done;
-    if (executor().look().constants == m_document.look().constants)
+    if (executor().look().constants == m_document.look().constants &&
+        executor().look().driven_by == m_document.look().driven_by)
         return {};
     const Look look = m_document.drawn_look();
     auto programs = build_programs(look, &executor().programs().generic());
@@ -247,6 +248,7 @@ Result<void> Offline::end_specialized() {
 Result<void> Offline::start_again(Document document, std::optional<double> fps) {
     m_fps = fps.value_or(m_fps);
     const DocumentState before = m_document.state();
+    const Driver driver = executor().look().driven_by;
     m_document = std::move(document);
     if (auto done = end_specialized(); !done)
         return done;
@@ -258,14 +260,15 @@ Result<void> Offline::start_again(Document document, std::optional<double> fps) 
     if (auto done = resize_again(); !done)
         return done;
     const DocumentState& now = m_document.state();
-    if (now.signal == before.signal) {
+    const bool changes_driver = executor().look().driven_by != driver;
+    if (now.signal == before.signal && !changes_driver) {
         m_player->restart();
     } else {
         m_player = std::make_unique<Player>();
         if (auto done = load_signal(); !done)
             return done;
     }
-    if (now.source != before.source)
+    if (now.source != before.source || changes_driver)
         return load_pictures();
     return m_chosen_images.show(executor().look(), now.values, m_executors.picture());
 }

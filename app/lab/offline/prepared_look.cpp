@@ -42,9 +42,20 @@ Result<void> apply_values(const RenderRequest& request, Document& document) {
     return {};
 }
 
+// Whether a signal or a source picture can drive the look.
+bool has_driver(const Look& look, Driver driver) {
+    return look.driven_by == driver || look.has_other_driver;
+}
+
 Result<void> apply_drive(const RenderRequest& request, Document& document) {
+    if (document.look().has_other_driver && !request.signal.empty() && !request.source.empty())
+        return fail({{},
+                     0,
+                     fmt::format("a signal or a picture drives '{}', but not both. Use --signal or "
+                                 "--source.",
+                                 document.look().id)});
     if (!request.signal.empty()) {
-        if (document.look().driven_by != Driver::signal)
+        if (!has_driver(document.look(), Driver::signal))
             return fail({{}, 0, fmt::format("'{}' doesn't use a signal", document.look().id)});
         auto signal = parse_signal(request.signal);
         if (!signal)
@@ -52,7 +63,7 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
         set_signal(document, with_round_circles(std::move(*signal)));
     }
     if (!request.source.empty()) {
-        if (document.look().driven_by != Driver::picture)
+        if (!has_driver(document.look(), Driver::picture))
             return fail({{}, 0, fmt::format("'{}' doesn't use a picture", document.look().id)});
         set_source(document, with_users_defaults(request.source, document.look()));
     }
@@ -61,14 +72,25 @@ Result<void> apply_drive(const RenderRequest& request, Document& document) {
 }  // namespace
 
 Result<void> apply_constants(Document& document, const LoadOptions& help) {
-    if (constants_of(document.look(), document.values()) == document.look().constants)
+    const DocumentState& state = document.state();
+    if (!document.has_pending_stack() &&
+        constants_of(document.look(), state.values) == document.look().constants)
         return {};
-    const Values& values = document.values();
-    LoadedLook loaded = load_again(document.look(), {help.cache, help.progress, &values});
+    LoadedLook loaded =
+        load_again(document.look(), state.stack, {help.cache, help.progress, &state.values});
     if (!loaded.look)
         return fail(std::move(loaded.look.error()));
     document.replace_look(std::move(*loaded.look));
     return {};
+}
+
+Diagnostics check_other_driver(const Look& look) {
+    if (!look.has_other_driver)
+        return {};
+    const bool is_picture_driven = look.driven_by == Driver::picture;
+    const LoadedLook other =
+        load_again(look, with_picture_driven(look.stack, !is_picture_driven), {});
+    return other.look ? Diagnostics{} : other.look.error();
 }
 
 Result<void> open_preset(OpenRequest request, const Library& library, PreparedLook& prepared) {
@@ -102,6 +124,8 @@ namespace {
 // The request, including the preset to apply. The preset also sets the bypassed looks of a stack.
 Result<OpenRequest> requested(const RenderRequest& request, const Library& library) {
     auto found = resolve(request.look, library);
+    if (found && request.preset.empty() && !(request.signal.empty() && request.source.empty()))
+        found->stack = with_driver(stack_of(*found), !request.source.empty());
     if (!found || request.preset.empty())
         return found;
     found->stack = stack_of(*found);
@@ -117,6 +141,8 @@ Result<OpenRequest> requested(const RenderRequest& request, const Library& libra
     found->preset = std::move(named->preset);
     found->preset_file = std::move(named->preset_file);
     found->stack = with_bypass(std::move(found->stack), found->preset->bypass);
+    const bool has_picture = request.signal.empty() && !found->preset->source.empty();
+    found->stack = with_driver(std::move(found->stack), has_picture || !request.source.empty());
     return found;
 }
 }  // namespace

@@ -58,8 +58,11 @@ struct PreparedLook {
 Result<PreparedLook> prepare(const RenderRequest& request, const Library& library);
 
 /// Reads the look of a document again if the constants in its texts have other values than when it
-/// was read.
+/// was read, or if its state has another stack or driver.
 Result<void> apply_constants(Document& document, const LoadOptions& help = {});
+
+/// Errors of a look that a signal or a picture can drive, when it is read for the other one.
+Diagnostics check_other_driver(const Look& look);
 
 /// Opens `request.preset` in the document of its look, with warnings about it. Fails if it is for
 /// another look or its values are invalid.

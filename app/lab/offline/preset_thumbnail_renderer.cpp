@@ -106,7 +106,7 @@ fs::path PresetThumbnailRenderer::kept_file(const fs::path& preset) const {
     return m_library.roots().state / "preset-pictures" / fmt::format("{:016x}.png", digest_of(all));
 }
 
-// A preset for other bypassed looks of the stack needs another look.
+// A preset for other bypassed looks of the stack, or another driver, needs another look.
 Result<PreparedLook> PresetThumbnailRenderer::prepared(const fs::path& file) const {
     PreparedLook made{.document = m_plain, .shader_cache = shader_cache(m_library.roots())};
     if (file.empty())
@@ -114,7 +114,10 @@ Result<PreparedLook> PresetThumbnailRenderer::prepared(const fs::path& file) con
     auto preset = load_preset(file);
     if (!preset)
         return fail(preset.error());
-    if (preset->look == m_plain.look().id && preset->bypass != bypassed_keys(m_plain.look().stack))
+    const Look& look = m_plain.look();
+    const bool has_driver =
+        !look.has_other_driver || preset->source.empty() != is_picture_driven(look.stack);
+    if (preset->look == look.id && (preset->bypass != bypassed_keys(look.stack) || !has_driver))
         return prepare({.look = preset->look, .preset = file.string()}, m_library);
     if (auto opened = open_preset({.look = {}, .preset = std::move(*preset), .preset_file = file},
                                   m_library, made);
@@ -179,6 +182,8 @@ Result<PreparedLook> PresetThumbnailRenderer::begin(const fs::path& preset) {
         return made;
     if (m_content)
         use_content(made->document, *m_content);
+    if (const auto read = apply_constants(made->document); !read)
+        return fail(read.error());
     m_named = files_named_in(made->document);
     m_stamp = stamp_text(m_named);
     return made;

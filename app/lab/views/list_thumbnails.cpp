@@ -20,14 +20,19 @@ void ListThumbnails::update(const Lab& lab, Views& views, const WindowState& win
                             const LibraryView& library, double wall_seconds) {
     using Use = PresetThumbnails::Use;
     const bool are_own = window.presets.shows_own_content && lab.document();
+    const auto own_content = [&] {
+        Content content = content_of(*lab.document());
+        if (driver_of(*lab.document()) == Driver::signal)
+            content.source.clear();  // use_content() then drives each look by the signal
+        return content;
+    };
     const bool is_listed = window.layout.sees(panel_id::library);
     has_time = has_time_left(lab, has_time);
     history.update(lab, views);
     const Use use = window.layout.sees(panel_id::presets) || (is_listed && has_time) ? Use::drawn
                     : is_listed                                                      ? Use::cached
                                                                                      : Use::hidden;
-    presets.update(lab, use, wall_seconds,
-                   are_own ? std::optional(content_of(*lab.document())) : std::nullopt);
+    presets.update(lab, use, wall_seconds, are_own ? std::optional(own_content()) : std::nullopt);
     looks.read();
     if (is_listed)
         looks.draw(lab.work().library, library.looks(), has_time, wall_seconds);

@@ -113,7 +113,8 @@ std::vector<std::string> orphans(const Look& look, const Values& values) {
     if (static_cast<std::size_t>(known) == values.size())
         return names;
     for (const auto& [name, value] : values)
-        if (!find_parameter(look, name))
+        if (!find_parameter(look, name) &&
+            std::ranges::find(look.other_parameters, name) == look.other_parameters.end())
             names.push_back(name);
     return names;
 }

@@ -134,6 +134,8 @@ struct Look {
     std::string author;
     std::string license;
     Driver driven_by = Driver::nothing;
+    bool has_other_driver = false;  // a signal or a picture can drive it, see StackPart
+    std::vector<std::string> other_parameters = {};  // only with the other driver
     std::optional<Spec> default_signal;
     std::string default_source;
     Encoding source_encoding = Encoding::linear;
@@ -183,7 +185,7 @@ Values constants_of(const Look& look, const Values& values);
 /// Removes values equal to their defaults; keeps names that are not in the look (orphans).
 Values changed_values(const Look& look, const Values& values);
 
-/// Names in `values` that are not parameters of the look.
+/// Names in `values` that are not parameters of the look with any driver.
 std::vector<std::string> orphans(const Look& look, const Values& values);
 
 /// Moves values from previous names (`@was`) to current names.

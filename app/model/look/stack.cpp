@@ -79,6 +79,16 @@ std::vector<std::string> bypassed_keys(const Stack& stack) {
     return bypassed;
 }
 
+Stack with_picture_driven(Stack stack, bool is_picture_driven) {
+    for (StackPart& part : stack)
+        part.is_picture_driven = is_picture_driven;
+    return stack;
+}
+
+bool is_picture_driven(const Stack& stack) {
+    return std::ranges::any_of(stack, &StackPart::is_picture_driven);
+}
+
 std::optional<std::string> moved_name(const std::string& name, const Stack& from, const Stack& to) {
     const auto part = part_of(name, from);
     if (!part)

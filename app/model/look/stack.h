@@ -13,6 +13,8 @@ struct StackPart {
     std::filesystem::path path;  // its folder or manifest
     std::string tag;             // identifies the part, in any order
     bool is_bypassed = false;    // not drawn; the picture passes through
+    // A look that a signal or a source picture can drive reads the picture. Others ignore it.
+    bool is_picture_driven = false;
 
     bool operator==(const StackPart&) const = default;
 };
@@ -39,6 +41,11 @@ std::string free_tag(const Stack& stack, const std::string& look);
 /// Bypasses the parts with a key in `bypass`, and no others.
 Stack with_bypass(Stack stack, const std::vector<std::string>& bypass);
 std::vector<std::string> bypassed_keys(const Stack& stack);
+
+/// Lets the source picture drive the looks that a signal can drive, too; or lets the signal. All
+/// parts have the same setting.
+Stack with_picture_driven(Stack stack, bool is_picture_driven);
+bool is_picture_driven(const Stack& stack);
 
 /// The name in `to` of a pass or parameter of `from`; nullopt if `to` lacks its part. A name
 /// without a part is unchanged.

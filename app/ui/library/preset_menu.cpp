@@ -79,9 +79,11 @@ void draw_preset_menu(const ListedPreset& preset, const Scene& scene, Edits& edi
     if (ImGui::MenuItem("Open"))
         open_listed(preset, scene, edits);
     if (is_content_locked(*scene.lab.document)) {
-        const bool has_source = scene.lab.document->look().driven_by == Driver::picture;
-        if (ImGui::MenuItem(has_source ? "Open with its source" : "Open with its signal",
-                            "Alt+click"))
+        const Look& look = scene.lab.document->look();
+        const char* label = look.has_other_driver               ? "Open with its signal or source"
+                            : look.driven_by == Driver::picture ? "Open with its source"
+                                                                : "Open with its signal";
+        if (ImGui::MenuItem(label, "Alt+click"))
             open_listed(preset, scene, edits, true);
         edits.mark("open_own:" + preset.preset.entry.id);
     }

@@ -189,6 +189,25 @@ void draw_kinds(const std::string& current, Edits& edits) {
         tooltip(kind->help);
 }
 
+// Only for a look that a signal or a picture can drive.
+void draw_drivers(const Document& document, Edits& edits) {
+    const std::vector<MenuEntry> entries = driver_entries(document);
+    if (entries.empty())
+        return;
+    std::vector<const char*> labels;
+    int chosen = 0;
+    for (const MenuEntry& entry : entries) {
+        if (entry.is_present)
+            chosen = static_cast<int>(labels.size());
+        labels.push_back(entry.name.c_str());
+    }
+    heading("Driven by");
+    if (form_list("##driver", labels.data(), static_cast<int>(labels.size()), chosen, form_width()))
+        run(entries[static_cast<std::size_t>(chosen)].commands, edits);
+    edits.mark("driver");
+    tooltip("A beam draws the signal, or the light of a picture excites the phosphor.");
+}
+
 // V/div and s/div are meaningless if the graticule has other divisions.
 void draw_graticule_hint(const Document& document, Edits& edits) {
     const Values wanted =
@@ -223,6 +242,7 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document;
     if (!document)
         return;
+    draw_drivers(*document, edits);
     if (document->look().driven_by == Driver::signal)
         draw_signal(*document, scene, edits);
     else if (document->look().driven_by == Driver::picture)

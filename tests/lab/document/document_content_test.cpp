@@ -191,11 +191,11 @@ TEST_CASE("locked content of both kinds survives a switch between looks") {
 TEST_CASE("content is named by its file, otherwise by its kind") {
     const Look beam = driven_by(Driver::signal);
     const Look tube = driven_by(Driver::picture);
-    CHECK(content_name({song, {}, {}}, beam) == "song.wav");
-    CHECK(content_name({Spec{"microphone", {}}, {}, {}}, beam) == "Live sound");
-    CHECK(content_name({{}, "/pictures/game.png,fit=whole", {}}, tube) == "game.png");
-    CHECK(keep_content_label(beam) == "Keep my signal");
-    CHECK(use_content_label(tube) == "Use the preset's source");
+    CHECK(content_name({song, {}, {}}, Driver::signal) == "song.wav");
+    CHECK(content_name({Spec{"microphone", {}}, {}, {}}, Driver::signal) == "Live sound");
+    CHECK(content_name({{}, "/pictures/game.png,fit=whole", {}}, Driver::picture) == "game.png");
+    CHECK(keep_content_label(Driver::signal) == "Keep my signal");
+    CHECK(use_content_label(Driver::picture) == "Use the preset's source");
 }
 
 TEST_CASE("the user's XY signal keeps circles round unless it specifies a fit") {
@@ -225,4 +225,96 @@ TEST_CASE("the user's picture keeps its shape and gets automatic prescale by def
     CHECK(with_users_defaults("pattern:smpte", look) == "pattern:smpte");
     look.manifest = "/looks/crt.slangp";  // its picture has the shape of the source
     CHECK(with_users_defaults("game.png", look) == "game.png,prescaled=auto");
+}
+
+// A look that a signal or a picture can drive.
+namespace {
+Look driven_by_either(bool by_picture) {
+    Look look = driven_by(by_picture ? Driver::picture : Driver::signal);
+    look.default_signal = figure;
+    look.default_source = "pattern:white";
+    look.has_other_driver = true;
+    look.stack = {{"small", "/small", "small", false, by_picture}};
+    return look;
+}
+
+Preset preset_with_picture() {
+    Preset preset = preset_with(figure);
+    preset.signal.reset();
+    preset.source = "pattern:ramp";
+    return preset;
+}
+}  // namespace
+
+TEST_CASE("choosing a picture or a signal chooses the driver, and undo restores it") {
+    Document document(driven_by_either(false));
+    CHECK(driver_of(document) == Driver::signal);
+    document.set_value("decay", Value(0.7));
+    set_source(document, "pattern:ramp");
+    CHECK(driver_of(document) == Driver::picture);
+    CHECK(document.has_pending_stack());  // the look is to be read for a picture
+    document.replace_look(driven_by_either(true));
+    CHECK_FALSE(document.has_pending_stack());
+    CHECK(document.state().signal == figure);
+    set_signal(document, wave);
+    CHECK(driver_of(document) == Driver::signal);
+    document.undo();
+    CHECK(driver_of(document) == Driver::picture);
+    CHECK(document.state().source == "pattern:ramp");
+    document.undo();
+    CHECK(driver_of(document) == Driver::signal);
+    document.redo();
+    CHECK(driver_of(document) == Driver::picture);
+}
+
+TEST_CASE("the other driver keeps the values of parameters that only the first one has") {
+    Document document(driven_by_either(false));
+    document.set_value("decay", Value(0.7));
+    set_source(document, "pattern:ramp");
+    Look picture = driven_by_either(true);
+    picture.parameters[0].name = picture.parameters[0].label = "gain";
+    picture.other_parameters = {"decay"};
+    document.replace_look(picture);
+    CHECK(orphans(document.look(), document.values()).empty());
+    document.set_value("gain", Value(0.9));
+    set_signal(document, figure);
+    document.replace_look(driven_by_either(false));
+    CHECK(document.values() == Values{{"decay", Value(0.7)}, {"gain", Value(0.9)}});
+}
+
+TEST_CASE("a preset brings its driver, and is saved with the content of that driver only") {
+    Document document(driven_by_either(false));
+    open_preset(document, preset_with_picture(), "/far.json");
+    CHECK(driver_of(document) == Driver::picture);
+    CHECK(preset_of(document).source == "pattern:ramp");
+    CHECK_FALSE(preset_of(document).signal.has_value());
+    CHECK_FALSE(is_modified(document));
+    document.replace_look(driven_by_either(true));
+    CHECK_FALSE(is_modified(document));
+    open_preset(document, preset_with(wave), "/near.json");
+    CHECK(driver_of(document) == Driver::signal);
+    CHECK(preset_of(document).signal == wave);
+    CHECK(preset_of(document).source.empty());
+    open_preset(document, preset_with_picture(), "/far.json");
+    open_defaults(document);
+    CHECK(driver_of(document) == Driver::signal);
+}
+
+TEST_CASE("locked content keeps its driver when a preset of the other driver opens") {
+    Document document(driven_by_either(false));
+    set_signal(document, song);
+    open_preset(document, preset_with_picture(), "/far.json");
+    CHECK(driver_of(document) == Driver::signal);
+    CHECK(document.state().signal == song);
+    CHECK_FALSE(is_modified(document));
+    open_preset(document, preset_with_picture(), "/far.json", OpenedContent::own);
+    CHECK(driver_of(document) == Driver::picture);
+    CHECK(document.state().source == "pattern:ramp");
+}
+
+TEST_CASE("a look with one driver keeps it with any preset") {
+    Document document(driven_by(Driver::signal));
+    open_preset(document, preset_with_picture(), "/far.json");
+    CHECK_FALSE(document.has_pending_stack());
+    CHECK(driver_of(document) == Driver::signal);
 }
