@@ -24,7 +24,7 @@ void main() {
         color = vec4(0.0);
         return;
     }
-    vec4 fresh = fresh_at(uv);  // the emitted part of the charge; alpha: all of it
+    vec4 fresh = fresh_at(uv, u_time_delta);  // the emitted part of the charge; alpha: all of it
     vec3 kept = texture(previous, uv).rgb * exp(-u_time_delta / term_seconds());
     color = vec4(min(kept + max(fresh.a - fresh.rgb, 0.0), most_charge()), 1.0);
 }

@@ -3,6 +3,14 @@
 #include "graticule.glsl"
 #include "reference_height.glsl"
 
+#ifdef DRIVEN_BY_PICTURE
+const float graticule = 0.0;  // only an oscilloscope has one
+const ivec2 graticule_divisions = ivec2(1);
+
+vec3 with_graticule(vec3 light, vec2 place, vec2 resolution) {
+    return light;
+}
+#else
 uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Graticule"  @identity 0
                                  // @help "How strongly the graticule lines show. 0 hides them."
 uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Horizontal" "Vertical"  @group "Graticule"  @when graticule > 0
@@ -29,3 +37,4 @@ vec3 with_graticule(vec3 light, vec2 place, vec2 resolution) {
     vec3 lamp = line * graticule_color;
     return light + lamp * (1.0 - min(light, 1.0));
 }
+#endif

@@ -1,6 +1,6 @@
 #version 410 core
 // Persistence: the phosphor's light, linear.
-// Custom tube: the previous frame's light, faded, plus the light of the beam, unless the beam is
+// Custom tube: the previous frame's light, faded, plus the light of the beam or picture, unless the beam is
 // drawn onto this pass's target. The ceiling is applied on reading. 32-bit floats, because half
 // floats stop fading at slow decays; see light_bits.
 // Measured tube: the mean light of the frame, from the charge held before and from the beam.
@@ -29,7 +29,7 @@ vec3 custom_light() {
                 (as_written ? vec3(decay) : left_after(u_time_delta));
     if (u_drawn_onto)
         return kept;
-    vec3 light = kept + fresh_at(uv).rgb;  // new light is already faded to the end of the frame
+    vec3 light = kept + fresh_at(uv, u_time_delta).rgb;  // new light is already faded to the end of the frame
     return tone_map_every_frame ? below_ceiling(light) : min(light, largest_half);
 }
 
@@ -38,7 +38,7 @@ vec3 custom_light() {
 // equally.
 vec3 tube_light() {
     vec3 spent = spent_after(u_time_delta / term_seconds());
-    vec3 given_off = spent * texture(held, uv).rgb + fresh_at(uv).rgb;
+    vec3 given_off = spent * texture(held, uv).rgb + fresh_at(uv, u_time_delta).rgb;
     vec3 light = term_colors() * (term_light() * given_off) * frame_brightness(u_time_delta);
     return saturated(light, ceiling * max(1.0, 1.0 / (60.0 * u_time_delta)));
 }

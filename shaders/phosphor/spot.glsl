@@ -5,6 +5,7 @@
 
 uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Beam colour"  @group "Beam"  @when as_written || tube == "Custom" || tube_color != "Tube default"
                                                 // @help "Colour of the phosphor's light. Measured tubes have their own colour, unless Tube colour selects this one."
+#ifndef DRIVEN_BY_PICTURE
 uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam intensity"  @group "Beam"
                                                 // @help "How much light the beam leaves on the phosphor. Slow and crowded parts of the trace get brighter, up to the brightness limit."
 uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"
@@ -22,5 +23,6 @@ float spot_reach() {
     float widest = glow_weight > 0.0 ? min(core_sharpness, glow_sharpness) : core_sharpness;
     return 2.7 / sqrt(widest);
 }
+#endif
 
 #endif

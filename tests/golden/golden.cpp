@@ -117,14 +117,17 @@ std::array<std::string, 2> ends_of(const Parameter& parameter) {
     return ends;
 }
 
+/// A signal and a source; both empty: the usual one of the sweep.
+using GoldenDrive = std::pair<std::string, std::string>;
+
 /// The state of a look's sweep over its parameters.
 class Sweep {
 public:
     explicit Sweep(const GoldenLook& look) : m_look(look), m_drawer(look.cell) {}
 
-    const Look& look() { return base({}).look(); }
-    Picture with(const GoldenSettings& settings, const std::string& signal = {}) {
-        Document changed = base(signal);
+    const Look& look(const GoldenDrive& drive = {}) { return base(drive).look(); }
+    Picture with(const GoldenSettings& settings, const GoldenDrive& drive = {}) {
+        Document changed = base(drive);
         for (const auto& [name, text] : settings) {
             const Parameter* parameter = find_parameter(changed.look(), name);
             REQUIRE(parameter);
@@ -136,22 +139,24 @@ public:
     }
 
 private:
-    /// The document of the sweep; with another signal if one is given.
-    const Document& base(const std::string& signal) {
-        auto found = m_bases.find(signal);
+    /// The document of the sweep; with another signal or source if one is given.
+    const Document& base(const GoldenDrive& drive) {
+        auto found = m_bases.find(drive);
         if (found == m_bases.end()) {
+            const auto& [signal, source] = drive;
+            const bool is_usual = signal.empty() && source.empty();
             PreparedLook made = prepared({.look = m_look.id,
                                           .values = m_look.always,
-                                          .signal = signal.empty() ? m_look.signal : signal,
-                                          .source = m_look.source});
-            found = m_bases.emplace(signal, std::move(made.document)).first;
+                                          .signal = is_usual ? m_look.signal : signal,
+                                          .source = is_usual ? m_look.source : source});
+            found = m_bases.emplace(drive, std::move(made.document)).first;
         }
         return found->second;
     }
 
     const GoldenLook& m_look;
     Drawer m_drawer;
-    std::map<std::string, Document> m_bases;
+    std::map<GoldenDrive, Document> m_bases;
 };
 
 void check_parameter(const GoldenLook& look, const Parameter& parameter, Sweep& sweep,
@@ -159,13 +164,15 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, Sweep& 
     GoldenSettings around;
     if (const auto found = look.companions.find(parameter.name); found != look.companions.end())
         around = found->second;
-    std::string signal;
+    GoldenDrive drive;
     if (const auto found = look.signals.find(parameter.name); found != look.signals.end())
-        signal = found->second;
+        drive.first = found->second;
+    if (const auto found = look.sources.find(parameter.name); found != look.sources.end())
+        drive.second = found->second;
     const auto with = [&](const std::string& value) {
         GoldenSettings settings = around;
         settings.emplace_back(parameter.name, value);
-        return sweep.with(settings, signal);
+        return sweep.with(settings, drive);
     };
     const auto chosen = look.ends.find(parameter.name);
     const auto ends = chosen == look.ends.end() ? ends_of(parameter) : chosen->second;
@@ -173,8 +180,8 @@ void check_parameter(const GoldenLook& look, const Parameter& parameter, Sweep& 
     const Picture high = with(ends[1]);
     compare_with_golden(look, stacked(low, high), parameter.name);
 
-    const bool is_plain = around.empty() && signal.empty();
-    const Picture rest = is_plain ? plain : sweep.with(around, signal);
+    const bool is_plain = around.empty() && drive == GoldenDrive();
+    const Picture rest = is_plain ? plain : sweep.with(around, drive);
     const double moved =
         difference_between(low, rest, 0)->largest + difference_between(high, rest, 0)->largest;
     CHECK(moved > 0.9 / 255.0);
@@ -188,6 +195,12 @@ void check_parameters(const GoldenLook& look) {
     for (const Parameter& parameter : sweep.look().parameters) {
         CAPTURE(parameter.name);
         check_parameter(look, parameter, sweep, plain);
+    }
+    for (const auto& [name, source] : look.sources) {
+        CAPTURE(name);
+        const Parameter* parameter = find_parameter(sweep.look({"", source}), name);
+        REQUIRE(parameter);
+        check_parameter(look, *parameter, sweep, plain);
     }
 }
 

@@ -25,6 +25,8 @@ struct GoldenLook {
         {};  // by parameter: values instead of the ends of its range
     std::map<std::string, std::string> signals =
         {};  // by parameter: a signal instead of the look's own
+    std::map<std::string, std::string> sources =
+        {};  // parameters that it has only with a picture: a source for each
     std::size_t fewest_presets = 4;
     std::set<std::string> faster = {};  // presets that look the same as another one and cost less
     std::string signal = {};            // in the sweep, for a look on a signal; "": the look's own

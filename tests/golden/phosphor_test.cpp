@@ -14,7 +14,9 @@ const GoldenLook phosphor{
                    {"tube_color", {{"tube", "P7"}}},
                    {"afterglow_color", {{"tube", "P7"}, {"tube_color", "2"}}}},
     .signals = {{"beam_kind", "lissajous:x=3,y=2,points=96"}},  // few enough to be distinguishable
-    .fewest_presets = 9,
+    .sources = {{"picture_gain", "pattern:harbour,size=160x90"},
+                {"spot_size", "pattern:harbour,size=160x90"}},
+    .fewest_presets = 13,
     .faster = {"article-mono"},
     .signal = "lissajous:x=3,y=2,speed=0.015,points=1024",  // enough for so small a picture
 };

@@ -10,16 +10,19 @@
 
 #include <cmath>
 
-/// Phosphor with a beam supplied by the test, and its targets in 32-bit floats.
+/// Phosphor with a beam or a source picture supplied by the test, and its targets in 32-bit floats.
 class Tube {
 public:
-    explicit Tube(const Values& values, Extent extent = {128, 128}) {
+    enum class By { signal, picture };
+
+    explicit Tube(const Values& values, Extent extent = {128, 128}, By by = By::signal) {
         auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
         m_context = std::move(*context);
         LoadedLook loaded =
             load_look(std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "phosphor",
-                      std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include");
+                      std::filesystem::path(AFTERGLOW_SOURCE_DIR) / "shaders" / "include",
+                      {.is_picture_driven = by == By::picture});
         REQUIRE_MESSAGE(loaded.look.has_value(), problems_of(loaded.look));
         for (Pass& pass : loaded.look->passes)
             if (pass.name != "persistence")  // which must keep its own format
@@ -54,6 +57,12 @@ public:
         return executor.plan().targets[index].onto.has_value();
     }
 
+    /// The source picture of the next frames.
+    void show(const Picture& picture) {
+        m_context->make_current();
+        REQUIRE(m_executors->picture().set_source(picture).has_value());
+    }
+
     /// Draws one frame of 1/fps with these points.
     void draw(const Beam& beam, double fps = 60.0) {
         m_context->make_current();
@@ -75,7 +84,8 @@ public:
     double sum(const char* pass, std::size_t channel = 1) const {
         const Picture picture = target(pass);
         double sum = 0.0;
-        for (std::size_t i = channel; i < picture.pixels.size(); i += 4)
+        const auto channels = static_cast<std::size_t>(picture.channels);
+        for (std::size_t i = channel; i < picture.pixels.size(); i += channels)
             sum += static_cast<double>(picture.pixels[i]);
         return sum;
     }
