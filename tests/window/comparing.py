@@ -84,6 +84,11 @@ class Comparing(Person):
         file = folder / "screen.png"
         self.screen.save(file)
         self.drop(file)
+        program.wait("the picture drives Phosphor", lambda s: "screen.png" in s["driving_source"] and
+                     "picture_gain" in s["values"] and not s["wipe"])
+        program.click("look:vector-beam")
+        program.wait("a look without pictures is open", lambda s: s["look"] == "vector-beam")
+        self.drop(file)
         program.wait("the picture is the reference", lambda s: s["wipe"] and
                      s["compare"]["other"].startswith("screen.png") and
                      "scaled" in s["compare"]["other"])

@@ -174,7 +174,9 @@ void draw_settings(const SignalKind& kind, Spec& spec, const Scene& scene, Edits
     }
 }
 
-void draw_kinds(const std::string& current, Edits& edits) {
+void draw_kinds(const Document& document, Edits& edits) {
+    const std::string& current = document.state().signal.kind;
+    const std::vector<MenuEntry> drivers = driver_entries(document);
     std::vector<const char*> labels;
     int chosen = -1;
     for (const SignalKind& kind : signal_kinds()) {
@@ -182,30 +184,18 @@ void draw_kinds(const std::string& current, Edits& edits) {
             chosen = static_cast<int>(labels.size());
         labels.push_back(kind.label.c_str());
     }
-    if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen, form_width()))
-        run({command_for(signal_kinds()[static_cast<std::size_t>(chosen)])}, edits);
+    if (!drivers.empty())
+        labels.push_back(drivers.back().name.c_str());  // the source picture
+    const std::size_t count = signal_kinds().size();
+    if (form_list("##kind", labels.data(), static_cast<int>(labels.size()), chosen, form_width())) {
+        const auto index = static_cast<std::size_t>(chosen);
+        run(index < count ? std::vector{command_for(signal_kinds()[index])}
+                          : drivers.back().commands,
+            edits);
+    }
     edits.mark("signal");
     if (const SignalKind* kind = find_kind(current))
         tooltip(kind->help);
-}
-
-// Only for a look that a signal or a picture can drive.
-void draw_drivers(const Document& document, Edits& edits) {
-    const std::vector<MenuEntry> entries = driver_entries(document);
-    if (entries.empty())
-        return;
-    std::vector<const char*> labels;
-    int chosen = 0;
-    for (const MenuEntry& entry : entries) {
-        if (entry.is_present)
-            chosen = static_cast<int>(labels.size());
-        labels.push_back(entry.name.c_str());
-    }
-    heading("Driven by");
-    if (form_list("##driver", labels.data(), static_cast<int>(labels.size()), chosen, form_width()))
-        run(entries[static_cast<std::size_t>(chosen)].commands, edits);
-    edits.mark("driver");
-    tooltip("A beam draws the signal, or the light of a picture excites the phosphor.");
 }
 
 // V/div and s/div are meaningless if the graticule has other divisions.
@@ -223,7 +213,7 @@ void draw_graticule_hint(const Document& document, Edits& edits) {
 
 void draw_signal(const Document& document, const Scene& scene, Edits& edits) {
     draw_content_heading("Signal", scene, edits);
-    draw_kinds(document.state().signal.kind, edits);
+    draw_kinds(document, edits);
     const SignalKind* kind = find_kind(document.state().signal.kind);
     auto spec = completed(document.state().signal);
     if (!kind || !spec)
@@ -242,7 +232,6 @@ void draw_signal_panel(const Scene& scene, Edits& edits) {
     const Document* document = scene.lab.document;
     if (!document)
         return;
-    draw_drivers(*document, edits);
     if (document->look().driven_by == Driver::signal)
         draw_signal(*document, scene, edits);
     else if (document->look().driven_by == Driver::picture)

@@ -1,11 +1,13 @@
 #include "ui/playback/source_panel.h"
 
 #include "lab/document/content_edits.h"
+#include "lab/menus/signal_menu.h"
 #include "lab/menus/source_menu.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "ui/playback/content_lock.h"
 #include "ui/widgets/form.h"
+#include "ui/widgets/menu_items.h"
 #include "ui/widgets/problem_list.h"
 #include "ui/widgets/scoped.h"
 #include "ui/widgets/widgets.h"
@@ -31,6 +33,18 @@ std::string label_of(const SourceSpec& source) {
     return name;
 }
 
+// Only for a look that a signal or a picture can drive.
+void draw_signal_choice(const Document& document, Edits& edits) {
+    const std::vector<MenuEntry> drivers = driver_entries(document);
+    if (drivers.empty())
+        return;
+    ImGui::Separator();
+    if (ImGui::Selectable(drivers.front().name.c_str(), false))
+        run(drivers.front().commands, edits);
+    edits.mark("use_signal");
+    tooltip("A beam draws a signal instead of the picture.");
+}
+
 void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     const std::string label = label_of(source);
     const std::string current = name_of_pattern(source);
@@ -42,6 +56,7 @@ void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
             edits.mark("pattern:" + pattern.name);
             tooltip(pattern.help);
         }
+        draw_signal_choice(*scene.lab.document, edits);
         ImGui::EndCombo();
     }
     edits.mark("source");
