@@ -36,7 +36,7 @@ class Completions(unittest.TestCase):
         self.assertIn("phosphor", self.completed("render", "pho"))
         self.assertIn("amber-p3", self.completed("render", "phosphor", "--preset", "amb"))
         self.assertEqual(self.completed("export", "crt", "--to", ""),
-                         ["portable", "web", "slang", "isf", "mpv", "reshade"])
+                         ["portable", "web", "slang", "isf", "shadertoy", "mpv", "reshade"])
 
     def test_every_command_and_option_is_in_each_file(self):
         commands = re.findall(r"^  (\w+) +\w", subprocess.run([PROGRAM, "--help"], capture_output=True, text=True)

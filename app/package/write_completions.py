@@ -12,7 +12,7 @@ from pathlib import Path
 OPTION = re.compile(r"^  (?:(-\w), )?(--[\w-]+)(?: (.+?))?(?:  +(.*))?$")
 LISTED = {"PRESET": "presets", "SIGNAL": "signals", "SOURCE": "patterns"}
 FILES = ("FILE", "PATH", "FOLDER", "DIR", "SOURCE", "PRESET", "SHOT", "LOOK")
-WORDS = {("list", "WHAT"): "looks presets signals patterns", ("export", "TARGET"): "portable web slang isf mpv reshade",
+WORDS = {("list", "WHAT"): "looks presets signals patterns", ("export", "TARGET"): "portable web slang isf shadertoy mpv reshade",
          ("render", "WxH"): "720p 1080p 1440p 2160p square portrait"}
 
 

@@ -285,7 +285,8 @@ private:
     // Bindings have the indices of the reduced look's passes.
     void move_bindings() {
         for (Parameter& parameter : m_effect.look.parameters) {
-            if (std::string loss = loss_of(m_look, parameter); !loss.empty()) {
+            const bool stays = parameter.is_constant && m_host.keeps_constants;
+            if (std::string loss = loss_of(m_look, parameter); !loss.empty() && !stays) {
                 m_effect.fixed.push_back(parameter.name);
                 m_effect.losses.push_back(std::move(loss));
             }

@@ -21,6 +21,7 @@ struct EffectHost {
     // The source and the last target are the screen: the first pass copies the source, and no pass
     // reads the last target.
     bool is_on_screen = false;
+    bool keeps_constants = false;  // annotated constants of the shaders stay adjustable
 };
 
 /// A look reduced to what such programs draw.

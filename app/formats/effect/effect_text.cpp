@@ -68,6 +68,9 @@ std::string renamed(std::string_view text, const WordChanges& words) {
 // A value of the rules is not renamed.
 std::string variable(const InterfaceStatement& statement, const Declarator& name,
                      const EffectTextRules& rules) {
+    if (const auto constant = rules.constants.find(name.name); constant != rules.constants.end())
+        return fmt::format("const {} {} = {};", constant->second.type,
+                           renamed(name.name, rules.words), constant->second.value);
     const auto value = rules.values.find(name.name);
     if (value != rules.values.end() && value->second.empty())
         return renamed(statement.type + " " + name.name + name.size, rules.words) + ";";

@@ -8,6 +8,12 @@
 #include <string_view>
 #include <vector>
 
+/// What a uniform becomes if it is a constant.
+struct EffectConstant {
+    std::string type;
+    std::string value;
+};
+
 /// How the declarations of a shader change for another program. All other text stays.
 struct EffectTextRules {
     /// Uniforms that are declared elsewhere: their declarations become comments.
@@ -15,6 +21,8 @@ struct EffectTextRules {
     /// Members of other uniforms, which are structs, as arguments. "": no value. Uniforms without
     /// an entry keep their own value, or are 0.
     std::map<std::string, std::string, std::less<>> values = {};
+    /// Uniforms that become constants at the same place.
+    std::map<std::string, EffectConstant, std::less<>> constants = {};
     std::string input = {};   // the qualifiers of inputs; "": they become variables
     std::string output = {};  // the same of outputs
     WordChanges words = {};   // renamed words of the code

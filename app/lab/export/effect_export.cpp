@@ -6,6 +6,7 @@
 #include "formats/mpv_export/mpv_check.h"
 #include "formats/mpv_export/mpv_export.h"
 #include "formats/reshade_export/reshade_export.h"
+#include "formats/shadertoy_export/shadertoy_export.h"
 #include "formats/slang_export/slang_export.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
@@ -57,6 +58,8 @@ constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files, 
 constexpr EffectFormat mpv_format{"an mpv shader", ".glsl", "", mpv_files, read_mpv};
 constexpr EffectFormat reshade_format{"a ReShade effect", ".fx", "_reshade", reshade_files,
                                       read_reshade};
+constexpr EffectFormat shadertoy_format{"a Shadertoy shader", ".json", "_pictures", shadertoy_files,
+                                        read_look};
 
 fs::path folder_of(const fs::path& path, const EffectFormat& format) {
     return path.parent_path() / (path.stem().string() + std::string(format.folder));
@@ -93,6 +96,8 @@ Result<void> check_path(const fs::path& path, const EffectFormat& format) {
              fmt::format("is a folder. Add a file name, such as look{}.", format.extension)});
     if (path.extension() != format.extension)
         return fail({path, 0, fmt::format("needs the ending {}", format.extension)});
+    if (path.filename() == "look.json")
+        return fail({path, 0, "is the name of Afterglow's own looks. Choose another name."});
     return check_folder(path, format);
 }
 
@@ -230,7 +235,7 @@ Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
                                            const EffectFormat& format) {
     constexpr Extent usual{1280, 720};
     auto files =
-        checked_files({prepared, usual, fs::path("look").concat(format.extension)}, format);
+        checked_files({prepared, usual, fs::path("export").concat(format.extension)}, format);
     return files ? Result<std::vector<std::string>>(std::move(files->losses)) : fail(files.error());
 }
 }  // namespace
@@ -249,6 +254,14 @@ Result<ExportedLook> export_isf(const ExportRequest& request) {
 
 Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared) {
     return losses_in(prepared, isf_format);
+}
+
+Result<ExportedLook> export_shadertoy(const ExportRequest& request) {
+    return export_effect(request, shadertoy_format);
+}
+
+Result<std::vector<std::string>> shadertoy_losses(const PreparedLook& prepared) {
+    return losses_in(prepared, shadertoy_format);
 }
 
 Result<void> check_effect(const ExportRequest& request) {

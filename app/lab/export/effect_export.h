@@ -26,3 +26,7 @@ Result<ExportedLook> export_reshade(const ExportRequest& request);
 Result<std::vector<std::string>> reshade_losses(const PreparedLook& prepared);
 /// Reads the effect. Afterglow can't compile it.
 Result<void> check_reshade(const ExportRequest& request);
+
+/// The same for one Shadertoy file.
+Result<ExportedLook> export_shadertoy(const ExportRequest& request);
+Result<std::vector<std::string>> shadertoy_losses(const PreparedLook& prepared);

@@ -36,8 +36,8 @@ std::vector<ExportTarget> player_targets() {
     };
 }
 
-// Formats of programs that draw chains of passes.
-std::vector<ExportTarget> effect_targets() {
+// Formats of programs that draw chains of passes, which Afterglow reads too.
+std::vector<ExportTarget> shader_targets() {
     return {
         {.name = "slang",
          .label = "RetroArch preset",
@@ -60,6 +60,23 @@ std::vector<ExportTarget> effect_targets() {
          .write = export_isf,
          .check = check_effect,
          .page = nullptr},
+        {.name = "shadertoy",
+         .label = "Shadertoy shader",
+         .extension = ".json",
+         .help = "one .json file with up to four buffers and an image, for Shadertoy and its "
+                 "players",
+         .keeps = {"looks that process a picture, with up to four buffers",
+                   "all parameters, as constants with annotations", "the author's shader text"},
+         .losses = shadertoy_losses,
+         .write = export_shadertoy,
+         .check = check_effect,
+         .page = nullptr},
+    };
+}
+
+// Formats of programs that draw over their own picture.
+std::vector<ExportTarget> overlay_targets() {
+    return {
         {.name = "mpv",
          .label = "mpv shader",
          .extension = ".glsl",
@@ -89,8 +106,8 @@ std::vector<ExportTarget> effect_targets() {
 const std::vector<ExportTarget>& export_targets() {
     static const std::vector<ExportTarget> targets = [] {
         std::vector<ExportTarget> all = player_targets();
-        for (const ExportTarget& target : effect_targets())
-            all.push_back(target);
+        for (const std::vector<ExportTarget>& more : {shader_targets(), overlay_targets()})
+            all.insert(all.end(), more.begin(), more.end());
         return all;
     }();
     return targets;

@@ -26,6 +26,13 @@ TEST_CASE("other uniforms become variables with a value") {
           "S s = S(1.0, gain);\n");
 }
 
+TEST_CASE("uniforms can become constants at their place, and keep their comments") {
+    CHECK(effect_text("uniform sampler2D a;  // @label \"A\"\nuniform float b = 2.0, c;\n",
+                      {.constants = {{"a", {"int", "3"}}, {"c", {"float", "0.5"}}},
+                       .words = {{"a", "own_a"}}}) ==
+          "const int own_a = 3;  // @label \"A\"\nfloat b = 2.0; const float c = 0.5;\n");
+}
+
 TEST_CASE("words are renamed in code and directives, not in comments or given values") {
     CHECK(effect_text("#define A main\nvoid main() {}  // main\nuniform S s;\n",
                       {.values = {{"s", "main"}}, .words = {{"main", "draw"}, {"S", "T"}}}) ==
