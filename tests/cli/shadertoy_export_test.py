@@ -60,6 +60,7 @@ class ShadertoyExportTest(ProgramTest):
 
     def test_looks_and_stacks_draw_the_same_picture(self):
         self.assert_same_picture("shadow-mask", "--preset", "dot-triads", "--set", "mask_size=13")
+        self.assert_same_picture("shadow-mask", "--preset", "article")  # texture() reads its mip levels
         self.assert_same_picture("crt+crt", "--set", "crt#2/aberration=3")
 
     def test_a_preset_of_another_program_draws_the_same_picture(self):

@@ -29,7 +29,8 @@ vec4 bordered(vec4 read, vec2 at, vec2 size, bool is_smooth) {
 }
 )";
 
-// Both derivatives are those of one pixel of the four.
+// As in Mesa's software renderer: both derivatives are those of one pixel of the four, and the
+// logarithm of the square is linear between powers of 2.
 constexpr const char* level_function = R"(
 // The mip level that texture() reads, which is the same for four pixels.
 float level_at(vec2 at, vec2 size) {
@@ -38,7 +39,9 @@ float level_at(vec2 at, vec2 size) {
     vec2 up = dFdy(at * size);
     across -= odd.y * dFdy(across);
     up -= odd.x * dFdx(up);
-    return 0.5 * log2(max(max(dot(across, across), dot(up, up)), 1e-30));
+    float square = max(max(dot(across, across), dot(up, up)), 1e-30);
+    float whole = floor(log2(square));
+    return 0.5 * (whole + square * exp2(-whole) - 1.0);
 }
 )";
 
