@@ -2,7 +2,9 @@
 // that RetroArch's rules require, rule by rule.
 #include "io/pictures/picture_file.h"
 #include "io/temporary_folder.h"
+#include "lab/export/export_target.h"
 #include "lab/offline/corpus.h"
+#include "lab/offline/prepared_look.h"
 #include "parity/moving_picture.h"
 #include "parity/pair.h"
 #include "problems_of.h"
@@ -197,6 +199,38 @@ TEST_CASE("parity: gl_FragCoord counts up in the picture and down in earlier pas
         shader_of("texture(Source, at) * 0.5 + gl_FragCoord.y / 128.0", {"Source"});
     check_same({rows, rows}, "");
     check_same({rows}, "scale_type0 = viewport\n");
+}
+
+TEST_CASE("parity: looks exported as presets") {
+    constexpr Extent view{160, 120};
+    const auto roots = find_roots({});
+    REQUIRE(roots.has_value());
+    const auto target = find_export_target("slang");
+    REQUIRE(target.has_value());
+    const TemporaryFolder folder;
+    int number = 0;
+    for (const auto& [look, preset] : {std::pair("crt", "film-transfer"),
+                                       {"crt", "arcade-cabinet"},
+                                       {"shadow-mask", "living-room"},
+                                       {"shadow-mask", "dot-triads"},
+                                       {"crt+shadow-mask", ""}}) {
+        INFO(std::string(look) << " " << std::string(preset));
+        RenderRequest request;
+        request.look = look;
+        request.preset = preset;
+        request.source = "pattern:harbour,size=120x90";
+        request.size = view;
+        const auto prepared = prepare(request, Library(*roots));
+        REQUIRE_MESSAGE(prepared.has_value(), problems_of(prepared));
+        const auto file = folder / fmt::format("{}.slangp", number++);
+        const auto made = export_look(**target, {*prepared, view, file});
+        REQUIRE_MESSAGE(made.has_value(), problems_of(made));
+        auto pair = plain::Pair::open(file, {120, 90}, view);
+        REQUIRE_MESSAGE(pair.has_value(), problems_of(pair));
+        const auto difference = pair->compare(4);
+        REQUIRE(difference.has_value());
+        check_same(*difference);
+    }
 }
 
 TEST_CASE("the public corpus of slang presets is drawn as plain calls draw it") {
