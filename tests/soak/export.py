@@ -11,10 +11,12 @@ import sys
 import tempfile
 from pathlib import Path
 
+import export_isf
 import export_mpv
 import export_reshade
+import export_slang
 
-TARGETS = {"mpv": export_mpv, "reshade": export_reshade}
+TARGETS = {"slang": export_slang, "isf": export_isf, "mpv": export_mpv, "reshade": export_reshade}
 
 
 class Program:

@@ -1,0 +1,37 @@
+"""Exports looks and libretro presets as RetroArch presets, and lets Afterglow draw both."""
+
+import os
+
+from export_mpv import LOOKS, PRESETS, STACKS
+
+# Presets that read pictures from more than one frame ago.
+REFUSED = ["crt/crt-yah", "motionblur/response-time"]
+
+
+def missing():
+    """Why nothing can be drawn, or ""."""
+    return ""
+
+
+def cases(program):
+    """(name, options of the look, size of the picture, whether it must be refused) of each case."""
+    found = [(f"{look} {stem}", [look, "--preset", stem], "640x360", False)
+             for look in LOOKS for stem in program.presets(look)]
+    found += [(look, [look], "640x360", False) for look in LOOKS + STACKS]
+    corpus = os.environ.get("AFTERGLOW_SLANG_DIR", "")
+    if not corpus:
+        print("  skipped: AFTERGLOW_SLANG_DIR does not name a copy of libretro's slang-shaders")
+        return found
+    for is_refused, presets in ((False, PRESETS), (True, REFUSED)):
+        found += [(preset, [f"{corpus}/{preset}.slangp"], "640x480", is_refused) for preset in presets]
+    return found
+
+
+def draw(program, options, size, folder):
+    """"refused: ...", "wrong: ...", or the difference as text."""
+    done = program.run("export", *options, "--source", "pattern:harbour", "--size", size, "--to", "slang", "-o",
+                       folder / "look.slangp", "--verify")
+    if done.stderr:
+        return "refused: " + done.stderr.strip()
+    result = done.stdout.strip().splitlines()[-1]
+    return result.replace("verified: ", "") if done.returncode == 0 else "wrong: " + result
