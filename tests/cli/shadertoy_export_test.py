@@ -45,15 +45,15 @@ class ShadertoyExportTest(ProgramTest):
             "passes": [{"name": "show", "fragment": "show.frag", "inputs": {"scene": "source"}}]}), encoding="utf-8")
         return folder
 
-    def picture(self, look, size, *options):
+    def picture(self, look, size, source, *options):
         file = self.folder / "picture.png"
-        self.assert_done(run("render", look, "--source", "pattern:harbour", "--size", size, "--frames", "3",
-                             "-o", file, *options))
+        self.assert_done(run("render", look, *source, "--size", size, "--frames", "3", "-o", file, *options))
         return b"".join(read_png(file)[2])
 
-    def assert_same_picture(self, look, *options, name="export.json", size="161x91"):
+    def assert_same_picture(self, look, *options, name="export.json", size="161x91",
+                            source=("--source", "pattern:harbour")):
         file = self.export(look, *options, name=name)
-        ours, theirs = self.picture(look, size, *options), self.picture(file, size)
+        ours, theirs = self.picture(look, size, source, *options), self.picture(file, size, source)
         self.assertGreater(len(set(ours)), 30)
         self.assertLessEqual(max(abs(a - b) for a, b in zip(ours, theirs)), 1)
         return file
@@ -62,6 +62,16 @@ class ShadertoyExportTest(ProgramTest):
         self.assert_same_picture("shadow-mask", "--preset", "dot-triads", "--set", "mask_size=13")
         self.assert_same_picture("shadow-mask", "--preset", "article")  # texture() reads its mip levels
         self.assert_same_picture("crt+crt", "--set", "crt#2/aberration=3")
+
+    # A table of points, whose light each pixel adds up. The tap-by-tap bloom needs fewer buffers.
+    def test_a_beam_draws_the_same_picture(self):
+        options = ("--set", "bloom_kind=Taps", "--set", "beam_color=1,0.5,0.2", "--set", "decay=0.8")
+        signal = ("--signal", "lissajous:x=5,y=4,points=1000,speed=0.3,weighting=speed")
+        file = self.assert_same_picture("phosphor", *signal, *options, source=())
+        passes = self.passes(file)
+        self.assertEqual([*passes], ["Image", "Buffer A", "Buffer B", "Buffer C", "Buffer D", "Common"])
+        self.assertIn("const float signal_x = 5.0;  // @range 1 12", passes["Buffer A"]["code"])
+        self.assertEqual(self.parameters(file)["signal_speed"]["default"], 0.3)
 
     def test_a_preset_of_another_program_draws_the_same_picture(self):
         slang = self.folder / "crt.slangp"
@@ -118,6 +128,10 @@ class ShadertoyExportTest(ProgramTest):
     def test_what_shadertoy_lacks_is_refused_before_anything_is_written(self):
         file = self.folder / "a.json"
         self.assert_refused(run("export", "vector-beam", "--to", "shadertoy", "-o", file), "draws a beam", "--to web")
+        self.assert_refused(run("export", "phosphor", "--set", "tube=P7", "--to", "shadertoy", "-o", file),
+                            "needs 5 buffers, one for the points of the beam")
+        self.assert_refused(run("export", "phosphor", "--signal", "text:HELLO", "--to", "shadertoy", "-o", file),
+                            "the signal 'text'", "--to web")
         self.assert_refused(run("export", "shadow-mask+crt", "--to", "shadertoy", "-o", file), "needs 6 buffers")
         self.assert_refused(run("export", "crt", "--to", "shadertoy", "-o", self.folder / "a.txt"), ".json")
         self.assert_refused(run("export", "crt", "--to", "shadertoy", "-o", self.folder / "look.json"), "another name")

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct EffectRequest {
     const SourceNotices& notices;
     bool has_live_parameters = false;   // not constants, in a format that has both
     std::filesystem::path folder = {};  // of the main file, absolute
+    std::optional<Spec> signal = {};    // complete, for a beam
 };
 
 /// What was written, all paths relative to the folder of the main file.

@@ -40,7 +40,7 @@ public:
         add_own("#define HW_PERFORMANCE 1\n");
         add_uniforms(channels);
         add_arrays(channels);
-        add_own("out vec4 afterglow_color;\n");
+        add_own("out vec4 afterglow_output;\n");
         if (common)
             add_code(common->code);
         add_code(m_pass.code);
@@ -148,18 +148,18 @@ private:
                    "                            : vec3(-at.x, -at.y, -1.0);\n"
                    "    vec4 color = vec4(1e20);\n"
                    "    mainCubemap(color, place, vec3(0.0), normalize(seen));\n"
-                   "    afterglow_color = color;\n"
+                   "    afterglow_output = color;\n"
                    "}\n";
         if (kind == Kind::image)
             return "void main() {\n"
                    "    vec4 color = vec4(1e20);\n"
                    "    mainImage(color, gl_FragCoord.xy);\n"
-                   "    afterglow_color = vec4(color.rgb, 1.0);\n"
+                   "    afterglow_output = vec4(color.rgb, 1.0);\n"
                    "}\n";
         return "void main() {\n"
                "    vec4 color = vec4(1e20);\n"
                "    mainImage(color, gl_FragCoord.xy);\n"
-               "    afterglow_color = color;\n"
+               "    afterglow_output = color;\n"
                "}\n";
     }
 

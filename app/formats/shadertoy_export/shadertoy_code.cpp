@@ -5,9 +5,9 @@
 #include "formats/effect/effect_files.h"
 #include "formats/effect/effect_text.h"
 #include "formats/effect/vertex_function.h"
+#include "formats/shadertoy_export/shadertoy_words.h"
 #include "glsl/text/declarations.h"
 #include "glsl/text/interface_statements.h"
-#include "glsl/text/tokens.h"
 
 #include <fmt/format.h>
 
@@ -15,28 +15,13 @@
 #include <array>
 
 namespace {
-constexpr auto site_words = std::to_array<std::string_view>(
-    {"iResolution", "iTime", "iGlobalTime", "iTimeDelta", "iFrameRate", "iFrame", "iChannelTime",
-     "iChannelResolution", "iMouse", "iDate", "iSampleRate", "iChannel0", "iChannel1", "iChannel2",
-     "iChannel3", "mainImage", "HW_PERFORMANCE"});
-
-constexpr auto function_words = std::to_array<std::string_view>(
-    {"image_at", "image_lod", "image_fetch", "image_size", "display_to_linear", "bordered",
-     "level_at", "level_size", "last_level", "first_level", "level_place", "level_tap",
-     "level_texel", "base_texel", "read_level", "stored", "draw_pass", "shadertoy_color",
-     "shadertoy_place"});
-
 constexpr auto site_sampling =
     std::to_array<std::pair<std::string_view, std::string_view>>({{"texture", "image_at"},
                                                                   {"textureLod", "image_lod"},
                                                                   {"texelFetch", "image_fetch"},
                                                                   {"textureSize", "image_size"},
+                                                                  {"textureGather", "image_gather"},
                                                                   {"sampler2D", "int"}});
-
-constexpr auto unusable = std::to_array<std::string_view>(
-    {"textureGather", "textureOffset", "textureLodOffset", "texelFetchOffset", "textureGrad",
-     "textureProj", "textureProjLod", "textureQueryLod", "textureQueryLevels", "samplerCube",
-     "isampler2D", "usampler2D", "sampler3D"});
 
 /// What Shadertoy gives to a pass.
 class ShadertoyValues final : public HostValues {
@@ -65,101 +50,152 @@ private:
     ShadertoyImages& m_images;
 };
 
-// What a format with few bits or channels stores.
-std::string stored_value(Format format) {
-    constexpr const char* rounded = "floor(clamp(color, 0.0, 1.0) * 255.0 + 0.5) * (1.0 / 255.0)";
-    switch (format) {
-        case Format::r8:
-            return fmt::format("vec4(({}).r, 0.0, 0.0, 1.0)", rounded);
-        case Format::rg8:
-            return fmt::format("vec4(({}).rg, 0.0, 1.0)", rounded);
-        case Format::rgba8:
-            return rounded;
-        case Format::r16f:
-        case Format::r32f:
-            return "vec4(color.r, 0.0, 0.0, 1.0)";
-        case Format::rg16f:
-        case Format::rg32f:
-            return "vec4(color.rg, 0.0, 1.0)";
-        case Format::r11f_g11f_b10f:
-            return "vec4(max(color.rgb, 0.0), 1.0)";
-        default:
-            return {};
-    }
-}
-
-// Whether a call of texture() has three arguments.
-bool calls_with_bias(std::string_view text) {
-    const Tokens tokens = scan(text);
-    for (std::size_t i = 0; i + 1 < tokens.all.size(); ++i) {
-        if (!tokens.all[i].is("texture") || !tokens.all[i + 1].is("("))
-            continue;
-        int depth = 0;
-        int commas = 0;
-        for (std::size_t k = i + 1; k < tokens.all.size(); ++k) {
-            const Token& token = tokens.all[k];
-            depth += token.is("(") || token.is("[") ? 1 : token.is(")") || token.is("]") ? -1 : 0;
-            commas += depth == 1 && token.is(",") ? 1 : 0;
-            if (depth == 0)
-                break;
-        }
-        if (commas > 1)
-            return true;
-    }
-    return false;
-}
-
-/// Writes the code of one pass.
+/// Writes the code of one pass, or of a pass that another one draws where it reads it.
 class CodeWriter {
 public:
-    CodeWriter(std::size_t pass, const EffectUniforms& uniforms, const ShadertoyShared& shared,
-               ShadertoyImages& images)
+    // `prefix`: of all names of a pass in another one; "": the pass has a buffer of its own.
+    CodeWriter(std::size_t pass, const ShadertoyShared& shared, ShadertoyImages& images,
+               std::string prefix = {})
         : m_pass(shared.plan.look.passes[pass]),
           m_is_last(pass + 1 == shared.plan.look.passes.size()),
-          m_uniforms(uniforms),
+          m_uniforms(shared.uniforms[pass]),
           m_shared(shared),
-          m_images(images) {}
+          m_images(images),
+          m_prefix(std::move(prefix)) {}
 
     Result<std::string> write() {
-        auto files = effect_files(m_shared.author, m_pass);
-        if (!files)
-            return fail(files.error());
-        m_joined = joined_text(*files);
-        GlslWords words;
-        add_words(m_joined, words);
-        if (has_own_vertex(m_pass))
-            add_words(m_pass.vertex.text, words);
-        for (const std::string_view word : unusable)
-            if (words.contains(word))
-                return fail({{},
-                             0,
-                             fmt::format("the pass '{}' uses {}(), which Shadertoy's passes can't "
-                                         "do here. Export it with --to web.",
-                                         m_pass.name, word)});
-        if (info_of(m_pass.format).format == Format::srgb8_alpha8 ||
-            info_of(m_pass.format).format == Format::rgb10_a2)
-            return fail({{},
-                         0,
-                         fmt::format("the pass '{}' rounds its texels to {}, which Shadertoy's "
-                                     "buffers don't do. Export it with --to web.",
-                                     m_pass.name, info_of(m_pass.format).name)});
-        change_words();
-        add_values();
-        add_images();
+        if (auto read = read_text(); !read)
+            return fail(read.error());
+        std::string inlined;
+        for (const std::string& name : m_images.inlined()) {
+            CodeWriter other(static_cast<std::size_t>(*find_pass(m_shared.plan.look, name)),
+                             m_shared, m_images, "drawn_" + name + "_");
+            auto text = other.write_inlined();
+            if (!text)
+                return text;
+            inlined += *text;
+            m_head += other.m_head;
+            m_settings += other.m_settings;
+        }
+        prepare();
         const std::string body = std::string(trim(effect_text(m_joined, m_rules))) + "\n";
         const std::string vertex = vertex_text();
         set_structs();
         const std::string entry = entry_text();
-        return m_images.functions(words, calls_with_bias(m_joined)) +
-               (m_head.empty() ? "" : "\n" + m_head) + "\n" + body + vertex + entry;
+        return m_images.readers() + functions() + (m_head.empty() ? "" : "\n" + m_head) + inlined +
+               "\n" + body + vertex + entry;
+    }
+
+    // The points of the beam.
+    Result<std::string> write_table() {
+        const auto passed = shadertoy_passed_values(m_pass);
+        if (!passed)
+            return fail(passed.error());
+        m_joined = *m_pass.vertex.text;
+        prepare();
+        m_rules.words["gl_Position"] = "point_clip";
+        m_rules.words["gl_PointSize"] = "point_size";
+        m_rules.words["gl_VertexID"] = "point_number";
+        m_head += "vec4 point_clip;\nfloat point_size;\nint point_number;\n";
+        std::vector<ShadertoyPassedValue> outputs = *passed;
+        for (ShadertoyPassedValue& value : outputs)
+            value.name = named(value.name);
+        std::string inputs = "    point_number = k;\n    point_size = 1.0;\n";
+        for (const InterfaceStatement& statement : find_interface_statements(m_joined))
+            for (const Declarator& one : statement.declarators)
+                if (statement.kind == InterfaceStatement::Kind::input)
+                    inputs += fmt::format("    {} = {};\n", named(one.name),
+                                          one.name == "position"      ? "point.xy"
+                                          : one.name == "intensity"   ? "point_light"
+                                          : one.name == "age_seconds" ? "point_age"
+                                                                      : statement.type + "(1.0)");
+        return m_head + "\n" + m_shared.beam->signal + "\n" +
+               std::string(trim(effect_text(m_joined, m_rules))) + "\n" +
+               shadertoy_table_entry(*m_shared.beam, outputs, m_settings, inputs);
     }
 
 private:
+    Result<void> read_text() {
+        auto files = effect_files(m_shared.author, m_pass);
+        if (!files)
+            return fail(files.error());
+        m_joined = joined_text(*files);
+        add_words(m_joined, m_words);
+        if (has_own_vertex(m_pass) && m_prefix.empty())
+            add_words(m_pass.vertex.text, m_words);
+        const auto refuse = [&](const std::string& what) {
+            return fail(
+                {{},
+                 0,
+                 fmt::format("the pass '{}' {}. Export it with --to web.", m_pass.name, what)});
+        };
+        if (const std::string word = unusable_word(m_words); !word.empty())
+            return refuse(fmt::format("uses {}(), which Shadertoy's passes can't do here", word));
+        const bool is_wrapped = std::ranges::any_of(
+            m_pass.inputs, [](const Input& input) { return input.sampler.wrap != Wrap::edge; });
+        if (m_words.contains("textureGather") && is_wrapped)
+            return refuse("uses textureGather() beyond the edges of a picture");
+        if (m_pass.format == Format::srgb8_alpha8 || m_pass.format == Format::rgb10_a2)
+            return refuse(fmt::format("rounds its texels to {}, which Shadertoy's buffers don't do",
+                                      info_of(m_pass.format).name));
+        return {};
+    }
+
+    // That read the pictures of this pass.
+    std::string functions() {
+        return replace_all(m_images.functions(m_pass, m_words, calls_with_bias(m_joined)), "image_",
+                           m_prefix + "image_");
+    }
+
+    void prepare() {
+        change_words();
+        add_values();
+        add_images();
+    }
+
+    // As functions of the pass that reads it: vec4 drawn_NAME(ivec2 at).
+    Result<std::string> write_inlined() {
+        if (auto read = read_text(); !read)
+            return fail(read.error());
+        prepare();
+        m_head += fmt::format("vec4 {0}fragcoord;\nvec2 {0}pointcoord;\n", m_prefix);
+        std::string text = fmt::format("\n// Pass {}.\n", m_pass.name) + functions() + "\n" +
+                           std::string(trim(effect_text(m_joined, m_rules))) + "\n";
+        set_structs();
+        const Names names = names_of_interface();
+        if (m_pass.name == m_shared.plan.beam) {
+            const auto passed = shadertoy_passed_values(m_pass);
+            if (!passed)
+                return fail(passed.error());
+            return text + shadertoy_beam_sum(*m_shared.beam, *passed, m_prefix, names.output,
+                                             m_images.table_channel());
+        }
+        const std::string place =
+            fmt::format("{}fragcoord.xy / {}", m_prefix, m_images.size_of(m_pass.name));
+        return text +
+               fmt::format(
+                   "\nvec4 drawn_{}(ivec2 at) {{\n"
+                   "    {}fragcoord = vec4(vec2(at) + 0.5, 0.5, 1.0);\n{}"
+                   "    {}();\n    return {};\n}}\n",
+                   m_pass.name, m_prefix,
+                   names.input.empty() ? "" : fmt::format("    {} = {};\n", names.input, place),
+                   named("main"), names.output);
+    }
+
     // Names of the site and of our functions.
     void change_words() {
         m_rules.words = renamed_built_ins(m_joined);
         for (const auto& [word, other] : site_sampling)
-            m_rules.words[std::string(word)] = other;
+            m_rules.words[std::string(word)] =
+                other.starts_with("image_") ? m_prefix + std::string(other) : std::string(other);
+        if (!m_prefix.empty()) {
+            for (const std::string& name : global_names(m_joined))
+                m_rules.words[name] = m_prefix + name;
+            m_rules.words["main"] = m_prefix + "main";
+            m_rules.words["gl_FragCoord"] = m_prefix + "fragcoord";
+            m_rules.words["gl_PointCoord"] = m_prefix + "pointcoord";
+            return;
+        }
         m_rules.words["main"] = "draw_pass";
         const std::set<std::string, std::less<>> reserved = shadertoy_reserved_names();
         const auto is_taken = [&](const std::string& name) {
@@ -193,9 +229,15 @@ private:
         return word == m_rules.words.end() ? name : word->second;
     }
 
+    // A pass in another one has its fragment shader only.
+    bool is_declared_here(const std::string& uniform) const {
+        return m_prefix.empty() || m_rules.words.contains(uniform);
+    }
+
     void add_values() {
         for (const EffectNumber& number : m_uniforms.numbers)
-            add_value(number);
+            if (is_declared_here(number.name))
+                add_value(number);
         for (const EffectStruct& of : m_uniforms.structs) {
             std::string members;
             for (const EffectNumber& member : of.members) {
@@ -227,7 +269,7 @@ private:
     // The author's declaration has an annotation that is valid for the constant.
     bool keeps_place(const EffectNumber& number, const ShadertoyConstant& constant) const {
         const bool has_its_name = constant.control.id == number.name;
-        if (!constant.is_plain || !has_its_name || has_own_vertex(m_pass) ||
+        if (!constant.is_plain || !has_its_name || has_shared_names() ||
             m_shared.in_common.contains(constant.control.parameter->name))
             return false;
         int count = 0;
@@ -247,8 +289,6 @@ private:
 
     void add_value(const EffectNumber& number) {
         const std::string type = glsl_name(number.type);
-        if (const auto* fixed = std::get_if<Value>(&number.setter))
-            return declare(number.name, {type, glsl_value(number.type, *fixed)});
         if (const ShadertoyConstant* const constant = constant_of(number)) {
             const Value& value = constant->control.value;
             if (keeps_place(number, *constant)) {
@@ -260,13 +300,18 @@ private:
             m_rules.words[number.name] = constant->control.id;
             return;
         }
-        if (std::holds_alternative<std::monostate>(number.setter) && is_in_common(number.name)) {
+        const bool is_given_here = std::holds_alternative<BuiltInUniform>(number.setter) ||
+                                   m_pass.set.contains(number.name);
+        if (!is_given_here && is_in_common(number.name)) {
             m_rules.declared.insert(number.name);  // not read here
+            m_rules.words.erase(number.name);
             return;
         }
+        if (const auto* fixed = std::get_if<Value>(&number.setter))
+            return declare_fixed(number, *fixed);
         const std::string value = value_of(number);
         const bool is_given = value == number.name || value == "vec3(" + number.name + ".xy, 1.0)";
-        if (is_given && is_site_word(number.name)) {
+        if (is_given && is_shadertoy_word(number.name)) {
             m_rules.declared.insert(number.name);  // the site's own
             m_rules.words.erase(number.name);
             return;
@@ -275,9 +320,23 @@ private:
         m_settings += fmt::format("    {} = {};\n", named(number.name), value);
     }
 
-    // A constant, or a variable without a value. Both stages of a pass share it.
+    // Not a constant: an index that is one must be within its array, also where it is not used.
+    void declare_fixed(const EffectNumber& number, const Value& value) {
+        const std::string text = glsl_value(number.type, value);
+        m_rules.values[number.name] = text;
+        if (has_shared_names()) {
+            m_rules.declared.insert(number.name);
+            m_head +=
+                fmt::format("{} {} = {};\n", glsl_name(number.type), named(number.name), text);
+        }
+    }
+
+    // Both stages of a pass share their variables, and a pass in another one has its own.
+    bool has_shared_names() const { return has_own_vertex(m_pass) || !m_prefix.empty(); }
+
+    // A constant, or a variable without a value.
     void declare(const std::string& name, const EffectConstant& of) {
-        if (has_own_vertex(m_pass)) {
+        if (has_shared_names()) {
             m_rules.declared.insert(name);
             m_head += fmt::format("{}{} {}{};\n", of.value.empty() ? "" : "const ", of.type,
                                   named(name), of.value.empty() ? "" : " = " + of.value);
@@ -294,10 +353,6 @@ private:
         });
     }
 
-    static bool is_site_word(const std::string& name) {
-        return std::ranges::find(site_words, name) != site_words.end();
-    }
-
     std::string value_of(const EffectNumber& number) {
         if (const auto* fixed = std::get_if<Value>(&number.setter))
             return glsl_value(number.type, *fixed);
@@ -312,9 +367,11 @@ private:
 
     void add_images() {
         for (const Input& input : m_uniforms.samplers)
-            declare(input.uniform, {"int", std::to_string(m_images.number_of(input))});
+            if (is_declared_here(input.uniform))
+                declare(input.uniform, {"int", std::to_string(m_images.number_of(input))});
         for (const std::string& uniform : m_uniforms.unread)
-            declare(uniform, {"int", "-1"});
+            if (is_declared_here(uniform))
+                declare(uniform, {"int", "-1"});
     }
 
     std::string vertex_text() {
@@ -342,18 +399,28 @@ private:
         }
     }
 
-    std::string entry_text() {
+    // What the shader reads and writes, with their new names.
+    struct Names {
         std::string input;
-        std::string result;
+        std::string output;
+    };
+
+    Names names_of_interface() const {
+        Names names;
         for (const InterfaceStatement& statement : find_interface_statements(m_joined)) {
             if (statement.declarators.empty())
                 continue;
             const std::string name = named(statement.declarators.front().name);
             if (statement.kind == InterfaceStatement::Kind::output)
-                result = name;
+                names.output = name;
             if (statement.kind == InterfaceStatement::Kind::input)
-                input = name;
+                names.input = name;
         }
+        return names;
+    }
+
+    std::string entry_text() {
+        const auto [input, result] = names_of_interface();
         const std::string size = m_is_last ? "iResolution.xy" : m_images.size_of(m_pass.name);
         const std::string place = fmt::format("shadertoy_place / {}", size);
         std::string text =
@@ -393,6 +460,8 @@ private:
     const EffectUniforms& m_uniforms;
     const ShadertoyShared& m_shared;
     ShadertoyImages& m_images;
+    std::string m_prefix;
+    GlslWords m_words;     // of the text
     std::string m_joined;  // the fragment shader with its includes
     EffectTextRules m_rules;
     std::set<std::string> m_declared;  // parameters whose constants are in m_head
@@ -404,16 +473,12 @@ private:
 };
 }  // namespace
 
-std::set<std::string, std::less<>> shadertoy_reserved_names() {
-    std::set<std::string, std::less<>> names;
-    for (const std::string_view word : site_words)
-        names.emplace(word);
-    for (const std::string_view word : function_words)
-        names.emplace(word);
-    return names;
+Result<std::string> shadertoy_code(std::size_t pass, const ShadertoyShared& shared,
+                                   ShadertoyImages& images) {
+    return CodeWriter(pass, shared, images).write();
 }
 
-Result<std::string> shadertoy_code(std::size_t pass, const EffectUniforms& uniforms,
-                                   const ShadertoyShared& shared, ShadertoyImages& images) {
-    return CodeWriter(pass, uniforms, shared, images).write();
+Result<std::string> shadertoy_table_code(std::size_t pass, const ShadertoyShared& shared,
+                                         ShadertoyImages& images) {
+    return CodeWriter(pass, shared, images).write_table();
 }

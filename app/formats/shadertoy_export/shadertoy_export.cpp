@@ -3,7 +3,7 @@
 #include "formats/effect/effect_files.h"
 #include "formats/shadertoy_export/shadertoy_code.h"
 #include "formats/shadertoy_export/shadertoy_document.h"
-#include "formats/shadertoy_export/shadertoy_levels.h"
+#include "formats/shadertoy_export/shadertoy_words.h"
 #include "glsl/es/es_check.h"
 #include "glsl/text/interface_statements.h"
 
@@ -30,9 +30,18 @@ constexpr const char* site_end =
 /// Writes the file of one look.
 class ShadertoyWriter {
 public:
-    ShadertoyWriter(const EffectRequest& request, Effect effect)
-        : m_request(request), m_effect(std::move(effect)), m_plan(shadertoy_plan(m_effect)) {
+    // `values`: of the reduced look.
+    ShadertoyWriter(const EffectRequest& request, Effect effect, const Values& values,
+                    std::optional<ShadertoyBeam> beam)
+        : m_request(request),
+          m_values(values),
+          m_beam(std::move(beam)),
+          m_effect(std::move(effect)),
+          m_plan(shadertoy_plan(m_effect, m_beam ? m_beam->pass.name : "")) {
         m_output.losses = m_effect.losses;
+        if (m_beam)
+            m_output.losses.insert(m_output.losses.end(), m_beam->losses.begin(),
+                                   m_beam->losses.end());
     }
 
     Result<EffectOutput> write() {
@@ -67,7 +76,7 @@ private:
             m_uniforms.emplace_back();
             if (look().passes[i].name == m_plan.source_pass)
                 continue;
-            auto uniforms = effect_uniforms(look(), i, m_request.values, m_effect.fixed);
+            auto uniforms = effect_uniforms(look(), i, m_values, m_effect.fixed);
             if (!uniforms)
                 return fail(uniforms.error());
             m_uniforms.back() = std::move(*uniforms);
@@ -75,10 +84,12 @@ private:
         return {};
     }
 
-    // How many passes read each parameter, by its name.
+    // How many passes read each parameter, by its name. A pass that is drawn in others counts
+    // twice.
     std::map<std::string, int> readers() const {
         std::map<std::string, int> count;
-        for (const EffectUniforms& uniforms : m_uniforms) {
+        for (std::size_t i = 0; i < m_uniforms.size(); ++i) {
+            const EffectUniforms& uniforms = m_uniforms[i];
             std::set<std::string> names;
             const auto note = [&](const EffectNumber& number) {
                 if (const auto* parameter = std::get_if<const Parameter*>(&number.setter))
@@ -88,15 +99,15 @@ private:
             for (const EffectStruct& of : uniforms.structs)
                 std::ranges::for_each(of.members, note);
             for (const std::string& name : names)
-                ++count[name];
+                count[name] += m_plan.inlined.contains(look().passes[i].name) ? 2 : 1;
         }
         return count;
     }
 
-    // A parameter that other passes read.
-    bool is_unread(const EffectNumber& number) const {
-        return std::holds_alternative<std::monostate>(number.setter) &&
-               find_parameter(look(), number.name);
+    // A parameter that only other passes read.
+    bool is_unread(const Pass& pass, const EffectNumber& number) const {
+        return !std::holds_alternative<BuiltInUniform>(number.setter) &&
+               !pass.set.contains(number.name) && find_parameter(look(), number.name);
     }
 
     // Names that no constant may have. Uniforms are not among them.
@@ -111,7 +122,8 @@ private:
                 return fail(files.error());
             std::set<std::string> uniforms;
             for (const EffectNumber& number : m_uniforms[i].numbers)
-                if (std::holds_alternative<const Parameter*>(number.setter) || is_unread(number))
+                if (std::holds_alternative<const Parameter*>(number.setter) ||
+                    is_unread(pass, number))
                     uniforms.insert(number.name);
             for (const std::string& name : global_names(joined_text(*files)))
                 if (!uniforms.contains(name))
@@ -129,7 +141,7 @@ private:
         const std::map<std::string, int> count = readers();
         std::string common;
         for (ShadertoyConstant& constant : shadertoy_constants(
-                 look(), effect_controls(look(), m_request.values, m_effect.fixed, names), names)) {
+                 look(), effect_controls(look(), m_values, m_effect.fixed, names), names)) {
             const std::string name = constant.control.parameter->name;
             const auto found = count.find(name);
             if (found == count.end())
@@ -146,7 +158,8 @@ private:
     }
 
     Result<void> add_passes() {
-        const ShadertoyShared shared{m_plan, m_request.look, m_constants, m_in_common};
+        const ShadertoyShared shared{m_plan,      m_request.look, m_uniforms,
+                                     m_constants, m_in_common,    m_beam ? &*m_beam : nullptr};
         const std::size_t last = look().passes.size() - 1;
         if (m_plan.has_levels)
             m_document.passes.push_back(
@@ -155,12 +168,21 @@ private:
                  {ShadertoyConnection{}}});
         for (std::size_t i = 0; i <= last; ++i) {
             const Pass& pass = look().passes[i];
-            if (pass.name == m_plan.source_pass)
+            const bool is_table = pass.name == m_plan.beam;
+            if (pass.name == m_plan.source_pass ||
+                (m_plan.inlined.contains(pass.name) && !is_table))
                 continue;
             ShadertoyImages images(m_plan, i);
-            auto code = shadertoy_code(i, m_uniforms[i], shared, images);
+            auto code = is_table ? shadertoy_table_code(i, shared, images)
+                                 : shadertoy_code(i, shared, images);
             if (!code)
                 return fail(code.error());
+            if (is_table) {
+                m_document.passes.push_back({0,
+                                             "// The points of the beam.\n" + *code,
+                                             {ShadertoyConnection{.buffer = 0, .sampler = {}}}});
+                continue;
+            }
             if (std::string obstacle = images.obstacle(); !obstacle.empty())
                 return fail({{}, 0, std::move(obstacle)});
             m_document.passes.push_back({i == last ? -1 : m_plan.buffers.at(pass.name),
@@ -200,6 +222,8 @@ private:
     }
 
     const EffectRequest& m_request;
+    const Values& m_values;
+    std::optional<ShadertoyBeam> m_beam;
     Effect m_effect;
     ShadertoyPlan m_plan;
     std::vector<EffectUniforms> m_uniforms;                // of each pass
@@ -220,9 +244,15 @@ const EffectHost& shadertoy_host() {
 }
 
 Result<EffectOutput> shadertoy_files(const EffectRequest& request) {
+    auto plain = without_beam(request);
+    if (!plain)
+        return fail(plain.error());
     auto effect =
-        effect_of(request.look, request.values, request.size, request.source, shadertoy_host());
+        effect_of(plain->look, plain->values, request.size, request.source, shadertoy_host());
     if (!effect)
         return fail(effect.error());
-    return ShadertoyWriter(request, std::move(*effect)).write();
+    if (plain->beam)
+        put_back(*plain->beam, effect->look);
+    return ShadertoyWriter(request, std::move(*effect), plain->values, std::move(plain->beam))
+        .write();
 }

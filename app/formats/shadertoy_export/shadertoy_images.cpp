@@ -45,6 +45,18 @@ float level_at(vec2 at, vec2 size) {
 }
 )";
 
+// Of pictures that are not wrapped.
+constexpr const char* gather_function = R"(
+vec4 image_gather(int image, vec2 at) {
+    ivec2 last = image_size(image, 0) - 1;
+    ivec2 texel = ivec2(floor(at * vec2(last + 1) - 0.5));
+    ivec2 low = clamp(texel, ivec2(0), last);
+    ivec2 high = clamp(texel + 1, ivec2(0), last);
+    return vec4(image_fetch(image, ivec2(low.x, high.y), 0).r, image_fetch(image, high, 0).r,
+                image_fetch(image, ivec2(high.x, low.y), 0).r, image_fetch(image, low, 0).r);
+}
+)";
+
 bool reads_same(const Input& a, const Input& b) {
     return a.from == b.from && a.name == b.name && a.sampler == b.sampler;
 }
@@ -84,14 +96,34 @@ std::string conditions(const std::vector<std::string>& lines) {
 
 ShadertoyImages::ShadertoyImages(const ShadertoyPlan& plan, std::size_t pass)
     : m_plan(plan), m_pass(plan.look.passes[pass]) {
-    for (const Input& input : m_pass.inputs) {
-        const auto is_known = [&](const Image& image) { return reads_same(image.input, input); };
-        if (std::ranges::none_of(m_images, is_known))
-            m_images.push_back({input, channel_of(channel_for(input))});
-    }
+    add_inputs(m_pass);
     for (const Image& image : m_images)
         if (has_own_levels(image.input))
-            channel_of({.buffer = 0, .sampler = {}});
+            table_channel();
+}
+
+// Passes that are drawn where they are read read their own pictures there.
+void ShadertoyImages::add_inputs(const Pass& pass) {
+    for (const Input& input : pass.inputs) {
+        const auto is_known = [&](const Image& image) { return reads_same(image.input, input); };
+        if (std::ranges::any_of(m_images, is_known))
+            continue;
+        if (!is_inlined(input)) {
+            m_images.push_back({input, channel_of(channel_for(input))});
+            continue;
+        }
+        m_images.push_back({input, 0});
+        if (std::ranges::find(m_inlined, input.name) != m_inlined.end())
+            continue;
+        if (input.name == m_plan.beam)
+            table_channel();
+        add_inputs(m_plan.pass(input.name));
+        m_inlined.push_back(input.name);
+    }
+}
+
+bool ShadertoyImages::is_inlined(const Input& input) const {
+    return input.from == Input::From::pass && m_plan.inlined.contains(input.name);
 }
 
 int ShadertoyImages::channel_of(const ShadertoyConnection& wanted) {
@@ -111,6 +143,8 @@ int ShadertoyImages::picture_channel() {
 }
 
 bool ShadertoyImages::is_tapped(const Input& input) const {
+    if (is_inlined(input))
+        return true;
     if (m_plan.is_source(input))
         return m_plan.decodes();
     const bool repeats = input.sampler.wrap == Wrap::repeat || input.sampler.wrap == Wrap::mirror;
@@ -179,9 +213,14 @@ std::string ShadertoyImages::size_functions() const {
 // Texels are wrapped and decoded before they are mixed.
 std::string ShadertoyImages::tapping_reader(const Image& image, std::size_t number) {
     const std::string size = size_of(image.input);
-    const std::string fetch = fmt::format("texelFetch(iChannel{}, at, 0)", image.channel);
+    const bool is_drawn = is_inlined(image.input);
+    const std::string fetch = is_drawn
+                                  ? fmt::format("drawn_{}(at)", image.input.name)
+                                  : fmt::format("texelFetch(iChannel{}, at, 0)", image.channel);
     const bool decodes = m_plan.is_source(image.input) && m_plan.decodes();
-    std::string text = fmt::format(
+    std::string text =
+        is_drawn ? fmt::format("\nvec4 drawn_{}(ivec2 at);\n", image.input.name) : "";
+    text += fmt::format(
         "\nvec4 texel_{}(ivec2 at) {{\n    ivec2 size = ivec2({});\n{}    return {};\n}}\n", number,
         size, wrap_text(image.input.sampler.wrap),
         decodes ? fmt::format("display_to_linear({})", fetch) : fetch);
@@ -200,8 +239,15 @@ std::string ShadertoyImages::tapping_reader(const Image& image, std::size_t numb
     if (image.input.sampler.filter == Filter::nearest)
         return text +
                fmt::format("    return texel_{}(ivec2(floor(at * {})));\n}}\n", number, size);
+    // Drawing a texel is slow, and many readers read their middles.
+    const std::string middle =
+        is_drawn ? fmt::format(
+                       "    if (all(lessThan(abs(fract(place + 0.5) - 0.5), vec2(1e-3))))\n"
+                       "        return texel_{}(ivec2(floor(place + 0.5)));\n",
+                       number)
+                 : "";
     return text + fmt::format(
-                      "    vec2 place = at * {1} - 0.5;\n"
+                      "    vec2 place = at * {1} - 0.5;\n{2}"
                       "    ivec2 texel = ivec2(floor(place));\n"
                       "    vec2 part = fract(place);\n"
                       "    vec4 lower = mix(texel_{0}(texel), texel_{0}(texel + ivec2(1, 0)), "
@@ -209,7 +255,7 @@ std::string ShadertoyImages::tapping_reader(const Image& image, std::size_t numb
                       "    vec4 upper = mix(texel_{0}(texel + ivec2(0, 1)), texel_{0}(texel + 1), "
                       "part.x);\n"
                       "    return mix(lower, upper, part.y);\n}}\n",
-                      number, size);
+                      number, size, middle);
 }
 
 // By the filter of the channel.
@@ -277,40 +323,46 @@ std::string ShadertoyImages::biased_line(const Image& image, std::size_t number)
                        size_of(image.input));
 }
 
-std::string ShadertoyImages::functions(const GlslWords& words, bool has_bias) {
-    std::string readers;
-    std::vector<std::string> at;
-    std::vector<std::string> biased;
-    std::vector<std::string> lod;
-    std::vector<std::string> fetch;
-    std::vector<std::string> sizes;
-    bool has_border = false;
+std::string ShadertoyImages::readers() {
+    std::string text;
+    for (std::size_t i = 0; i < m_images.size(); ++i)
+        text += reader(m_images[i], i);
+    const auto any = [&](const auto& is_so) { return std::ranges::any_of(m_images, is_so); };
+    const bool decodes =
+        any([&](const Image& image) { return m_plan.is_source(image.input) && m_plan.decodes(); });
+    const bool has_border =
+        any([](const Image& image) { return image.input.sampler.wrap == Wrap::border; });
+    const bool has_levels = any([](const Image& image) { return image.input.sampler.mipmap; });
+    return size_functions() + (decodes ? decoding_function : "") +
+           (has_border ? border_function : "") + (has_levels ? level_function : "") + text;
+}
+
+std::string ShadertoyImages::functions(const Pass& pass, const GlslWords& words, bool has_bias) {
+    std::vector<std::string> at(m_images.size());
+    std::vector<std::string> biased = at;
+    std::vector<std::string> lod = at;
+    std::vector<std::string> fetch = at;
+    std::vector<std::string> sizes = at;
     bool has_levels = false;
-    for (std::size_t i = 0; i < m_images.size(); ++i) {
+    for (const Input& input : pass.inputs) {
+        const std::size_t i = number_of(input);
         const Image& image = m_images[i];
-        readers += reader(image, i);
-        lod.push_back(lod_line(image, i));
-        at.push_back(at_line(image, i));
-        biased.push_back(has_bias ? biased_line(image, i) : std::string());
-        has_border |= image.input.sampler.wrap == Wrap::border;
-        has_levels |= (at.back() + biased.back()).find("level_at") != std::string::npos;
-        const std::string size = size_of(image.input);
-        fetch.push_back(
-            is_tapped(image.input)
-                ? fmt::format("return level == 0 ? texel_{0}(texel)\n"
-                              "                          : read_{0}((vec2(texel) + 0.5) / "
-                              "vec2(image_size({0}, level)), float(level));",
-                              i)
-                : fmt::format("return texelFetch(iChannel{}, texel, level);", image.channel));
-        sizes.push_back(fmt::format("return max(ivec2({}) >> level, 1);", size));
+        lod[i] = lod_line(image, i);
+        at[i] = at_line(image, i);
+        biased[i] = biased_line(image, i);
+        has_levels |= image.input.sampler.mipmap;
+        fetch[i] = is_tapped(image.input)
+                       ? fmt::format(
+                             "return level == 0 ? texel_{0}(texel)\n"
+                             "                          : read_{0}((vec2(texel) + 0.5) / "
+                             "vec2(image_size({0}, level)), float(level));",
+                             i)
+                       : fmt::format("return texelFetch(iChannel{}, texel, level);", image.channel);
+        sizes[i] = fmt::format("return max(ivec2({}) >> level, 1);", size_of(image.input));
     }
-    const bool decodes = std::ranges::any_of(m_images, [&](const Image& image) {
-        return m_plan.is_source(image.input) && m_plan.decodes();
-    });
-    const bool fetches = words.contains("texelFetch");
-    std::string text = size_functions() + (decodes ? decoding_function : "") +
-                       (has_border ? border_function : "") + (has_levels ? level_function : "") +
-                       readers;
+    const bool gathers = words.contains("textureGather");
+    const bool fetches = gathers || words.contains("texelFetch");
+    std::string text;
     const auto add = [&](const char* head, const std::vector<std::string>& lines,
                          const char* nothing) {
         text += fmt::format("\n{} {{\n{}    return {};\n}}\n", head, conditions(lines), nothing);
@@ -325,7 +377,7 @@ std::string ShadertoyImages::functions(const GlslWords& words, bool has_bias) {
         add("vec4 image_at(int image, vec2 at, float bias)", biased, "vec4(0.0)");
     if (fetches)
         add("vec4 image_fetch(int image, ivec2 texel, int level)", fetch, "vec4(0.0)");
-    return text;
+    return gathers ? text + gather_function : text;
 }
 
 std::string ShadertoyImages::obstacle() const {

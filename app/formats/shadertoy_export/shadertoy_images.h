@@ -25,9 +25,15 @@ public:
     std::size_t number_of(const Input& input) const;
     /// The size of a pass's picture as GLSL; of the picture that the user connects for "".
     std::string size_of(const std::string& pass);
-    /// The functions that a text with these words needs, and what they use. `has_bias`: it adds
-    /// numbers to the mip levels that texture() reads.
-    std::string functions(const GlslWords& words, bool has_bias);
+    /// Functions that read each picture.
+    std::string readers();
+    /// Functions that a text of a pass needs, for the pictures of that pass: image_at() and so on.
+    /// `words`: of the text. `has_bias`: it adds numbers to the mip levels that texture() reads.
+    std::string functions(const Pass& pass, const GlslWords& words, bool has_bias);
+    /// The passes that are drawn where this pass reads them, in order.
+    const std::vector<std::string>& inlined() const { return m_inlined; }
+    /// The channel of Buffer A.
+    int table_channel() { return channel_of({.buffer = 0, .sampler = {}}); }
     /// The connected channels, in order.
     const std::vector<ShadertoyConnection>& channels() const { return m_channels; }
     /// Why the pass can't have its channels; "" if it can.
@@ -39,6 +45,8 @@ private:
         int channel = 0;
     };
 
+    void add_inputs(const Pass& pass);
+    bool is_inlined(const Input& input) const;
     int channel_of(const ShadertoyConnection& wanted);
     int picture_channel();
     ShadertoyConnection channel_for(const Input& input) const;
@@ -57,6 +65,7 @@ private:
     const Pass& m_pass;
     std::vector<Image> m_images;
     std::vector<ShadertoyConnection> m_channels;
+    std::vector<std::string> m_inlined;
     std::set<std::string> m_sized;  // passes whose size is a function
 };
 

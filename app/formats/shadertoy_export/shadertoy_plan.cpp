@@ -25,6 +25,18 @@ bool has_rough_levels(const Sampler& sampler) {
            sampler.between_levels.value_or(Filter::linear) == Filter::nearest;
 }
 
+// A pass that reads pictures of this frame, and is read without mip levels.
+bool can_be_inlined(const Look& look, const Pass& pass) {
+    for (const Pass& reader : look.passes)
+        for (const Input& input : reader.inputs)
+            if (input.from == Input::From::pass && input.name == pass.name &&
+                (input.frames_ago > 0 || input.sampler.mipmap))
+                return false;
+    return !pass.inputs.empty() && std::ranges::all_of(pass.inputs, [](const Input& input) {
+        return input.from == Input::From::pass && input.frames_ago == 0;
+    });
+}
+
 std::string input_obstacle(const ShadertoyPlan& plan, std::size_t reader, const Input& input) {
     const bool is_source = plan.is_source(input);
     if (is_source && input.frames_ago > 0)
@@ -69,24 +81,36 @@ bool ShadertoyPlan::is_whole(const std::string& name) const {
     return has_part_of_viewport(of.size[0], 1.0) && has_part_of_viewport(of.size[1], 1.0);
 }
 
-ShadertoyPlan shadertoy_plan(const Effect& effect) {
+ShadertoyPlan shadertoy_plan(const Effect& effect, const std::string& beam) {
     ShadertoyPlan plan{effect.look, effect.source_pass};
-    for (const Pass& pass : effect.look.passes)
+    const std::vector<Pass>& passes = effect.look.passes;
+    for (const Pass& pass : passes)
         for (const Input& input : pass.inputs)
             if (plan.is_source(input) && input.sampler.mipmap && plan.decodes())
                 plan.has_levels = true;
-    int next = plan.has_levels ? 1 : 0;
-    for (std::size_t i = 0; i + 1 < effect.look.passes.size(); ++i)
-        if (effect.look.passes[i].name != plan.source_pass)
-            plan.buffers[effect.look.passes[i].name] = next++;
+    plan.beam = beam;
+    if (!beam.empty()) {
+        plan.inlined.insert(beam);
+        for (std::size_t i = 0; i + 1 < passes.size() && passes.size() > most_buffers + 1; ++i)
+            if (can_be_inlined(effect.look, passes[i]) && plan.inlined.size() == 1)
+                plan.inlined.insert(passes[i].name);
+    }
+    int next = plan.has_levels || !beam.empty() ? 1 : 0;
+    for (std::size_t i = 0; i + 1 < passes.size(); ++i)
+        if (passes[i].name != plan.source_pass && !plan.inlined.contains(passes[i].name))
+            plan.buffers[passes[i].name] = next++;
     return plan;
 }
 
 std::string shadertoy_obstacle(const ShadertoyPlan& plan, Extent size, Extent source) {
-    const std::size_t count = plan.buffers.size() + (plan.has_levels ? 1 : 0);
+    const std::size_t count =
+        plan.buffers.size() + (plan.has_levels ? 1 : 0) + (plan.beam.empty() ? 0 : 1);
     if (count > most_buffers)
         return fmt::format("the look needs {} buffers{}. Shadertoy has four and the image. {}",
-                           count, plan.has_levels ? ", one for mip levels of the source" : "",
+                           count,
+                           plan.has_levels      ? ", one for mip levels of the source"
+                           : !plan.beam.empty() ? ", one for the points of the beam"
+                                                : "",
                            other_target);
     for (std::size_t i = 0; i < plan.look.passes.size(); ++i) {
         const Pass& pass = plan.look.passes[i];

@@ -14,6 +14,7 @@
 #include "lab/export/described_look.h"
 #include "lab/media/source.h"
 #include "model/picture/placing.h"
+#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 
@@ -117,6 +118,13 @@ Result<EffectOutput> output_of(const ExportRequest& request, const EffectFormat&
     const auto notices = notices_of(look);
     if (!notices)
         return fail(notices.error());
+    std::optional<Spec> signal;
+    if (look.driven_by == Driver::signal) {
+        auto complete = completed(document.state().signal);
+        if (!complete)
+            return fail(complete.error());
+        signal = std::move(*complete);
+    }
     const auto source = source_size(document, request.size);
     if (!source)
         return fail(source.error());
@@ -127,7 +135,8 @@ Result<EffectOutput> output_of(const ExportRequest& request, const EffectFormat&
                                 .name = request.path.stem().string(),
                                 .notices = *notices,
                                 .has_live_parameters = request.has_parameters,
-                                .folder = fs::absolute(request.path).parent_path()});
+                                .folder = fs::absolute(request.path).parent_path(),
+                                .signal = std::move(signal)});
     if (output)
         for (const auto& [parameter, modulation] : document.state().modulations)
             if (const Parameter* moved = find_parameter(look, parameter))

@@ -46,6 +46,23 @@ TEST_CASE("mip levels of linear light are in Buffer A, those of display values i
     CHECK_FALSE(shadertoy_plan(effect).has_levels);
 }
 
+TEST_CASE("a beam has a table in Buffer A, and passes are drawn where they are read if they must") {
+    Effect effect = chain({"beam", "a", "b", "c", "shown"});
+    effect.look.passes.erase(effect.look.passes.begin());
+    effect.source_pass.clear();
+    effect.look.passes[0].inputs.clear();
+    effect.look.passes[1].inputs.push_back(from_pass("a", 1));
+    const ShadertoyPlan small = shadertoy_plan(effect, "beam");
+    CHECK(small.inlined == std::set<std::string>{"beam"});
+    CHECK(small.buffers == std::map<std::string, int>{{"a", 1}, {"b", 2}, {"c", 3}});
+    effect.look.passes.insert(effect.look.passes.end() - 1, reading("d", from_pass("c")));
+    effect.look.passes.back().inputs = {from_pass("d")};
+    const ShadertoyPlan large = shadertoy_plan(effect, "beam");  // "a" reads its past
+    CHECK(large.inlined == std::set<std::string>{"b", "beam"});
+    CHECK(large.buffers == std::map<std::string, int>{{"a", 1}, {"c", 2}, {"d", 3}});
+    CHECK(shadertoy_obstacle(large, {64, 32}, {64, 32}).empty());
+}
+
 TEST_CASE("more than four buffers are refused with their number") {
     CHECK(refusal(chain({"a", "b", "c", "d", "shown"})).empty());
     Effect effect = chain({"a", "b", "c", "d", "shown"});
