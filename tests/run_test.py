@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 SOURCE = Path(__file__).resolve().parent.parent
-TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id basename".split()
+TOOLS = "bash env dirname readlink awk sed grep tr wc tail tee paste fold nproc cat mkdir chmod python3 id basename mv rm".split()
 
 # The packages of the simulated system are files in $BOX/installed. Calls are logged in $BOX/log.
 STAND_INS = {
@@ -28,6 +28,11 @@ STAND_INS = {
         esac""",
     "touch_all": 'for name in "$@"; do : > "$name"; done 2>/dev/null; exit 0',
     "touch": ': > "$1"',
+    "npm": """
+        echo "npm $1 $2" >> "$BOX/log"
+        [ ! -e "$BOX/npm_fails" ] && : > "$4/interactive-shader-format-2.9.0.tgz" """,
+    "sha512sum": 'read -r sum file; [ -e "$file" ] && [ ! -e "$BOX/sum_differs" ]',
+    "tar": ': > "$4/package.json"',
     "sudo": 'echo sudo >> "$BOX/log"; exec "$@"',
     "cmake": """
         echo "cmake $*" >> "$BOX/log"
@@ -53,7 +58,8 @@ class RunTest(unittest.TestCase):
         self.box = Path(folder.name).resolve()
         for name in ("bin", "installed", "a person's folder", "tree/third_party"):
             (self.box / name).mkdir(parents=True)
-        for name in ("run", "third_party/install_packages", "third_party/packages.txt"):
+        for name in ("run", "third_party/install_packages", "third_party/install_isf_reader",
+                     "third_party/packages.txt"):
             shutil.copy(SOURCE / name, self.box / "tree" / name)
         for tool in TOOLS:
             (self.box / "bin" / tool).symlink_to(shutil.which(tool))
@@ -210,6 +216,31 @@ class RunTest(unittest.TestCase):
         done = self.run_it("test")
         self.assertEqual(done.stdout.splitlines()[-1], "2 passed, 2 failed, 1 skipped")
         self.assertEqual(done.returncode, 1)
+
+    def test_the_reader_of_isf_files_comes_from_npm_once(self):
+        for _ in range(2):
+            self.assertEqual(self.run_it("test").returncode, 0)
+        self.assertEqual(self.log().count("npm pack interactive-shader-format@2.9.0\n"), 1)
+        self.assertTrue((self.box / "tree/build/npm/interactive-shader-format/package.json").exists())
+        self.assertNotRegex(self.log(), "apt-get install .* npm\n")
+
+    def test_without_npm_the_tests_run_and_it_says_what_to_do(self):
+        self.remove("npm")
+        done = self.run_it("test")
+        self.assertRegex(self.log(), "apt-get install .* npm\n")
+        self.assertIn("set the registry of npm", done.stderr)
+        self.assertIn("/tree/build/npm/interactive-shader-format-2.9.0.tgz", done.stderr)
+        self.assertEqual(done.stdout.splitlines()[-1], "4 passed, 0 failed, 0 skipped")
+
+    def test_a_package_of_npm_that_fails_or_differs_is_not_used(self):
+        for reason in ("npm_fails", "sum_differs"):
+            with self.subTest(reason):
+                self.note(reason)
+                done = self.run_it("test")
+                self.assertIn("a test is skipped", done.stderr)
+                self.assertEqual(done.returncode, 0)
+                self.assertFalse((self.box / "tree/build/npm/interactive-shader-format").exists())
+                (self.box / reason).unlink()
 
     def test_the_sanitizers_have_a_build_of_their_own(self):
         self.run_it("test", "--sanitize", "-R", "base")
