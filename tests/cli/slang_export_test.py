@@ -63,6 +63,7 @@ class SlangExportTest(ProgramTest):
         self.assert_same_picture("crt", "--preset", "arcade-cabinet")
         self.assert_same_picture("shadow-mask", "--preset", "dot-triads")
         self.assert_same_picture("shadow-mask+crt", "--set", "crt/aberration=3")
+        self.assert_same_picture("phosphor", "--preset", "long-green")
 
     @unittest.skipUnless(shutil.which("glslangValidator"), "glslangValidator is not installed")
     def test_another_compiler_accepts_each_stage(self):
@@ -112,6 +113,8 @@ class SlangExportTest(ProgramTest):
         for options in ([], ["--dry-run"]):
             done = run("export", "vector-beam", "--to", "slang", "-o", self.folder / "a.slangp", *options)
             self.assert_refused(done, "draws a beam", "--to web")
+        done = run("export", "phosphor", "--to", "slang", "-o", self.folder / "a.slangp")
+        self.assert_refused(done, "a beam draws a signal", "a preset with one", "--to web")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_nothing_is_half_written(self):

@@ -1,5 +1,6 @@
 #include "formats/effect/effect_files.h"
 
+#include "base/text.h"
 #include "formats/effect/effect_names.h"
 #include "formats/look_format.h"
 #include "glsl/text/include_paths.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -60,17 +62,41 @@ StageLines lines_by_file(const Stage& stage) {
     return lines;
 }
 
+// Lines that the program added to a stage, such as the macro of a driver. They have the location of
+// the `#version` line above them.
+std::string lines_added_to(const Stage& stage) {
+    const auto texts = split(*stage.text, '\n');
+    std::string added;
+    std::optional<Location> version;
+    for (std::size_t i = 0; i < stage.lines.size() && i < texts.size(); ++i) {
+        if (version && stage.lines[i] == *version)
+            added.append(texts[i]).push_back('\n');
+        else if (!version && trim(texts[i]).starts_with("#version"))
+            version = stage.lines[i];
+    }
+    return added;
+}
+
+std::string with_lines_after_version(const std::string& text, const std::string& added) {
+    const std::size_t version = text.find("#version");
+    const std::size_t end = version == text.npos ? text.npos : text.find('\n', version);
+    return end == text.npos ? added + text : text.substr(0, end + 1) + added + text.substr(end + 1);
+}
+
 /// Reads the files of one shader.
 class TreeReader {
 public:
     TreeReader(const Look& look, const Pass& pass)
         : m_folder(folder_of(look, pass)),
           m_paths(pass.fragment.file, {m_folder.folder, look.includes}, m_disk),
-          m_lines(lines_by_file(pass.fragment)) {}
+          m_lines(lines_by_file(pass.fragment)),
+          m_added(lines_added_to(pass.fragment)) {}
 
     Result<std::vector<EffectFile>> read(const fs::path& file) {
         if (auto added = add(file); !added)
             return fail(added.error());
+        if (!m_added.empty())
+            m_files.front().text = with_lines_after_version(m_files.front().text, m_added);
         return std::move(m_files);
     }
 
@@ -149,6 +175,7 @@ private:
     ShaderFiles m_disk;
     IncludePaths m_paths;
     StageLines m_lines;
+    std::string m_added;
     std::vector<EffectFile> m_files;
     std::map<fs::path, std::string> m_names;
     std::set<std::string> m_taken;

@@ -16,8 +16,8 @@ struct EffectFile {
 
 /// The author's files of a pass's fragment shader. The first is the shader, the others are its
 /// includes, each once. Their `#include` lines name files of this list. Constants have the values
-/// of the look. For a pass of another program's format this is its translated text without
-/// includes.
+/// of the look, and the macro of its driver is defined. For a pass of another program's format this
+/// is its translated text without includes.
 Result<std::vector<EffectFile>> effect_files(const Look& look, const Pass& pass);
 
 /// One text with all includes of the first file in place.

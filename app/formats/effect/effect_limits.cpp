@@ -42,6 +42,13 @@ std::string obstacle_in(const Pass& pass, const EffectHost& host) {
 }  // namespace
 
 std::string effect_obstacle(const Look& look, const EffectHost& host) {
+    const bool has_beam =
+        std::ranges::any_of(look.passes, [](const Pass& pass) { return is_of_beam(pass.draw); });
+    if (has_beam && look.has_other_driver)
+        return fmt::format(
+            "a beam draws a signal, which {} can't do. Use a source picture (--source or a preset "
+            "with one), --to web or --to portable.",
+            host.name);
     for (const Pass& pass : look.passes)
         if (const std::string found = obstacle_in(pass, host); !found.empty())
             return fmt::format("the pass '{}' {}, which {} can't do. {}", pass.name, found,

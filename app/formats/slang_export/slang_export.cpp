@@ -134,9 +134,9 @@ private:
         if (!files)
             return fail(files.error());
         SlangBlock block(pass, m_parts);
-        const std::string values = value_lines(m_uniforms[index], block, index);
         const std::string joined = joined_text(*files);
         EffectTextRules rules{.declared = m_declared, .words = renamed_built_ins(joined)};
+        const std::string values = value_lines(m_uniforms[index], block, rules.words, index);
         for (const EffectStruct& of : m_uniforms[index].structs)
             rules.values[of.name] = block.value(of);
         const bool has_vertex = has_own_vertex(pass);
@@ -184,9 +184,13 @@ private:
 
     // The samplers, and the values of the other uniforms.
     std::string value_lines(const EffectUniforms& uniforms, SlangBlock& block,
-                            std::size_t index) const {
+                            const WordChanges& words, std::size_t index) const {
         std::string text;
         std::vector<std::string> declared;
+        const auto named = [&](const std::string& name) {
+            const auto word = words.find(name);
+            return word == words.end() ? name : word->second;
+        };
         const auto add_sampler = [&](const std::string& uniform, const std::string& texture) {
             if (std::ranges::find(declared, texture) == declared.end()) {
                 constexpr std::size_t first_binding = 2;
@@ -194,15 +198,15 @@ private:
                                     first_binding + declared.size(), texture);
                 declared.push_back(texture);
             }
-            if (uniform != texture)
-                text += fmt::format("#define {} {}\n", uniform, texture);
+            if (named(uniform) != texture)
+                text += fmt::format("#define {} {}\n", named(uniform), texture);
         };
         for (const Input& input : uniforms.samplers)
             add_sampler(input.uniform, texture_name(input, index));
         for (const std::string& uniform : uniforms.unread)
             add_sampler(uniform, slang_black);
         for (const EffectNumber& number : uniforms.numbers)
-            text += fmt::format("{} {} = {};\n", glsl_name(number.type), number.name,
+            text += fmt::format("{} {} = {};\n", glsl_name(number.type), named(number.name),
                                 block.value(number));
         return text;
     }
