@@ -213,6 +213,7 @@ TEST_CASE("parity: looks exported as presets") {
                                        {"crt", "arcade-cabinet"},
                                        {"shadow-mask", "living-room"},
                                        {"shadow-mask", "dot-triads"},
+                                       {"phosphor", "p31-terminal"},
                                        {"crt+shadow-mask", ""}}) {
         INFO(std::string(look) << " " << std::string(preset));
         RenderRequest request;

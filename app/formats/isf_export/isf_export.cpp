@@ -109,9 +109,13 @@ private:
             return Json::object();
         const Pass& pass = look().passes[target.pass];
         const Extent source = m_request.source;
+        // Mip levels of the source also have room for one of twice the picture's size.
+        const bool is_source = pass.name == m_effect.source_pass;
+        const char* const width = is_source ? "2 * $WIDTH" : "$WIDTH";
+        const char* const height = is_source ? "2 * $HEIGHT" : "$HEIGHT";
         Json json{{"TARGET", target.name},
-                  {"WIDTH", size_text(pass.size[0], "$WIDTH", source.width, target.level)},
-                  {"HEIGHT", size_text(pass.size[1], "$HEIGHT", source.height, target.level)}};
+                  {"WIDTH", size_text(pass.size[0], width, source.width, target.level)},
+                  {"HEIGHT", size_text(pass.size[1], height, source.height, target.level)}};
         if (info_of(pass.format).is_float)
             json["FLOAT"] = true;
         const auto reads_before = [&](const Pass& reader) {
