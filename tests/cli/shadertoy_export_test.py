@@ -73,6 +73,10 @@ class ShadertoyExportTest(ProgramTest):
         self.assertIn("const float signal_x = 5.0;  // @range 1 12", passes["Buffer A"]["code"])
         self.assertEqual(self.parameters(file)["signal_speed"]["default"], 0.3)
 
+    def test_a_sweep_draws_the_same_picture(self):
+        self.assert_same_picture("phosphor", "--signal", "am:points=1000,speed=0.7", "--set", "bloom_kind=Taps",
+                                 source=(), size="128x72")
+
     def test_a_preset_of_another_program_draws_the_same_picture(self):
         slang = self.folder / "crt.slangp"
         self.assert_done(run("export", "crt", "--to", "slang", "-o", slang))

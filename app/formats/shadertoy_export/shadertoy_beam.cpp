@@ -1,53 +1,34 @@
 #include "formats/shadertoy_export/shadertoy_beam.h"
 
-#include "glsl/constants/constants.h"
+#include "formats/shadertoy_export/shadertoy_signal.h"
 #include "glsl/text/include.h"
 #include "glsl/text/interface_statements.h"
 #include "model/plan/parameter_use.h"
 #include "model/plan/plan.h"
-#include "signals/signal_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace {
-constexpr int most_points = 16384;
 constexpr int points_in_box = 64;
 constexpr const char* other_kinds = "Export it with --to web.";
 
-// Phases are in turns. Those at the frame's start are a state of Buffer A, because large times are
-// not exact.
-constexpr const char* lissajous_text = R"(
-// Turns of both sines in 1/60 s.
-vec2 signal_rates() {
-    return vec2(signal_x + signal_speed / 60.0, signal_y);
-}
-
-// The current falls with the speed of the beam, relative to both deflections at their maximum.
-float signal_current(vec2 turns) {
-    vec2 rates = signal_rates();
-    float speed = length(rates * cos(6.28318530718 * turns)) / max(length(rates), 1e-9);
-    return 0.3 + 0.7 * 0.05 / (speed + 0.05);
-}
-
-// x, y and current of a point. `turns`: since time 0.
-vec3 signal_point(vec2 turns) {
-    turns = fract(turns + vec2(signal_phase, 0.0));
-    float current = signal_is_weighted ? signal_current(turns) : 1.0;
-    return vec3(signal_amplitude * sin(6.28318530718 * turns), current);
-}
-)";
-
 constexpr const char* table_text = R"(
-// Texel 0: the phases at the end of the frame. Then boxes around 64 points each, then the points.
+// Texel 0: the state of the signal at the end of the frame. Then boxes around 64 points each, then the points.
+
+// The frame's time in 1/60 s. Whole numbers are exact, so that phases do not drift.
+float frame_time() {{
+    float time = 60.0 * iTimeDelta;
+    return abs(time - round(time)) < 1e-5 ? round(time) : time;
+}}
 
 // Draws point k of the frame. Afterwards xy is the middle of its square, and z half a side, px.
-vec3 drawn_point(int k, vec2 start) {{
+vec3 drawn_point(int k, vec4 start) {{
     float part = float(k + 1) / float({points});
-    vec3 point = signal_point(start + signal_rates() * (60.0 * iTimeDelta * part));
+    vec3 point = signal_point(start, frame_time() * part, frame_time() / float({points}));
     float point_age = iTimeDelta * (1.0 - part);
-    float point_light = point.z * 4096.0 * 60.0 * iTimeDelta / float({points});
+    float point_light = point.z * 4096.0 * frame_time() / float({points});
 {inputs}    draw_pass();
     vec3 place = point_clip.xyz / point_clip.w;
     bool is_seen = all(lessThanEqual(abs(place), vec3(1.0)));
@@ -56,7 +37,7 @@ vec3 drawn_point(int k, vec2 start) {{
     return vec3(square.xy, is_seen ? 0.5 * square.z : -1.0);
 }}
 
-vec4 drawn_box(int box, vec2 start) {{
+vec4 drawn_box(int box, vec4 start) {{
     vec4 bounds = vec4(1e9, 1e9, -1e9, -1e9);
     for (int i = 0; i < {in_box}; ++i) {{
         vec3 square = drawn_point(min({in_box} * box + i, {points} - 1), start);
@@ -68,11 +49,11 @@ vec4 drawn_box(int box, vec2 start) {{
 
 void mainImage(out vec4 shadertoy_color, in vec2 shadertoy_place) {{
     int texel = int(shadertoy_place.x) + int(shadertoy_place.y) * int(iResolution.x);
-    vec2 start = iFrame == 0 ? vec2(0.0) : texelFetch(iChannel0, ivec2(0), 0).xy;
+    vec4 start = iFrame == 0 ? vec4(0.0) : texelFetch(iChannel0, ivec2(0), 0);
 {settings}    int first = {boxes} + 1;
     shadertoy_color = vec4(0.0);
     if (texel == 0) {{
-        shadertoy_color.xy = fract(start + signal_rates() * (60.0 * iTimeDelta));
+        shadertoy_color = signal_state(start, frame_time());
     }} else if (texel < first) {{
         shadertoy_color = drawn_box(texel - 1, start);
     }} else if (texel < first + {points} * {texels}) {{
@@ -129,45 +110,6 @@ int texels_of(const std::vector<ShadertoyPassedValue>& passed) {
     for (const ShadertoyPassedValue& value : passed)
         count += components_of(value.type);
     return (count + 3) / 4;
-}
-
-Result<std::string> refusal(const std::string& what) {
-    return fail({{}, 0, what + " " + other_kinds});
-}
-
-std::string signal_constant(const SettingInfo& info, double value) {
-    std::string text =
-        fmt::format("const float signal_{} = {};  // @range {} {} @label \"{}\"", info.key,
-                    glsl_number({}, value), format_number(std::min(info.low, value)),
-                    format_number(std::max(info.high, value)), info.label);
-    if (!info.unit.empty())
-        text += fmt::format(" @unit \"{}\"", info.unit);
-    return text + " @group \"Signal\"\n    // @help \"" + info.help + "\"\n";
-}
-
-// The signal as GLSL. The error is why it can't be one.
-Result<std::string> signal_text(const Spec& signal, int& points) {
-    if (signal.kind != "lissajous")
-        return refusal(
-            fmt::format("the signal '{}' isn't a formula that Shadertoy can draw: only "
-                        "lissajous is.",
-                        signal.kind));
-    points = static_cast<int>(std::get<double>(signal.settings.at("points")));
-    if (points > most_points)
-        return refusal(
-            fmt::format("the signal has {} points. Shadertoy can draw {} of them: set "
-                        "its points.",
-                        points, most_points));
-    std::string text;
-    for (const SettingInfo& info : find_kind(signal.kind)->settings)
-        if (info.type == SettingType::number && info.key != "points")
-            text += signal_constant(info, std::get<double>(signal.settings.at(info.key)));
-    const bool is_weighted = std::get<std::string>(signal.settings.at("weighting")) == "speed";
-    text += fmt::format(
-        "const bool signal_is_weighted = {};  // @label \"Weighting by speed\" @group "
-        "\"Signal\"\n",
-        is_weighted);
-    return text + lissajous_text;
 }
 
 // A pyramid of pictures becomes a blur tap by tap.
@@ -227,10 +169,11 @@ Result<BeamlessLook> without_beam(const EffectRequest& request) {
             return input.from == Input::From::pass &&
                    std::ranges::find(idle, input.name) != idle.end();
         });
-    auto signal = signal_text(*request.signal, beam.points);
+    auto signal = shadertoy_signal(*request.signal);
     if (!signal)
         return fail(signal.error());
-    beam.signal = std::move(*signal);
+    beam.points = signal->points;
+    beam.signal = std::move(signal->text);
     const auto passed = shadertoy_passed_values(beam.pass);
     if (!passed)
         return fail(passed.error());

@@ -66,7 +66,7 @@ std::vector<ExportTarget> shader_targets() {
          .help = "one .json file with up to four buffers and an image, for Shadertoy and its "
                  "players",
          .keeps = {"looks that process a picture, with up to four buffers",
-                   "Phosphor with a Lissajous figure",
+                   "Phosphor with Lissajous figures, harmonics, AM and FM",
                    "all parameters, as constants with annotations", "the author's shader text"},
          .losses = shadertoy_losses,
          .write = export_shadertoy,
