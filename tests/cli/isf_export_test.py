@@ -53,6 +53,10 @@ class IsfExportTest(ProgramTest):
         self.assert_same_picture("shadow-mask", "--preset", "dot-triads")
         self.assert_same_picture("shadow-mask+crt", "--set", "crt/aberration=3")
 
+    def test_a_tube_keeps_its_afterglow(self):  # reads the previous frame in a later pass
+        self.assert_same_picture("phosphor", "--preset", "long-green")
+        self.assert_same_picture("phosphor", "--set", "bloom_kind=Taps", "--set", "one_color=on")  # gathers
+
     def test_the_source_can_be_larger_than_the_picture(self):
         self.assert_same_picture("shadow-mask", "--preset", "studio-grille", size="128x96")
 
@@ -89,6 +93,8 @@ class IsfExportTest(ProgramTest):
     def test_what_isf_lacks_is_refused_before_anything_is_written(self):
         file = self.folder / "a.fs"
         self.assert_refused(run("export", "vector-beam", "--to", "isf", "-o", file), "draws a beam", "--to web")
+        self.assert_refused(run("export", "phosphor", "--source", "pattern:harbour", "--to", "isf", "-o", file),
+                            "more than 16 textures", "--to slang")  # blurs by a pyramid
         self.assert_refused(run("export", "crt", "--to", "isf", "-o", self.folder / "a.txt"), ".fs")
         self.assertEqual(list(self.folder.iterdir()), [])
 

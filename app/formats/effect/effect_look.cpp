@@ -117,6 +117,8 @@ public:
         for (const std::size_t i : m_kept)
             add(i);
         add_screen();
+        if (m_host.has_feedback && !m_host.keeps_previous)
+            copy_previous();
         if (m_host.samples_per_texture)
             separate_samplers();
         move_bindings();
@@ -251,6 +253,38 @@ private:
         m_effect.look.output = Encoding::display;
     }
 
+    // A picture of the previous frame is copied before its pass replaces it.
+    void copy_previous() {
+        std::vector<Pass>& passes = m_effect.look.passes;
+        for (std::size_t i = 0; i < passes.size(); ++i) {
+            std::vector<Input*> readers;
+            for (std::size_t later = i + 1; later < passes.size(); ++later)
+                for (Input& input : passes[later].inputs)
+                    if (input.from == Input::From::pass && input.name == passes[i].name &&
+                        input.frames_ago > 0)
+                        readers.push_back(&input);
+            if (readers.empty())
+                continue;
+            Pass copy = copy_of(passes[i], {.filter = Filter::nearest});
+            copy.inputs.front().frames_ago = 1;
+            for (Input* input : readers) {
+                input->name = copy.name;
+                input->frames_ago = 0;
+            }
+            passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(i), std::move(copy));
+            ++i;
+        }
+    }
+
+    Pass copy_of(const Pass& pass, const Sampler& sampler) {
+        Pass copy =
+            copy_pass(m_given.add(pass.name), Encoding::linear, Encoding::linear,
+                      Copied::texel_by_texel, {{}, Input::From::pass, pass.name, 0, sampler});
+        copy.format = pass.format;
+        copy.size = pass.size;
+        return copy;
+    }
+
     // Readers with another sampler than the first get a copy.
     void separate_samplers() {
         std::vector<Pass>& passes = m_effect.look.passes;
@@ -262,11 +296,7 @@ private:
             std::erase_if(readers, [&](const Input* input) { return input->sampler == first; });
             if (readers.empty())
                 continue;
-            Pass copy = copy_pass(m_given.add(passes[i].name), Encoding::linear, Encoding::linear,
-                                  Copied::texel_by_texel,
-                                  {{}, Input::From::pass, passes[i].name, 0, first});
-            copy.format = passes[i].format;
-            copy.size = passes[i].size;
+            Pass copy = copy_of(passes[i], first);
             for (Input* input : readers)
                 input->name = copy.name;  // its readers are separated next
             passes.insert(passes.begin() + static_cast<std::ptrdiff_t>(i) + 1, std::move(copy));

@@ -15,6 +15,7 @@ struct EffectHost {
     bool has_mipmaps = true;              // of targets
     bool has_feedback = true;             // a pass can read pictures of the previous frame
     int most_frames_ago = 1;              // of such pictures
+    bool keeps_previous = true;           // ... also after the pass is drawn again
     bool has_integers = true;             // targets with integer texels
     bool has_images = true;               // picture files of the look
     bool turns_last_pass = false;         // the writer turns the rows of the last pass

@@ -13,10 +13,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 std::set<std::string, std::less<>> reserved_names() {
-    return {"inputImage", "source_size", "texel_middle", "bordered",
-            "image_read", "image_size",  "source_texel", "image_lod",
-            "image_at",   "image_fetch", "last_level",   "display_to_linear",
-            "TIME",       "DATE",        "PASSINDEX",    "RENDERSIZE"};
+    return {"inputImage",   "source_size",  "texel_middle",      "bordered", "image_read",
+            "image_size",   "source_texel", "image_lod",         "image_at", "image_fetch",
+            "image_gather", "last_level",   "display_to_linear", "TIME",     "DATE",
+            "PASSINDEX",    "RENDERSIZE"};
 }
 
 // An expression of the picture's length `whole`, for a mip level. What has the length of the source
@@ -75,6 +75,8 @@ private:
             shared.globals.insert(name);
         for (const auto& [parameter, control] : m_controls)
             shared.globals.insert(control.names.begin(), control.names.end());
+        for (const IsfImages::Target& target : m_images.targets())
+            shared.globals.insert(target.name);
         for (std::size_t i = 0; i < look().passes.size(); ++i) {
             if (look().passes[i].name == m_effect.source_pass) {
                 m_entries.emplace_back();  // the source is decoded where it is read
@@ -178,8 +180,10 @@ private:
 }  // namespace
 
 const EffectHost& isf_host() {
-    static const EffectHost host{
-        .name = "ISF", .rows = RowOrder::bottom_first, .has_integers = false};
+    static const EffectHost host{.name = "ISF",
+                                 .rows = RowOrder::bottom_first,
+                                 .keeps_previous = false,
+                                 .has_integers = false};
     return host;
 }
 

@@ -73,6 +73,16 @@ vec4 image_at(int image, vec2 at) {
 vec4 image_fetch(int image, ivec2 texel, int level) {
     return image_read(image, (vec2(texel) + 0.5) / vec2(image_size(image, level)), level);
 }
+
+vec4 image_gather(int image, vec2 at, int component) {
+    ivec2 corner = ivec2(floor(at * vec2(image_size(image, 0)) - 0.5));
+    return vec4(image_fetch(image, corner + ivec2(0, 1), 0)[component],
+                image_fetch(image, corner + ivec2(1, 1), 0)[component],
+                image_fetch(image, corner + ivec2(1, 0), 0)[component],
+                image_fetch(image, corner, 0)[component]);
+}
+
+vec4 image_gather(int image, vec2 at) { return image_gather(image, at, 0); }
 )";
 
 // The picture that the host gives.
@@ -273,20 +283,9 @@ std::string IsfImages::level_text(const Target& target) const {
 }
 
 std::string IsfImages::obstacle() const {
-    for (const Image& image : m_images) {
+    for (const Image& image : m_images)
         if (image.input.sampler.wrap == Wrap::repeat || image.input.sampler.wrap == Wrap::mirror)
             return "a picture is repeated beyond its edges";
-        if (image.input.frames_ago == 0 || image.input.from != Input::From::pass)
-            continue;
-        const auto drawn = find_pass(m_look, image.input.name);
-        for (std::size_t i = 0; drawn && i < m_look.passes.size(); ++i)
-            for (const Input& input : m_look.passes[i].inputs)
-                if (is_same_picture(input, image.input) && static_cast<int>(i) > *drawn)
-                    return fmt::format(
-                        "the pass '{}' reads what an earlier pass drew in the "
-                        "previous frame",
-                        m_look.passes[i].name);
-    }
     for (const Pass& pass : m_look.passes)
         for (const Side& side : pass.size)
             if (side.by == Side::By::source && side.factor != 1.0)

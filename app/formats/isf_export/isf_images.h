@@ -30,7 +30,8 @@ public:
     std::string size_of(const std::string& pass, int level = 0) const;
     /// The size of what a pass draws as GLSL, while it is drawn.
     std::string drawn_size(const std::string& pass, int level = 0) const;
-    /// Functions that read pictures: image_at(), image_lod(), image_fetch(), image_size().
+    /// Functions that read pictures: image_at(), image_lod(), image_fetch(), image_gather(),
+    /// image_size().
     std::string functions() const;
     /// The GLSL that draws a mip level, with the result in `vec4`.
     std::string level_text(const Target& target) const;

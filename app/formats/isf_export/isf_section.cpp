@@ -22,13 +22,14 @@ constexpr auto sampling =
     std::to_array<std::pair<std::string_view, std::string_view>>({{"texture", "image_at"},
                                                                   {"textureLod", "image_lod"},
                                                                   {"texelFetch", "image_fetch"},
+                                                                  {"textureGather", "image_gather"},
                                                                   {"textureSize", "image_size"},
                                                                   {"sampler2D", "int"}});
 
 constexpr auto refused = std::to_array<std::string_view>(
-    {"textureGather", "textureOffset", "textureLodOffset", "texelFetchOffset", "textureGrad",
-     "textureProj", "textureProjLod", "textureQueryLod", "textureQueryLevels", "samplerCube",
-     "isampler2D", "usampler2D", "sampler3D"});
+    {"textureGatherOffset", "textureGatherOffsets", "textureOffset", "textureLodOffset",
+     "texelFetchOffset", "textureGrad", "textureProj", "textureProjLod", "textureQueryLod",
+     "textureQueryLevels", "samplerCube", "isampler2D", "usampler2D", "sampler3D"});
 
 /// What programs with ISF shaders give to a pass.
 class IsfValues final : public HostValues {
@@ -51,9 +52,10 @@ public:
         return {m_images.size_of(input.from == Input::From::pass ? input.name : std::string())};
     }
     std::string frames_before() override { return "FRAMEINDEX"; }
-    std::string time() override { return "(TIME + TIMEDELTA)"; }
+    std::string time() override { return fmt::format("(TIME + {})", time_delta()); }
     std::string time_before() override { return "TIME"; }
-    std::string time_delta() override { return "TIMEDELTA"; }
+    // TIMEDELTA is 0 in the first frame.
+    std::string time_delta() override { return "(TIMEDELTA > 0.0 ? TIMEDELTA : 1.0 / 60.0)"; }
     std::string date() override { return "DATE"; }
 
 private:
@@ -113,8 +115,16 @@ private:
             const bool is_free =
                 m_shared.globals.insert(wanted).second && !wanted.starts_with("isf_");
             if (!is_free)
-                m_rules.words[name] = m_pass.name + "_" + wanted;
+                m_rules.words[name] = own_name(wanted);
         }
+    }
+
+    // A free name that begins with the pass.
+    std::string own_name(const std::string& name) {
+        std::string own = m_pass.name + "_" + name;
+        while (!m_shared.globals.insert(own).second)
+            own += "_2";
+        return own;
     }
 
     std::string named(const std::string& name) const {
@@ -136,7 +146,8 @@ private:
         }
     }
 
-    // A parameter of the host, a constant, or a variable that the entry sets.
+    // A parameter of the host, a variable with a fixed value, or one that the entry sets. It is not
+    // constant, because compilers check constant indices even where they are not used.
     void add_value(const EffectNumber& number) {
         const auto* parameter = std::get_if<const Parameter*>(&number.setter);
         const IsfControl* control = parameter ? control_of(**parameter) : nullptr;
@@ -145,10 +156,10 @@ private:
             return;
         }
         const std::string type = glsl_name(number.type);
-        const std::string name = m_pass.name + "_" + named(number.name);
+        const std::string name = own_name(named(number.name));
         m_rules.words[number.name] = name;
         if (std::holds_alternative<Value>(number.setter)) {
-            m_head += fmt::format("const {} {} = {};\n", type, name, value_of(number));
+            m_head += fmt::format("{} {} = {};\n", type, name, value_of(number));
             return;
         }
         m_head += fmt::format("{} {};\n", type, name);
@@ -179,7 +190,7 @@ private:
     void add_images() {
         const auto add = [&](const std::string& uniform, std::size_t number) {
             m_rules.declared.insert(uniform);
-            const std::string name = m_pass.name + "_" + uniform;
+            const std::string name = own_name(uniform);
             m_rules.words[uniform] = name;
             m_head += fmt::format("const int {} = {};\n", name, number);
         };

@@ -16,7 +16,7 @@ struct IsfShared {
     const Look& author;  // as written
     const IsfImages& images;
     const std::map<std::string, IsfControl>& controls;  // by name of the parameter
-    std::set<std::string> globals = {};                 // names that earlier sections declare
+    std::set<std::string> globals = {};                 // names that are declared already
 };
 
 /// A pass of an ISF file.

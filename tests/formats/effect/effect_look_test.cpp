@@ -69,6 +69,22 @@ TEST_CASE("a texture with two samplers gets a copy for the second") {
     CHECK(effect->look.passes[4].inputs[0].name == "first_pass_2");
 }
 
+TEST_CASE("a previous picture is copied for later passes if the host does not keep it") {
+    Look look = chain();
+    look.passes[0].inputs.push_back({"before", Input::From::pass, "first pass", 1, {}});
+    look.passes[1].inputs.push_back({"before", Input::From::pass, "first pass", 1, {}});
+    constexpr EffectHost forgetful{.name = "Host", .keeps_previous = false};
+    const auto effect = effect_of(look, {}, {64, 32}, {32, 16}, forgetful);
+    REQUIRE(effect.has_value());
+    const std::vector<Pass>& passes = effect->look.passes;
+    CHECK(names_of(effect->look) ==
+          std::vector<std::string>{"source", "first_pass_2", "first_pass", "last", "screen"});
+    CHECK(passes[1].inputs[0].reference() == "first_pass@1");  // before it is drawn again
+    CHECK(passes[2].inputs[1].reference() == "first_pass@1");
+    CHECK(passes[3].inputs[0].reference() == "first_pass");
+    CHECK(passes[3].inputs[1].reference() == "first_pass_2");
+}
+
 TEST_CASE("sizes by expressions become a part of the viewport or a number of pixels") {
     Look look = chain();
     look.passes[0].size = {Side{Side::By::expression, 1.0, "$WIDTH / 4"},
@@ -86,6 +102,10 @@ TEST_CASE("what a host can't draw is refused with the pass, the reason and an al
         refusal(look) ==
         "the pass 'first pass' draws a beam, which Host can't do. Export it with --to web or --to "
         "portable.");
+    look.has_other_driver = true;
+    CHECK(refusal(look) ==
+          "a beam draws a signal, which Host can't do. Use a source picture (--source or a preset "
+          "with one), --to web or --to portable.");
     look = chain();
     look.passes[0].accumulate = true;
     CHECK(refusal(look).find("accumulates samples") != std::string::npos);
