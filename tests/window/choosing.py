@@ -83,6 +83,29 @@ class Choosing(Person):
         program.key(*["ctrl+z"] * 3)
         program.wait("undo restores the look", lambda s: s["look"] == "phosphor" and not s["is_loading"])
 
+    def test_a_picture_drives_phosphor_and_then_a_signal_again(self):
+        program = self.program
+
+        def by_picture(state):
+            return state["driving_source"] == "pattern:terminal" and "picture_gain" in state["values"]
+
+        def by_signal(state):
+            return state["signal"].startswith("lissajous:") and "beam_width" in state["values"]
+
+        self.assertTrue(by_signal(program.state()))
+        program.click("preset:p31-terminal")
+        program.wait("the picture drives Phosphor", lambda s: by_picture(s) and s["frame"] > 10 and
+                     not s["is_loading"])
+        program.click("source")
+        program.place("use_signal")
+        self.snapshot("picture_driven")
+        program.click("use_signal")
+        program.wait("the signal drives Phosphor", lambda s: by_signal(s) and s["undo"] == "Use a signal")
+        self.ask("driven source", "Driven by: Source picture")
+        program.wait("the picture drives it again", lambda s: by_picture(s) and s["values"]["tube"] == [9])  # P31
+        program.key(*["ctrl+z"] * 3)
+        program.wait("undo restores signal and values", lambda s: by_signal(s) and s["values"]["tube"] == [0])
+
     def test_every_menu_and_all_that_asks_in_a_window_of_its_own_opens(self):
         program = self.program
         program.click("preset:overdriven")
