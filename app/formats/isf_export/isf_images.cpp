@@ -51,7 +51,9 @@ vec4 {reader}(vec2 at) {{
 
 )";
 
-// GLSL's functions for samplers, with numbers instead.
+// GLSL's functions for samplers, with numbers instead. The mip level is chosen as in Mesa's software
+// renderer: both derivatives are those of one pixel of the four, and the logarithm of the square is
+// linear between powers of 2.
 constexpr const char* sampling_functions = R"(
 vec4 image_lod(int image, vec2 at, float level) {
     float near = clamp(level, 0.0, last_level(image));
@@ -63,11 +65,15 @@ vec4 image_lod(int image, vec2 at, float level) {
 vec4 image_at(int image, vec2 at) {
     if (last_level(image) == 0.0)
         return image_read(image, at, 0);
-    vec2 size = vec2(image_size(image, 0));
-    vec2 across = dFdx(at) * size;
-    vec2 up = dFdy(at) * size;
-    float longest = max(max(dot(across, across), dot(up, up)), 1e-30);
-    return image_lod(image, at, 0.5 * log2(longest));
+    vec2 place = at * vec2(image_size(image, 0));
+    vec2 odd = vec2(ivec2(gl_FragCoord.xy) & 1);
+    vec2 across = dFdx(place);
+    vec2 up = dFdy(place);
+    across -= odd.y * dFdy(across);
+    up -= odd.x * dFdx(up);
+    float square = max(max(dot(across, across), dot(up, up)), 1e-30);
+    float whole = floor(log2(square));
+    return image_lod(image, at, 0.5 * (whole + square * exp2(-whole) - 1.0));
 }
 
 vec4 image_fetch(int image, ivec2 texel, int level) {
