@@ -36,6 +36,7 @@ def cases(program):
     found = [(f"{look} {stem}", [look, "--preset", stem], "640x360", False)
              for look in LOOKS for stem in program.presets(look)]
     found += [(f"{look}, {size}", [look], size, False) for look in LOOKS + STACKS for size in ("640x360", "173x101")]
+    found.append(("phosphor p31-terminal", ["phosphor", "--preset", "p31-terminal"], "640x360", False))
     corpus = os.environ.get("AFTERGLOW_SLANG_DIR", "")
     if not corpus:
         print("  skipped: AFTERGLOW_SLANG_DIR does not name a copy of libretro's slang-shaders")

@@ -18,6 +18,7 @@ def cases(program):
     found = [(f"{look} {stem}", [look, "--preset", stem], "640x360", False)
              for look in LOOKS for stem in program.presets(look)]
     found += [(look, [look], "640x360", False) for look in LOOKS + STACKS]
+    found.append(("phosphor p31-terminal", ["phosphor", "--preset", "p31-terminal"], "640x360", False))
     corpus = os.environ.get("AFTERGLOW_SLANG_DIR", "")
     if not corpus:
         print("  skipped: AFTERGLOW_SLANG_DIR does not name a copy of libretro's slang-shaders")
