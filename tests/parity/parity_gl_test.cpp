@@ -215,7 +215,8 @@ TEST_CASE("parity: looks exported as presets") {
                                        {"shadow-mask", "dot-triads"},
                                        {"phosphor", "p31-terminal"},
                                        {"crt+shadow-mask", ""}}) {
-        INFO(std::string(look) << " " << std::string(preset));
+        const std::string name = fmt::format("{} {}", look, preset);
+        INFO(name);
         RenderRequest request;
         request.look = look;
         request.preset = preset;

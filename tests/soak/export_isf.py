@@ -1,6 +1,8 @@
-"""Exports ISF files as RetroArch presets, these as ISF files again, and compares their pictures with the first ones."""
+"""Exports looks as ISF files, and ISF files as RetroArch presets and back, and compares the pictures."""
 
 import os
+
+from export_mpv import LOOKS, STACKS
 
 # Effects with all types of inputs, several passes, buffers of the last frame, and pictures of other sizes.
 FILES = """Boxinator|Chroma Zoom|Circle Open|Comet Tails|CrossZoom|Dilate|Directional Warp|Edge Trace|Exposure Adjust|
@@ -12,20 +14,31 @@ SIZE = "480x320"
 
 def missing():
     """Why nothing can be drawn, or ""."""
-    return "" if os.environ.get("AFTERGLOW_ISF_DIR") else "AFTERGLOW_ISF_DIR does not name a copy of Vidvox's ISF-Files"
+    return ""
 
 
-def cases(_program):
+def cases(program):
     """(name, options of the look, size of the picture, whether it must be refused) of each case."""
-    folder = os.environ["AFTERGLOW_ISF_DIR"]
-    return [(name, [f"{folder}/ISF/{name}.fs"], SIZE, False) for name in FILES]
+    found = [(f"{look} {stem}", [look, "--preset", stem], SIZE, False)
+             for look in LOOKS for stem in program.presets(look)]
+    found += [(look, [look], SIZE, False) for look in LOOKS + STACKS]
+    found += [(f"phosphor {name}", ["phosphor", *options], SIZE, False)
+              for name, options in (("long-green", ["--preset", "long-green"]),
+                                    ("gather", ["--set", "bloom_kind=Taps", "--set", "one_color=on"]))]
+    corpus = os.environ.get("AFTERGLOW_ISF_DIR", "")
+    if not corpus:
+        print("  skipped: AFTERGLOW_ISF_DIR does not name a copy of Vidvox's ISF-Files")
+        return found
+    return found + [(name, [f"{corpus}/ISF/{name}.fs"], SIZE, False) for name in FILES]
 
 
 def draw(program, options, size, folder):
     """"refused: ...", "wrong: ...", or the difference as text."""
     content = ["--source", "pattern:harbour", "--size", size]
     preset, file = folder / "look.slangp", folder / "look.fs"
-    for look, target, written in ((options, "slang", preset), ([preset], "isf", file)):
+    is_foreign = options[0].endswith(".fs")
+    steps = [(options, "slang", preset), ([preset], "isf", file)] if is_foreign else [(options, "isf", file)]
+    for look, target, written in steps:
         exported = program.run("export", *look, *content, "--to", target, "-o", written)
         if exported.returncode:
             return "refused: " + exported.stderr.strip()

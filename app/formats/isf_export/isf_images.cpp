@@ -51,9 +51,9 @@ vec4 {reader}(vec2 at) {{
 
 )";
 
-// GLSL's functions for samplers, with numbers instead. The mip level is chosen as in Mesa's software
-// renderer: both derivatives are those of one pixel of the four, and the logarithm of the square is
-// linear between powers of 2.
+// GLSL's functions for samplers, with numbers instead. The mip level is chosen as in Mesa's
+// software renderer: both derivatives are those of one pixel of the four, and the logarithm of the
+// square is linear between powers of 2.
 constexpr const char* sampling_functions = R"(
 vec4 image_lod(int image, vec2 at, float level) {
     float near = clamp(level, 0.0, last_level(image));
@@ -173,7 +173,7 @@ std::string IsfImages::limited_size(const std::string& pass, int level,
         return whole;
     const std::array<Side, 2>& size =
         m_look.passes[static_cast<std::size_t>(*find_pass(m_look, pass))].size;
-    const std::string limited = fmt::format("source_size({}, {})", level, whole);
+    std::string limited = fmt::format("source_size({}, {})", level, whole);
     if (size[0].by == size[1].by)
         return limited;
     return size[0].by == Side::By::source ? fmt::format("vec2({}.x, {}.y)", limited, whole)

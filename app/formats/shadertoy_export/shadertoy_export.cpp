@@ -189,7 +189,8 @@ private:
                                          fmt::format("// Pass {}.\n", pass.name) + *code,
                                          images.channels()});
         }
-        std::ranges::rotate(m_document.passes, m_document.passes.end() - 1);  // the image is first
+        std::rotate(m_document.passes.begin(), m_document.passes.end() - 1,
+                    m_document.passes.end());  // the image is first
         return {};
     }
 

@@ -77,7 +77,7 @@ std::string wrap_text(Wrap wrap) {
 }
 
 std::string side_of_size(const Side& side, const char* axis, const std::string& picture) {
-    const std::string factor = glsl_number({}, side.factor);
+    std::string factor = glsl_number({}, side.factor);
     if (side.by != Side::By::viewport && side.by != Side::By::source)
         return factor;
     const std::string whole =

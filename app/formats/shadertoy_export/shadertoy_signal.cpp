@@ -1,5 +1,6 @@
 #include "formats/shadertoy_export/shadertoy_signal.h"
 
+#include "base/text.h"
 #include "glsl/constants/constants.h"
 #include "signals/signal_table.h"
 
