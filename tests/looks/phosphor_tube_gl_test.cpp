@@ -4,6 +4,7 @@
 #include "model/look/color.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <numeric>
