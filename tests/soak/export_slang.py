@@ -5,7 +5,8 @@ import os
 from export_mpv import LOOKS, PRESETS, STACKS
 
 # Presets that read pictures from more than one frame ago.
-REFUSED = ["crt/crt-yah", "motionblur/response-time"]
+REFUSED = ["motionblur/response-time"]
+FRAME = "16"
 
 
 def missing():
@@ -30,9 +31,13 @@ def cases(program):
 
 def draw(program, options, size, folder):
     """"refused: ...", "wrong: ...", or the difference as text."""
-    done = program.run("export", *options, "--source", "pattern:harbour", "--size", size, "--to", "slang", "-o",
-                       folder / "look.slangp", "--verify")
-    if done.stderr:
-        return "refused: " + done.stderr.strip()
-    result = done.stdout.strip().splitlines()[-1]
-    return result.replace("verified: ", "") if done.returncode == 0 else "wrong: " + result
+    content = ["--source", f"{program.source_picture(folder)},fit=stretch,prescaled=1", "--size", size]
+    preset = folder / "look.slangp"
+    exported = program.run("export", *options, *content, "--to", "slang", "-o", preset)
+    if exported.returncode:
+        return "refused: " + exported.stderr.strip()
+    for look, picture in ((options, "before.png"), ([preset], "after.png")):
+        rendering = program.run("render", *look, *content, "--frames", FRAME, "-o", folder / picture)
+        if rendering.returncode:
+            return "wrong: " + rendering.stderr.strip()
+    return program.difference(folder / "before.png", folder / "after.png")
