@@ -1,10 +1,10 @@
-"""Stubs of programs that load shaders while they run."""
+"""Small servers in place of programs that load shaders while they run."""
 import json
 import socket
 import threading
 
 
-class RetroArchStub:
+class RetroArchServer:
     """Answers VERSION, and keeps the presets of SET_SHADER with their text."""
 
     def __init__(self):
@@ -31,7 +31,7 @@ class RetroArchStub:
         self._socket.close()
 
 
-class MpvStub:
+class MpvServer:
     """The list of user shaders behind the JSON socket of mpv. Sends an event before each answer."""
 
     def __init__(self, path, shaders):

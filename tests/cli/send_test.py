@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Looks sent to running programs, which are stubs: RetroArch and mpv.
+"""Looks sent to running programs. Small servers take the place of RetroArch and mpv.
 
 send_test.py PROGRAM
 """
@@ -10,7 +10,7 @@ import unittest
 from pathlib import Path
 
 from program import ProgramTest, main, run
-from running_programs import MpvStub, RetroArchStub
+from running_programs import MpvServer, RetroArchServer
 
 
 class SendTest(ProgramTest):
@@ -19,7 +19,7 @@ class SendTest(ProgramTest):
         os.environ["XDG_CACHE_HOME"] = str(self.folder / "cache")
 
     def test_retroarch_loads_a_preset(self):
-        retroarch = RetroArchStub()
+        retroarch = RetroArchServer()
         self.addCleanup(retroarch.close)
         result = run("export", "crt", "--to", "slang", "--send", retroarch.port)
         self.assert_done(result)
@@ -34,7 +34,7 @@ class SendTest(ProgramTest):
         self.assert_done(run("check", path))
 
     def test_mpv_gets_a_shader_beside_its_own(self):
-        mpv = MpvStub(self.folder / "mpv", ["/home/me/sharpen.glsl"])
+        mpv = MpvServer(self.folder / "mpv", ["/home/me/sharpen.glsl"])
         self.addCleanup(mpv.close)
         sent = []
         for brightness in ("1", "2", "3", "4"):

@@ -13,7 +13,7 @@ from pathlib import Path
 from person import PICTURE, Person
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "cli"))
-from running_programs import MpvStub  # noqa: E402
+from running_programs import MpvServer  # noqa: E402
 
 
 class Exporting(Person):
@@ -179,7 +179,7 @@ class Exporting(Person):
         program = self.program
         program.click("look:crt")
         program.wait("the look is open", lambda s: s["look"] == "crt")
-        mpv = MpvStub(program.folder / "mpv", ["own.glsl"])
+        mpv = MpvServer(program.folder / "mpv", ["own.glsl"])
         self.addCleanup(mpv.close)
         program.choose("File", "Send to mpv…")
         self.fill(send_address=str(program.folder / "wrong"))

@@ -145,6 +145,11 @@ std::string effect_text(std::string_view text, const EffectTextRules& rules) {
     return edited(text, edits_of(text, rules));
 }
 
+std::string renamed_word(const WordChanges& words, const std::string& word) {
+    const auto change = words.find(word);
+    return change == words.end() ? word : change->second;
+}
+
 WordChanges renamed_built_ins(std::string_view text) {
     static const std::vector<std::string> functions =
         find_built_in_names({.version = 450, .is_vulkan = true}).functions;

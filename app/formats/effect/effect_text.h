@@ -32,6 +32,9 @@ struct EffectTextRules {
 /// blanked out. Lines stay in place.
 std::string effect_text(std::string_view text, const EffectTextRules& rules);
 
+/// The new name of a word.
+std::string renamed_word(const WordChanges& words, const std::string& word);
+
 /// New names for what a text declares under the name of a function of GLSL, which not all compilers
 /// allow, or with the prefix "afterglow_", which exports use.
 WordChanges renamed_built_ins(std::string_view text);

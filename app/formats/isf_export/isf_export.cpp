@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "formats/effect/effect_pictures.h"
+#include "formats/effect/shader_functions.h"
 #include "formats/isf_export/isf_section.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ std::set<std::string, std::less<>> reserved_names() {
     return {"inputImage",   "source_size",  "texel_middle",      "bordered", "image_read",
             "image_size",   "source_texel", "image_lod",         "image_at", "image_fetch",
             "image_gather", "last_level",   "display_to_linear", "TIME",     "DATE",
-            "PASSINDEX",    "RENDERSIZE"};
+            "PASSINDEX",    "RENDERSIZE",   "level_at"};
 }
 
 // An expression of the picture's length `whole`, for a mip level. What has the length of the source
@@ -50,7 +51,7 @@ public:
             return fail(added.error());
         m_output.texts[m_request.name + ".fs"] =
             header() + notice_comment(m_request.look, m_request.notices) + "\n" +
-            isf_color_function() + m_images.functions() + "\n" + m_sections + main_text();
+            decoding_function + m_images.functions() + "\n" + m_sections + main_text();
         return std::move(m_output);
     }
 

@@ -1,5 +1,7 @@
 #include "formats/isf_export/isf_images.h"
 
+#include "formats/effect/shader_functions.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,15 +15,6 @@ constexpr const char* source_image = "inputImage";
 // What image_read() uses.
 constexpr const char* reading_helpers = R"(
 vec2 texel_middle(vec2 at, vec2 size) { return (floor(at * size) + 0.5) / size; }
-
-// Transparent black beyond the edges.
-vec4 bordered(vec4 read, vec2 at, vec2 size, bool is_smooth) {
-    vec2 place = at * size;
-    vec2 inside = is_smooth ? clamp(place + 0.5, 0.0, 1.0) * clamp(size - place + 0.5, 0.0, 1.0)
-                            : step(vec2(0.0), place) * step(place, size);
-    return read * inside.x * inside.y;
-}
-
 )";
 
 // The source keeps its size on each level, but no level is larger than its target.
@@ -51,9 +44,7 @@ vec4 {reader}(vec2 at) {{
 
 )";
 
-// GLSL's functions for samplers, with numbers instead. The mip level is chosen as in Mesa's
-// software renderer: both derivatives are those of one pixel of the four, and the logarithm of the
-// square is linear between powers of 2.
+// GLSL's functions for samplers, with numbers instead.
 constexpr const char* sampling_functions = R"(
 vec4 image_lod(int image, vec2 at, float level) {
     float near = clamp(level, 0.0, last_level(image));
@@ -65,15 +56,7 @@ vec4 image_lod(int image, vec2 at, float level) {
 vec4 image_at(int image, vec2 at) {
     if (last_level(image) == 0.0)
         return image_read(image, at, 0);
-    vec2 place = at * vec2(image_size(image, 0));
-    vec2 odd = vec2(ivec2(gl_FragCoord.xy) & 1);
-    vec2 across = dFdx(place);
-    vec2 up = dFdy(place);
-    across -= odd.y * dFdy(across);
-    up -= odd.x * dFdx(up);
-    float square = max(max(dot(across, across), dot(up, up)), 1e-30);
-    float whole = floor(log2(square));
-    return image_lod(image, at, 0.5 * (whole + square * exp2(-whole) - 1.0));
+    return image_lod(image, at, level_at(at * vec2(image_size(image, 0))));
 }
 
 vec4 image_fetch(int image, ivec2 texel, int level) {
@@ -272,13 +255,15 @@ std::string IsfImages::functions() const {
         const std::string size = image.input.from == Input::From::image
                                      ? fmt::format("IMG_SIZE({})", image.input.name)
                                      : size_of(image.input.name);
-        sizes += fmt::format("    if (image == {})\n        return ivec2({});\n", i, size);
+        sizes += fmt::format("    if (image == {})\n        return max(ivec2({}) >> level, 1);\n",
+                             i, size);
         if (image.levels > 0)
             levels += fmt::format("    if (image == {})\n        return {}.0;\n", i, image.levels);
     }
-    return readers() + reading_helpers + "vec4 image_read(int image, vec2 at, int level) {\n" +
-           reads + "    return vec4(0.0);\n}\n\nivec2 image_size(int image, int level) {\n" +
-           sizes + "    return ivec2(1);\n}\n\nfloat last_level(int image) {\n" + levels +
+    return readers() + reading_helpers + border_function + level_function +
+           "\nvec4 image_read(int image, vec2 at, int level) {\n" + reads +
+           "    return vec4(0.0);\n}\n\nivec2 image_size(int image, int level) {\n" + sizes +
+           "    return ivec2(1);\n}\n\nfloat last_level(int image) {\n" + levels +
            "    return 0.0;\n}\n" + sampling_functions;
 }
 

@@ -122,13 +122,3 @@ std::string isf_value(const IsfControl& control, const NumberType& type) {
         parts += (parts.empty() ? "" : ", ") + name;
     return control.is_direct ? parts : fmt::format("{}({})", glsl_name(type), parts);
 }
-
-const std::string& isf_color_function() {
-    static const std::string text =
-        "// sRGB to linear light, IEC 61966-2-1.\n"
-        "vec4 display_to_linear(vec4 display) {\n"
-        "    vec3 curve = pow((display.rgb + 0.055) / 1.055, vec3(2.4));\n"
-        "    return vec4(mix(curve, display.rgb / 12.92, vec3(lessThanEqual(display.rgb, "
-        "vec3(0.04045)))), display.a);\n}\n\n";
-    return text;
-}

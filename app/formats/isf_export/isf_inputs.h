@@ -20,8 +20,6 @@ std::vector<IsfControl> isf_controls(std::vector<EffectControl> controls, Effect
 /// The entries of INPUTS for a control.
 nlohmann::ordered_json isf_inputs(const IsfControl& control);
 
-/// The value for the shader, of the control's inputs, in GLSL. Colours are linear light.
+/// The value for the shader, of the control's inputs, in GLSL. Colours are linear light, by
+/// decoding_function.
 std::string isf_value(const IsfControl& control, const NumberType& type);
-
-/// The name of the function that isf_value() uses for colours, with its text.
-const std::string& isf_color_function();

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_text.h"
+#include "formats/effect/struct_values.h"
 #include "formats/effect/vertex_function.h"
 #include "glsl/text/interface_statements.h"
 #include "glsl/text/tokens.h"
@@ -87,7 +88,7 @@ public:
         const std::string body = effect_text(joined, m_rules);
         m_section.text += fmt::format("// Pass {}.\n", m_pass.name) + m_head + body;
         add_vertex();
-        set_structs();
+        m_settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
         add_entry(joined);
         undefine(joined);
         return std::move(m_section);
@@ -127,10 +128,7 @@ private:
         return own;
     }
 
-    std::string named(const std::string& name) const {
-        const auto word = m_rules.words.find(name);
-        return word == m_rules.words.end() ? name : word->second;
-    }
+    std::string named(const std::string& name) const { return renamed_word(m_rules.words, name); }
 
     void add_values() {
         for (const EffectNumber& number : m_uniforms.numbers) {
@@ -211,22 +209,6 @@ private:
         m_vertex_prefix = vertex.prefix;
     }
 
-    // Each stage may declare a struct.
-    void set_structs() {
-        const auto declares = [](std::string_view text, const std::string& name) {
-            const std::vector<std::string> names = global_names(text);
-            return std::ranges::find(names, name) != names.end();
-        };
-        for (const StructValue& of : m_structs) {
-            if (declares(m_pass.fragment.text, of.name))
-                m_settings +=
-                    fmt::format("    {} = {}({});\n", named(of.name), named(of.type), of.members);
-            if (!m_vertex_prefix.empty() && declares(m_pass.vertex.text, of.name))
-                m_settings += fmt::format("    {0}{1} = {0}{2}({3});\n", m_vertex_prefix, of.name,
-                                          of.type, of.members);
-        }
-    }
-
     // The place in the target, or in the part of it that has the source.
     std::string place() const {
         return m_shared.images.has_source_size(m_pass.name)
@@ -237,21 +219,13 @@ private:
     // The shader's inputs and outputs are variables.
     void add_entry(const std::string& joined) {
         m_section.entry = "run_" + m_pass.name;
-        std::string input;
-        for (const InterfaceStatement& statement : find_interface_statements(joined)) {
-            if (statement.declarators.empty())
-                continue;
-            const std::string name = named(statement.declarators.front().name);
-            if (statement.kind == InterfaceStatement::Kind::output)
-                m_section.result = name;
-            if (statement.kind == InterfaceStatement::Kind::input)
-                input = name;
-        }
+        const ShaderEnds ends = ends_of_shader(joined, m_rules.words);
+        m_section.result = ends.output;
         std::string text = fmt::format("\nvoid {}() {{\n{}", m_section.entry, m_settings);
         if (!m_set_inputs.empty())
             text += fmt::format("    {}({});\n", m_set_inputs, place());
-        else if (!input.empty())
-            text += fmt::format("    {} = {};\n", input, place());
+        else if (!ends.input.empty())
+            text += fmt::format("    {} = {};\n", ends.input, place());
         m_section.text += text + fmt::format("    {}();\n}}\n", named("main"));
     }
 
@@ -266,12 +240,6 @@ private:
             m_section.text += fmt::format("#undef {}\n", macro);
         m_section.text += "\n";
     }
-
-    struct StructValue {
-        std::string name;
-        std::string type;
-        std::string members;  // arguments of its constructor
-    };
 
     const Pass& m_pass;
     const EffectUniforms& m_uniforms;

@@ -93,10 +93,7 @@ private:
         }
     }
 
-    std::string named(const std::string& name) const {
-        const auto word = m_rules.words.find(name);
-        return word == m_rules.words.end() ? name : word->second;
-    }
+    std::string named(const std::string& name) const { return renamed_word(m_rules.words, name); }
 
     void define(const std::string& name, const std::string& text) {
         m_defines += fmt::format("#define {} {}\n", name, text);

@@ -16,7 +16,7 @@ MpvTextures::MpvTextures(const Look& look) : m_look(look), m_levels(usual_levels
     limit_levels();
 }
 
-// As many as the passes can bind.
+// The largest number of textures of a pass.
 void MpvTextures::limit_levels() {
     const auto fits = [&] {
         return std::ranges::all_of(

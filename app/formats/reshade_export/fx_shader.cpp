@@ -142,10 +142,7 @@ private:
         m_rules.words["main"] = "afterglow_main";
     }
 
-    std::string named(const std::string& name) const {
-        const auto word = m_rules.words.find(name);
-        return word == m_rules.words.end() ? name : word->second;
-    }
+    std::string named(const std::string& name) const { return renamed_word(m_rules.words, name); }
 
     void declare(const std::string& type, const std::string& name) {
         if (m_declared.insert(name).second)

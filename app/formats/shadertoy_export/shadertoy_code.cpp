@@ -4,6 +4,7 @@
 #include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_files.h"
 #include "formats/effect/effect_text.h"
+#include "formats/effect/struct_values.h"
 #include "formats/effect/vertex_function.h"
 #include "formats/shadertoy_export/shadertoy_words.h"
 #include "glsl/text/declarations.h"
@@ -162,12 +163,12 @@ private:
         std::string text = fmt::format("\n// Pass {}.\n", m_pass.name) + functions() + "\n" +
                            std::string(trim(effect_text(m_joined, m_rules))) + "\n";
         set_structs();
-        const Names names = names_of_interface();
+        const ShaderEnds ends = ends_of_shader(m_joined, m_rules.words);
         if (m_pass.name == m_shared.plan.beam) {
             const auto passed = shadertoy_passed_values(m_pass);
             if (!passed)
                 return fail(passed.error());
-            return text + shadertoy_beam_sum(*m_shared.beam, *passed, m_prefix, names.output,
+            return text + shadertoy_beam_sum(*m_shared.beam, *passed, m_prefix, ends.output,
                                              m_images.table_channel());
         }
         const std::string place =
@@ -178,8 +179,8 @@ private:
                    "    {}fragcoord = vec4(vec2(at) + 0.5, 0.5, 1.0);\n{}"
                    "    {}();\n    return {};\n}}\n",
                    m_pass.name, m_prefix,
-                   names.input.empty() ? "" : fmt::format("    {} = {};\n", names.input, place),
-                   named("main"), names.output);
+                   ends.input.empty() ? "" : fmt::format("    {} = {};\n", ends.input, place),
+                   named("main"), ends.output);
     }
 
     // Names of the site and of our functions.
@@ -224,10 +225,7 @@ private:
         return false;
     }
 
-    std::string named(const std::string& name) const {
-        const auto word = m_rules.words.find(name);
-        return word == m_rules.words.end() ? name : word->second;
-    }
+    std::string named(const std::string& name) const { return renamed_word(m_rules.words, name); }
 
     // A pass in another one has its fragment shader only.
     bool is_declared_here(const std::string& uniform) const {
@@ -383,44 +381,12 @@ private:
         return std::move(vertex.text);
     }
 
-    // Each stage may declare a struct, or a variable of the program.
     void set_structs() {
-        const auto declares = [](std::string_view text, const std::string& name) {
-            const std::vector<std::string> names = global_names(text);
-            return std::ranges::find(names, name) != names.end();
-        };
-        for (const StructValue& of : m_structs) {
-            if (declares(m_pass.fragment.text, of.name))
-                m_settings +=
-                    fmt::format("    {} = {}({});\n", named(of.name), named(of.type), of.members);
-            if (!m_vertex_prefix.empty() && declares(m_pass.vertex.text, of.name))
-                m_settings += fmt::format("    {0}{1} = {0}{2}({3});\n", m_vertex_prefix, of.name,
-                                          of.type, of.members);
-        }
-    }
-
-    // What the shader reads and writes, with their new names.
-    struct Names {
-        std::string input;
-        std::string output;
-    };
-
-    Names names_of_interface() const {
-        Names names;
-        for (const InterfaceStatement& statement : find_interface_statements(m_joined)) {
-            if (statement.declarators.empty())
-                continue;
-            const std::string name = named(statement.declarators.front().name);
-            if (statement.kind == InterfaceStatement::Kind::output)
-                names.output = name;
-            if (statement.kind == InterfaceStatement::Kind::input)
-                names.input = name;
-        }
-        return names;
+        m_settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
     }
 
     std::string entry_text() {
-        const auto [input, result] = names_of_interface();
+        const ShaderEnds ends = ends_of_shader(m_joined, m_rules.words);
         const std::string size = m_is_last ? "iResolution.xy" : m_images.size_of(m_pass.name);
         const std::string place = fmt::format("shadertoy_place / {}", size);
         std::string text =
@@ -433,12 +399,12 @@ private:
         text += m_settings;
         if (!m_set_inputs.empty())
             text += fmt::format("    {}({});\n", m_set_inputs, place);
-        else if (!input.empty())
-            text += fmt::format("    {} = {};\n", input, place);
+        else if (!ends.input.empty())
+            text += fmt::format("    {} = {};\n", ends.input, place);
         text += fmt::format("    {}();\n", named("main"));
         const std::string kept = m_is_last ? std::string() : stored_value(m_pass.format);
         text += fmt::format("    shadertoy_color = {};\n",
-                            kept.empty() ? result : "stored(" + result + ")");
+                            kept.empty() ? ends.output : "stored(" + ends.output + ")");
         text += "}\n";
         if (!kept.empty())
             text = fmt::format(
@@ -448,12 +414,6 @@ private:
                    text;
         return text;
     }
-
-    struct StructValue {
-        std::string name;
-        std::string type;
-        std::string members;  // arguments of its constructor
-    };
 
     const Pass& m_pass;
     bool m_is_last;

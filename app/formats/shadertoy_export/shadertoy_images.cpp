@@ -1,5 +1,6 @@
 #include "formats/shadertoy_export/shadertoy_images.h"
 
+#include "formats/effect/shader_functions.h"
 #include "formats/shadertoy_export/shadertoy_levels.h"
 #include "glsl/constants/constants.h"
 
@@ -9,41 +10,6 @@
 
 namespace {
 constexpr std::size_t most_channels = 4;
-
-constexpr const char* decoding_function = R"(
-// sRGB to linear light, IEC 61966-2-1.
-vec4 display_to_linear(vec4 display) {
-    vec3 curve = pow((display.rgb + 0.055) / 1.055, vec3(2.4));
-    bvec3 is_dark = lessThanEqual(display.rgb, vec3(0.04045));
-    return vec4(mix(curve, display.rgb / 12.92, is_dark), display.a);
-}
-)";
-
-constexpr const char* border_function = R"(
-// Transparent black beyond the edges.
-vec4 bordered(vec4 read, vec2 at, vec2 size, bool is_smooth) {
-    vec2 place = at * size;
-    vec2 inside = is_smooth ? clamp(place + 0.5, 0.0, 1.0) * clamp(size - place + 0.5, 0.0, 1.0)
-                            : step(vec2(0.0), place) * step(place, size);
-    return read * inside.x * inside.y;
-}
-)";
-
-// As in Mesa's software renderer: both derivatives are those of one pixel of the four, and the
-// logarithm of the square is linear between powers of 2.
-constexpr const char* level_function = R"(
-// The mip level that texture() reads, which is the same for four pixels.
-float level_at(vec2 at, vec2 size) {
-    vec2 odd = vec2(ivec2(gl_FragCoord.xy) & 1);
-    vec2 across = dFdx(at * size);
-    vec2 up = dFdy(at * size);
-    across -= odd.y * dFdy(across);
-    up -= odd.x * dFdx(up);
-    float square = max(max(dot(across, across), dot(up, up)), 1e-30);
-    float whole = floor(log2(square));
-    return 0.5 * (whole + square * exp2(-whole) - 1.0);
-}
-)";
 
 // Of pictures that are not wrapped.
 constexpr const char* gather_function = R"(
@@ -312,14 +278,14 @@ std::string ShadertoyImages::at_line(const Image& image, std::size_t number) {
     const bool is_hardware = !has_own_levels(image.input) && sampler.wrap != Wrap::border &&
                              sampler.wrap != Wrap::mirror;
     return is_hardware ? fmt::format("return texture(iChannel{}, at);", image.channel)
-                       : fmt::format("return image_lod({}, at, level_at(at, {}));", number,
+                       : fmt::format("return image_lod({}, at, level_at(at * {}));", number,
                                      size_of(image.input));
 }
 
 std::string ShadertoyImages::biased_line(const Image& image, std::size_t number) {
     if (!image.input.sampler.mipmap)
         return fmt::format("return read_{}(at, 0.0);", number);
-    return fmt::format("return image_lod({}, at, level_at(at, {}) + bias);", number,
+    return fmt::format("return image_lod({}, at, level_at(at * {}) + bias);", number,
                        size_of(image.input));
 }
 

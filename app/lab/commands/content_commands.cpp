@@ -22,9 +22,7 @@ Spec playing(const fs::path& file, const Spec& current) {
     spec.settings["file"] = fs::absolute(file).string();
     return with_round_circles(std::move(spec));
 }
-}  // namespace
 
-namespace {
 bool can_use(const Look& look, Driver driver) {
     return look.driven_by == driver || look.has_other_driver;
 }

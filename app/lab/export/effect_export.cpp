@@ -247,56 +247,51 @@ Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
         checked_files({prepared, usual, fs::path("export").concat(format.extension)}, format);
     return files ? Result<std::vector<std::string>>(std::move(files->losses)) : fail(files.error());
 }
+
+template <const EffectFormat& format>
+ExportTarget target_of(std::string name, std::string label, std::string help,
+                       std::vector<std::string> keeps, std::string why_not_drawn = {}) {
+    return {.name = std::move(name),
+            .label = std::move(label),
+            .extension = format.extension,
+            .help = std::move(help),
+            .keeps = std::move(keeps),
+            .losses = [](const PreparedLook& prepared) { return losses_in(prepared, format); },
+            .write = [](const ExportRequest& request) { return export_effect(request, format); },
+            .check = [](const ExportRequest& request) { return format.read(request.path); },
+            .page = nullptr,
+            .why_not_drawn = std::move(why_not_drawn)};
+}
 }  // namespace
 
-Result<ExportedLook> export_slang(const ExportRequest& request) {
-    return export_effect(request, slang_format);
-}
-
-Result<std::vector<std::string>> slang_losses(const PreparedLook& prepared) {
-    return losses_in(prepared, slang_format);
-}
-
-Result<ExportedLook> export_isf(const ExportRequest& request) {
-    return export_effect(request, isf_format);
-}
-
-Result<std::vector<std::string>> isf_losses(const PreparedLook& prepared) {
-    return losses_in(prepared, isf_format);
-}
-
-Result<ExportedLook> export_shadertoy(const ExportRequest& request) {
-    return export_effect(request, shadertoy_format);
-}
-
-Result<std::vector<std::string>> shadertoy_losses(const PreparedLook& prepared) {
-    return losses_in(prepared, shadertoy_format);
-}
-
-Result<void> check_effect(const ExportRequest& request) {
-    return read_look(request.path);
-}
-
-Result<ExportedLook> export_mpv(const ExportRequest& request) {
-    return export_effect(request, mpv_format);
-}
-
-Result<std::vector<std::string>> mpv_losses(const PreparedLook& prepared) {
-    return losses_in(prepared, mpv_format);
-}
-
-Result<void> check_mpv(const ExportRequest& request) {
-    return read_mpv(request.path);
-}
-
-Result<ExportedLook> export_reshade(const ExportRequest& request) {
-    return export_effect(request, reshade_format);
-}
-
-Result<std::vector<std::string>> reshade_losses(const PreparedLook& prepared) {
-    return losses_in(prepared, reshade_format);
-}
-
-Result<void> check_reshade(const ExportRequest& request) {
-    return read_reshade(request.path);
+std::vector<ExportTarget> effect_targets() {
+    return {
+        target_of<slang_format>(
+            "slang", "RetroArch preset",
+            "a .slangp preset with its shaders, for RetroArch and other programs with libretro "
+            "shaders",
+            {"looks that process a picture", "all parameters, with label, range and step",
+             "the author's shader text with its #include files"}),
+        target_of<isf_format>("isf", "ISF shader",
+                              "one .fs file, for VDMX and other programs with ISF shaders",
+                              {"looks that process a picture",
+                               "all parameters, with label and range", "the author's shader text"}),
+        target_of<shadertoy_format>(
+            "shadertoy", "Shadertoy shader",
+            "one .json file with up to four buffers and an image, for Shadertoy and its players",
+            {"looks that process a picture, with up to four buffers",
+             "Phosphor with Lissajous figures, harmonics, AM and FM",
+             "all parameters, as constants with annotations", "the author's shader text"}),
+        target_of<mpv_format>(
+            "mpv", "mpv shader", "one .glsl file, for mpv and other programs with its user shaders",
+            {"looks that process a picture", "the author's shader text",
+             "present values, as lines that you can edit"},
+            "Afterglow can't draw user shaders of mpv. Compare the pictures in mpv"),
+        target_of<reshade_format>(
+            "reshade", "ReShade effect",
+            "an .fx file with a preset and pictures, for ReShade and vkBasalt",
+            {"looks that process a picture", "all parameters, with label, range and step",
+             "licences and authors"},
+            "Afterglow can't draw effects of ReShade"),
+    };
 }

@@ -35,80 +35,13 @@ std::vector<ExportTarget> player_targets() {
          .page = page_of_web},
     };
 }
-
-// Formats of programs that draw chains of passes, which Afterglow reads too.
-std::vector<ExportTarget> shader_targets() {
-    return {
-        {.name = "slang",
-         .label = "RetroArch preset",
-         .extension = ".slangp",
-         .help = "a .slangp preset with its shaders, for RetroArch and other programs with "
-                 "libretro shaders",
-         .keeps = {"looks that process a picture", "all parameters, with label, range and step",
-                   "the author's shader text with its #include files"},
-         .losses = slang_losses,
-         .write = export_slang,
-         .check = check_effect,
-         .page = nullptr},
-        {.name = "isf",
-         .label = "ISF shader",
-         .extension = ".fs",
-         .help = "one .fs file, for VDMX and other programs with ISF shaders",
-         .keeps = {"looks that process a picture", "all parameters, with label and range",
-                   "the author's shader text"},
-         .losses = isf_losses,
-         .write = export_isf,
-         .check = check_effect,
-         .page = nullptr},
-        {.name = "shadertoy",
-         .label = "Shadertoy shader",
-         .extension = ".json",
-         .help = "one .json file with up to four buffers and an image, for Shadertoy and its "
-                 "players",
-         .keeps = {"looks that process a picture, with up to four buffers",
-                   "Phosphor with Lissajous figures, harmonics, AM and FM",
-                   "all parameters, as constants with annotations", "the author's shader text"},
-         .losses = shadertoy_losses,
-         .write = export_shadertoy,
-         .check = check_effect,
-         .page = nullptr},
-    };
-}
-
-// Formats of programs that draw over their own picture.
-std::vector<ExportTarget> overlay_targets() {
-    return {
-        {.name = "mpv",
-         .label = "mpv shader",
-         .extension = ".glsl",
-         .help = "one .glsl file, for mpv and other programs with its user shaders",
-         .keeps = {"looks that process a picture", "the author's shader text",
-                   "present values, as lines that you can edit"},
-         .losses = mpv_losses,
-         .write = export_mpv,
-         .check = check_mpv,
-         .page = nullptr,
-         .why_not_drawn = "Afterglow can't draw user shaders of mpv. Compare the pictures in mpv"},
-        {.name = "reshade",
-         .label = "ReShade effect",
-         .extension = ".fx",
-         .help = "an .fx file with a preset and pictures, for ReShade and vkBasalt",
-         .keeps = {"looks that process a picture", "all parameters, with label, range and step",
-                   "licences and authors"},
-         .losses = reshade_losses,
-         .write = export_reshade,
-         .check = check_reshade,
-         .page = nullptr,
-         .why_not_drawn = "Afterglow can't draw effects of ReShade"},
-    };
-}
 }  // namespace
 
 const std::vector<ExportTarget>& export_targets() {
     static const std::vector<ExportTarget> targets = [] {
         std::vector<ExportTarget> all = player_targets();
-        for (const std::vector<ExportTarget>& more : {shader_targets(), overlay_targets()})
-            all.insert(all.end(), more.begin(), more.end());
+        for (ExportTarget& effect : effect_targets())
+            all.push_back(std::move(effect));
         return all;
     }();
     return targets;
