@@ -32,7 +32,9 @@ class RetroArchServer:
 
 
 class MpvServer:
-    """The list of user shaders behind the JSON socket of mpv. Sends an event before each answer."""
+    """The list of user shaders behind the JSON socket of mpv. Sends other lines before each answer."""
+
+    OTHER_LINES = '{"event": "tick"}\n{"request_id": "odd", "error": 1}\n[1]\nno JSON\n'
 
     def __init__(self, path, shaders):
         self.shaders = shaders
@@ -49,7 +51,7 @@ class MpvServer:
                 return  # closed
             with connection, connection.makefile("rw", encoding="utf-8") as lines:
                 for line in lines:
-                    lines.write('{"event": "tick"}\n' + json.dumps(self._answer(json.loads(line))) + "\n")
+                    lines.write(self.OTHER_LINES + json.dumps(self._answer(json.loads(line))) + "\n")
                     lines.flush()
 
     def _answer(self, request):

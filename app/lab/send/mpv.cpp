@@ -18,12 +18,17 @@ Diagnostic no_answer(const std::string& socket) {
                         socket)};
 }
 
+// On one line.
+std::string text_of(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 // The data of the answer. Between, mpv sends events.
 Result<Json> asked(LineSocket& mpv, const Json& command, const std::string& socket) {
     constexpr std::chrono::milliseconds longest{1000};
     constexpr int number = 1;
     const Json request{{"command", command}, {"request_id", number}};
-    if (!mpv.write_line(request.dump(-1, ' ', false, Json::error_handler_t::replace)))
+    if (!mpv.write_line(text_of(request)))
         return fail(no_answer(socket));
     constexpr int most_events = 1000;
     for (int event = 0; event < most_events; ++event) {
@@ -31,11 +36,12 @@ Result<Json> asked(LineSocket& mpv, const Json& command, const std::string& sock
         if (!line)
             break;
         const Json answer = Json::parse(*line, nullptr, false);
-        if (!answer.is_object() || answer.value("request_id", 0) != number ||
-            !answer.contains("error"))
+        if (!answer.is_object() || !answer.contains("error") || !answer.contains("request_id") ||
+            answer["request_id"] != number)
             continue;
         if (answer["error"] != "success")
-            return fail({{}, 0, fmt::format("mpv refused the shader: {}", answer["error"].dump())});
+            return fail(
+                {{}, 0, fmt::format("mpv refused the shader: {}", text_of(answer["error"]))});
         return answer.value("data", Json());
     }
     return fail(no_answer(socket));
