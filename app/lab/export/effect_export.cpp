@@ -249,18 +249,18 @@ Result<std::vector<std::string>> losses_in(const PreparedLook& prepared,
 }
 
 template <const EffectFormat& format>
-ExportTarget target_of(std::string name, std::string label, std::string help,
-                       std::vector<std::string> keeps, std::string why_not_drawn = {}) {
-    return {.name = std::move(name),
-            .label = std::move(label),
+ExportTarget target_of(std::string_view name, std::string_view label, std::string_view help,
+                       const std::vector<std::string>& keeps, std::string_view why_not_drawn = {}) {
+    return {.name = std::string(name),
+            .label = std::string(label),
             .extension = format.extension,
-            .help = std::move(help),
-            .keeps = std::move(keeps),
+            .help = std::string(help),
+            .keeps = keeps,
             .losses = [](const PreparedLook& prepared) { return losses_in(prepared, format); },
             .write = [](const ExportRequest& request) { return export_effect(request, format); },
             .check = [](const ExportRequest& request) { return format.read(request.path); },
             .page = nullptr,
-            .why_not_drawn = std::move(why_not_drawn)};
+            .why_not_drawn = std::string(why_not_drawn)};
 }
 }  // namespace
 
