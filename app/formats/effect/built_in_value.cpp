@@ -111,6 +111,16 @@ std::string time_value(BuiltIn kind, const Pass& pass, HostValues& host) {
     }
 }
 
+// "": not of the mouse, or the program has none.
+std::string mouse_value(BuiltIn kind, HostValues& host) {
+    const std::string press = host.press();
+    if (press.empty())
+        return {};
+    if (kind == BuiltIn::mouse)
+        return press + ".xy";
+    return kind == BuiltIn::press ? press : std::string();
+}
+
 // From the quad's corners to the target, with the picture's top at the top.
 std::string quad_to_clip(RowOrder rows) {
     const bool is_down = rows == RowOrder::top_first;
@@ -130,6 +140,8 @@ std::string built_in_value(const BuiltInUniform& uniform, const NumberType& type
     std::string value = size_value(uniform, host);
     if (value.empty())
         value = time_value(uniform.kind, pass, host);
+    if (value.empty())
+        value = mouse_value(uniform.kind, host);
     if (uniform.kind == BuiltIn::quad_to_clip)
         value = quad_to_clip(pass.rows);
     if (uniform.kind == BuiltIn::samples)

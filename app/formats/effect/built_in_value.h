@@ -26,9 +26,10 @@ public:
     virtual std::string time_before() = 0;    // at its start, s
     virtual std::string time_delta() = 0;     // s
     virtual std::string date() = 0;           // year, month from 1, day, seconds: a vec4; "": none
+    virtual std::string press() { return {}; }  // see Press::numbers: a vec4; "": no mouse
 };
 
 /// The expression for a built-in value of a pass, as a `type`. What a program does not give, such
-/// as the mouse, is 0.
+/// as the date, is 0.
 std::string built_in_value(const BuiltInUniform& uniform, const NumberType& type, const Pass& pass,
                            HostValues& host);

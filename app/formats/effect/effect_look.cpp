@@ -1,9 +1,11 @@
 #include "formats/effect/effect_look.h"
 
+#include "formats/effect/effect_files.h"
 #include "formats/effect/effect_limits.h"
 #include "formats/effect/effect_names.h"
 #include "formats/stack/conversion_stage.h"
 #include "glsl/text/include.h"
+#include "glsl/text/tokens.h"
 #include "model/picture/source_spec.h"
 #include "model/plan/parameter_use.h"
 #include "model/plan/plan.h"
@@ -12,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <map>
 
 namespace {
@@ -77,6 +80,23 @@ void remove_missing_pictures(Look& look) {
         std::erase_if(pass.inputs, is_missing);
 }
 
+// Whether a pass's fragment shader uses a value, not only declares it. Files that can't be read are
+// an error of the format's writer.
+bool uses(const Look& look, const Pass& pass, std::initializer_list<BuiltIn> kinds) {
+    const auto files = effect_files(look, pass);
+    const std::string text = files ? joined_text(*files) : std::string();
+    const Tokens tokens = scan(text);
+    return std::ranges::any_of(pass.built_ins, [&](const BuiltInUniform& uniform) {
+        return std::ranges::find(kinds, uniform.kind) != kinds.end() &&
+               std::ranges::count(tokens.all, uniform.name, &Token::text) > 1;
+    });
+}
+
+bool uses(const Look& look, std::initializer_list<BuiltIn> kinds) {
+    return std::ranges::any_of(look.passes,
+                               [&](const Pass& pass) { return uses(look, pass, kinds); });
+}
+
 // What a parameter loses although its shaders can be written; "" if it stays adjustable.
 std::string loss_of(const Look& look, const Parameter& parameter) {
     if (parameter.bindings.empty())
@@ -122,6 +142,7 @@ public:
         if (m_host.samples_per_texture)
             separate_samplers();
         move_bindings();
+        list_missing_values();
         return std::move(m_effect);
     }
 
@@ -310,6 +331,13 @@ private:
                 if (input.from == Input::From::pass && input.name == name)
                     readers.push_back(&input);
         return readers;
+    }
+
+    void list_missing_values() {
+        if (!m_host.has_mouse && uses(m_look, {BuiltIn::mouse, BuiltIn::press}))
+            m_effect.losses.emplace_back("The mouse. Its position is always 0.");
+        if (!m_host.has_date && uses(m_look, {BuiltIn::date, BuiltIn::date_from_0}))
+            m_effect.losses.emplace_back("The date. It is always 0.");
     }
 
     // Bindings have the indices of the reduced look's passes.

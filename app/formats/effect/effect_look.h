@@ -18,7 +18,9 @@ struct EffectHost {
     bool keeps_previous = true;           // ... also after the pass is drawn again
     bool has_integers = true;             // targets with integer texels
     bool has_images = true;               // picture files of the look
-    bool turns_last_pass = false;         // the writer turns the rows of the last pass
+    bool has_mouse = false;
+    bool has_date = true;
+    bool turns_last_pass = false;  // the writer turns the rows of the last pass
     // The source and the last target are the screen: the first pass copies the source, and no pass
     // reads the last target.
     bool is_on_screen = false;

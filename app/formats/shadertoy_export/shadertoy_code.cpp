@@ -44,6 +44,7 @@ public:
     std::string time_before() override { return "iTime"; }
     std::string time_delta() override { return "iTimeDelta"; }
     std::string date() override { return "(iDate + vec4(0.0, 1.0, 0.0, 0.0))"; }
+    std::string press() override { return "iMouse"; }
 
 private:
     const Pass& m_pass;

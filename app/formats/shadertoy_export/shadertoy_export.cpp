@@ -240,6 +240,7 @@ const EffectHost& shadertoy_host() {
                                  .rows = RowOrder::bottom_first,
                                  .has_integers = false,
                                  .has_images = false,
+                                 .has_mouse = true,
                                  .keeps_constants = true};
     return host;
 }

@@ -252,7 +252,8 @@ private:
 }  // namespace
 
 const EffectHost& slang_host() {
-    static const EffectHost host{.name = "RetroArch", .samples_per_texture = true};
+    static const EffectHost host{
+        .name = "RetroArch", .samples_per_texture = true, .has_date = false};
     return host;
 }
 

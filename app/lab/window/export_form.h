@@ -36,7 +36,7 @@ struct StillForm {
 /// The fields of the dialog that sends a look to a running program.
 struct SendForm {
     std::size_t program = 0;                       // index of running_programs()
-    std::map<std::size_t, std::string> addresses;  // typed, by program
+    std::map<std::string, std::string> addresses;  // typed, by the program's name
     bool follows = false;                          // send after each edit
 
     bool operator==(const SendForm&) const = default;

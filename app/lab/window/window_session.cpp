@@ -22,6 +22,8 @@ constexpr std::string_view recent_prefix = "recent:";
 constexpr std::string_view look_prefix = "look:";
 // Prefix of the last folder of a kind of file dialog: "folder:KEY:PATH". The number has no meaning.
 constexpr std::string_view folder_prefix = "folder:";
+// Prefix of the address of a program that a look was sent to: "send:PROGRAM:ADDRESS".
+constexpr std::string_view address_prefix = "send:";
 
 std::vector<std::string> restored_use(const std::map<std::string, double>& numbers,
                                       std::string_view prefix) {
@@ -162,6 +164,11 @@ void remember_file_dialogs(const FileDialogChoices& choices,
         numbers[fmt::format("{}{}:{}", folder_prefix, key, folder.string())] = 0.0;
 }
 
+void remember_addresses(const SendForm& form, std::map<std::string, double>& numbers) {
+    for (const auto& [program, address] : form.addresses)
+        if (!address.empty())
+            numbers[fmt::format("{}{}:{}", address_prefix, program, address)] = 0.0;
+}
 }  // namespace
 
 std::map<std::string, double> serialized_window(const WindowState& window) {
@@ -193,6 +200,7 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
     remember_panels(window.layout.panels, numbers);
     remember_looking(window, numbers);
     remember_file_dialogs(window.file_dialogs, numbers);
+    remember_addresses(window.sending, numbers);
     remember_use(window.recent.commands, used_prefix, numbers);
     remember_use(window.recent.files, recent_prefix, numbers);
     remember_use(window.recent.looks, look_prefix, numbers);
@@ -246,6 +254,14 @@ void restore_file_dialogs(const std::map<std::string, double>& numbers,
             choices.folders[stored.substr(0, colon)] = stored.substr(colon + 1);
     }
 }
+
+void restore_addresses(const std::map<std::string, double>& numbers, SendForm& form) {
+    for (const std::string& stored : restored_use(numbers, address_prefix)) {
+        const std::size_t colon = stored.find(':');
+        if (colon != std::string::npos && colon + 1 < stored.size())
+            form.addresses[stored.substr(0, colon)] = stored.substr(colon + 1);
+    }
+}
 }  // namespace
 
 WindowState restored_window(const std::map<std::string, double>& numbers,
@@ -275,6 +291,7 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
             window.layout.sizes.*size = static_cast<float>(*stored);
     restore_looking(numbers, window);
     restore_file_dialogs(numbers, window.file_dialogs);
+    restore_addresses(numbers, window.sending);
     window.recent.commands = restored_use(numbers, used_prefix);
     window.recent.files = restored_use(numbers, recent_prefix);
     window.recent.looks = restored_use(numbers, look_prefix);

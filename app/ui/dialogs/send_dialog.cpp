@@ -15,7 +15,7 @@
 namespace {
 void draw_address(SendForm& form, const RunningProgram& program, Edits& edits) {
     dialog_row(program.kind_of_address.c_str());
-    std::string& typed = form.addresses[form.program];
+    std::string& typed = form.addresses[program.name];
     typed = dialog_text("send_address", typed, program.address, ImGui::GetContentRegionAvail().x,
                         edits);
     dialog_row("");
@@ -68,7 +68,7 @@ void draw_send_dialog(const Scene& scene, Edits& edits) {
     draw_address(form, program, edits);
     draw_follows(form, edits);
     draw_outcome(sender, form.program, edits);
-    const std::string& typed = form.addresses[form.program];
+    const std::string& typed = form.addresses[program.name];
     const SendSettings settings{form.program, typed.empty() ? program.address : typed,
                                 form.follows};
     edits.arrange([form](WindowState& window) { window.sending = form; });

@@ -15,6 +15,9 @@ public:
     std::string time_before() override { return "before"; }
     std::string time_delta() override { return "dt"; }
     std::string date() override { return {}; }
+    std::string press() override { return pressed; }
+
+    std::string pressed;
 };
 
 std::string value_of(BuiltIn kind, const NumberType& type, const Pass& pass = {}) {
@@ -51,5 +54,13 @@ TEST_CASE("an extent is the host's own, or made of a size") {
 
 TEST_CASE("what a host does not give is 0") {
     CHECK(value_of(BuiltIn::mouse, two) == "vec2(0.0, 0.0)");
+    CHECK(value_of(BuiltIn::press, four) == "vec4(0.0, 0.0, 0.0, 0.0)");
     CHECK(value_of(BuiltIn::date_from_0, four) == "vec4(0.0, 0.0, 0.0, 0.0)");
+}
+
+TEST_CASE("the mouse of a host is its position and its button") {
+    Host host;
+    host.pressed = "iMouse";
+    CHECK(built_in_value({"u", BuiltIn::mouse}, two, {}, host) == "iMouse.xy");
+    CHECK(built_in_value({"u", BuiltIn::press}, four, {}, host) == "iMouse");
 }

@@ -56,6 +56,29 @@ TEST_CASE("a host that turns the last pass itself gets no pass for that") {
     CHECK(effect->look.passes.back().rows == RowOrder::bottom_first);
 }
 
+TEST_CASE("values that a host does not give are listed as losses") {
+    Look look = chain();
+    look.passes[0].built_ins = {{"iMouse", BuiltIn::press}, {"iDate", BuiltIn::date}};
+    look.passes[0].fragment = builtin_stage(
+        "#version 410 core\nuniform vec4 iMouse;\nuniform vec4 iDate;\nout vec4 color;\n"
+        "void main() { color = iMouse + iDate; }\n");
+    EffectHost bare = host;
+    bare.has_date = false;
+    const auto lost = effect_of(look, {}, {64, 32}, {32, 16}, bare);
+    REQUIRE(lost.has_value());
+    CHECK(lost->losses == std::vector<std::string>{"The mouse. Its position is always 0.",
+                                                   "The date. It is always 0."});
+    EffectHost rich = host;
+    rich.has_mouse = true;
+    const auto kept = effect_of(look, {}, {64, 32}, {32, 16}, rich);
+    REQUIRE(kept.has_value());
+    CHECK(kept->losses.empty());
+    look.passes[0].fragment = builtin_stage("#version 410 core\nuniform vec4 iMouse;\n");
+    const auto unused = effect_of(look, {}, {64, 32}, {32, 16}, bare);
+    REQUIRE(unused.has_value());
+    CHECK(unused->losses.empty());
+}
+
 TEST_CASE("a texture with two samplers gets a copy for the second") {
     Look look = chain();
     look.passes.insert(

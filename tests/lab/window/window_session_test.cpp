@@ -27,6 +27,14 @@ TEST_CASE("recent palette entries and recent files are restored in order") {
     CHECK(restored_window(serialized_window(window)).recent.commands == window.recent.commands);
 }
 
+TEST_CASE("typed addresses of running programs are restored") {
+    WindowState window;
+    window.sending.addresses = {{"RetroArch", "55356"}, {"mpv", "/tmp/a:b"}, {"other", ""}};
+    const auto again = restored(serialized_window(window)).sending.addresses;
+    CHECK(again == std::map<std::string, std::string>{{"RetroArch", "55356"}, {"mpv", "/tmp/a:b"}});
+    CHECK(restored({{"send:mpv", 0.0}, {"send:mpv:", 0.0}}).sending.addresses.empty());
+}
+
 TEST_CASE("file dialogs are restored with the last folder of each kind") {
     WindowState window;
     window.file_dialogs = {.folders = {{"open", "/songs/ä: b"}, {"video", "/films"}},
