@@ -37,13 +37,13 @@ class IsfExportTest(ProgramTest):
             "passes": [{"name": "show", "fragment": "show.frag", "inputs": {"scene": "source"}}]}), encoding="utf-8")
         return folder
 
-    def picture(self, look, *options, size="320x240"):
+    def picture(self, look, *options, size="160x120"):
         file = self.folder / "picture.png"
         self.assert_done(run("render", look, "--source", "pattern:harbour", "--size", size, "--frames", "3",
                              "-o", file, *options))
         return b"".join(read_png(file)[2])
 
-    def assert_same_picture(self, look, *options, size="320x240"):
+    def assert_same_picture(self, look, *options, size="160x120"):
         file = self.export(look, "--source", "pattern:harbour", *options)
         ours, theirs = self.picture(look, *options, size=size), self.picture(file, size=size)
         self.assertGreater(len(set(ours)), 30)

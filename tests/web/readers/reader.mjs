@@ -10,7 +10,7 @@ import { afterglow, difference, launchForPages, pixelsOfFile, pixelsOfUrl,
 
 const modules = fileURLToPath(new URL('.', import.meta.url));
 const endings = { isf: 'fs', shadertoy: 'json' };
-const size = '320x180';
+const size = '160x90';
 const frames = 3;  // The last one is compared.
 const copyOfSource = `/*{ "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }] }*/
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
