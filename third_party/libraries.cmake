@@ -44,6 +44,9 @@ add_external(epoxy PkgConfig::epoxy)
 add_external(egl PkgConfig::egl)
 add_external(x11 PkgConfig::x11)
 add_external(xcb PkgConfig::xcb)
+pkg_check_modules(xcb_capture REQUIRED IMPORTED_TARGET xcb xcb-composite xcb-damage xcb-shm
+    xcb-xfixes)
+add_external(xcb_capture PkgConfig::xcb_capture)
 add_external(imgui PkgConfig::imgui glfw)
 add_external(glslang glslang::glslang glslang::glslang-default-resource-limits glslang::SPIRV)
 # The C++ interface, which has no CMake file. The package is named after the C interface.

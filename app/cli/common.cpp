@@ -59,8 +59,9 @@ void LookOptions::add_to(Options& options, Take take) {
              "('afterglow list signals' prints all)")
         .repeated();
     options.add("--source SOURCE", m_request.source,
-                "Picture of a CRT look: an image file, frame_%04d.png, a video or pattern:NAME, "
-                "with optional settings ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
+                "Picture of a CRT look: an image file, frame_%04d.png, a video, pattern:NAME, "
+                "window:TITLE, screen:, camera:DEVICE or pipe: (the manual describes all), with "
+                "optional settings ,fit= ,shape= ,aspect= ,prescaled= ,rate= ,loop=");
     options
         .add("--tempo BPM", m_request.bpm,
              "Tempo of modulations in beats (default: the preset's, else 120)")

@@ -64,6 +64,8 @@ void read_default_source(ObjectReader& reader, LookFolder& folder, Look& look) {
         return reader.problem(*member, source.error().front().message);
     if (source->is_pattern()) {
         check_pattern(std::string_view(source->picture).substr(pattern.size()), *member, reader);
+    } else if (source->is_live()) {
+        reader.problem(*member, "'default_source' must be a file or a pattern");
     } else if (const auto found = folder.find(source->picture, *member, reader)) {
         source->picture = found->string();
         look.default_source = to_string(*source);

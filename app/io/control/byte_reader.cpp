@@ -71,6 +71,21 @@ Result<std::unique_ptr<ByteReader>> ByteReader::read_stdin(ByteSink& sink) {
     return reader;
 }
 
+Result<std::unique_ptr<ByteReader>> ByteReader::read_named_pipe(const fs::path& path,
+                                                                ByteSink& sink) {
+    std::unique_ptr<ByteReader> reader(new ByteReader(sink));
+    if (auto made = reader->make_stop(); !made)
+        return fail(made.error());
+    reader->m_pipe = Descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+    if (!reader->m_pipe.is_open())
+        return cannot(path, "can't open the pipe");
+    struct stat status = {};
+    if (::fstat(reader->m_pipe.get(), &status) != 0 || !S_ISFIFO(status.st_mode))
+        return fail({path, 0, "the file is not a named pipe. Create one with mkfifo."});
+    reader->m_thread = std::thread([self = reader.get()] { self->read_all(self->m_pipe.get()); });
+    return reader;
+}
+
 Result<std::unique_ptr<ByteReader>> ByteReader::listen(const fs::path& path, Senders senders,
                                                        ByteSink& sink) {
     std::unique_ptr<ByteReader> reader(new ByteReader(sink));

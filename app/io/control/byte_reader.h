@@ -29,6 +29,9 @@ class ByteReader {
 public:
     /// Reads the program's standard input.
     static Result<std::unique_ptr<ByteReader>> read_stdin(ByteSink& sink);
+    /// Reads a named pipe until its writer closes it.
+    static Result<std::unique_ptr<ByteReader>> read_named_pipe(const std::filesystem::path& path,
+                                                               ByteSink& sink);
     enum class Senders { one, one_after_the_other };
     /// Listens on a Unix socket at `path`, which exists while this object lives. A connection
     /// without data does not count as a sender.
@@ -50,6 +53,7 @@ private:
     ByteSink& m_sink;
     Descriptor m_listener;
     std::optional<ScopedFile> m_socket_file;
+    Descriptor m_pipe;
     Descriptor m_stop_reader;
     Descriptor m_stop_writer;  // closed to end the thread
     std::thread m_thread;

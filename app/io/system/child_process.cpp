@@ -228,6 +228,17 @@ std::size_t ChildProcess::read(char* bytes, std::size_t size) {
     return done;
 }
 
+std::optional<std::size_t> ChildProcess::read_within(double seconds, char* bytes,
+                                                     std::size_t size) {
+    pollfd waits{m_output.get(), POLLIN, 0};
+    if (::poll(&waits, 1, static_cast<int>(std::ceil(seconds * 1000.0))) <= 0)
+        return 0;
+    const ssize_t got = ::read(m_output.get(), bytes, size);
+    if (got < 0 && errno == EINTR)
+        return 0;
+    return got <= 0 ? std::nullopt : std::optional(static_cast<std::size_t>(got));
+}
+
 std::string ChildProcess::read_all(std::size_t maximum) {
     std::string text(maximum, '\0');
     text.resize(read(text.data(), maximum));

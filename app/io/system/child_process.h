@@ -37,6 +37,9 @@ public:
 
     /// Reads the next bytes of its output, up to `size`; fewer only at the end of the output.
     std::size_t read(char* bytes, std::size_t size);
+    /// Reads the bytes that it has written, up to `size`. Waits at most `seconds` for the first
+    /// one; 0: none came. nullopt: the output has ended.
+    std::optional<std::size_t> read_within(double seconds, char* bytes, std::size_t size);
     /// Reads the remaining output, at most `maximum` bytes.
     std::string read_all(std::size_t maximum);
     /// As read_all; nullopt if the output has not ended within `seconds`, or when cancelled.

@@ -128,8 +128,9 @@ void add_signal(const Spec& before, const Spec& after, std::vector<Change>& chan
 std::string source_text(const std::string& source) {
     if (source.empty())
         return "none";
-    return source.starts_with("pattern:") ? source
-                                          : std::filesystem::path(source).filename().string();
+    return source.starts_with("pattern:") || is_live(source)
+               ? source
+               : std::filesystem::path(source).filename().string();
 }
 
 std::string override_text(const PassOverrides& overrides, const std::string& pass) {

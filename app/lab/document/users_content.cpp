@@ -41,6 +41,8 @@ std::string source_name(const std::string& text) {
     const auto source = parse_source(text);
     if (!source)
         return text;
+    if (source->is_live())
+        return source->picture;
     if (!source->is_pattern())
         return file_name(source->picture);
     const std::string name = name_of_pattern(*source);

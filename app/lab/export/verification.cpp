@@ -6,6 +6,7 @@
 #include "io/files/scratch_folder.h"
 #include "io/pictures/picture_file.h"
 #include "io/system/browser.h"
+#include "lab/document/live_content.h"
 #include "lab/export/page_picture.h"
 #include "lab/offline/offline.h"
 #include "model/picture/display_bytes.h"
@@ -40,15 +41,6 @@ Extent compared_size(Extent size) {
 // Frames with a history differ more the more frames there are.
 int compared_frames(const Look& look) {
     return std::clamp(look.settle_frames, 16, 60);
-}
-
-std::string why_not_comparable(const PreparedLook& prepared) {
-    const Document& document = prepared.document;
-    const std::string& kind = document.state().signal.kind;
-    const bool is_live = kind == "microphone" || kind == "stdin" || kind == "socket";
-    return document.look().driven_by == Driver::signal && is_live
-               ? fmt::format("the signal '{}' is different in every run", kind)
-               : std::string();
 }
 
 Verification compared(const std::vector<std::uint8_t>& ours,
@@ -196,7 +188,7 @@ Verification verified_page(const ExportTarget& target, const ExportRequest& requ
 
 Verification verify_export(const ExportTarget& target, const ExportRequest& request, double seconds,
                            JobProgress* work) {
-    if (const std::string reason = why_not_comparable(request.prepared); !reason.empty())
+    if (const std::string reason = why_not_repeatable(request.prepared.document); !reason.empty())
         return {Outcome::not_verified, "not verified: " + reason};
     if (!target.why_not_drawn.empty())
         return {Outcome::not_verified, "not verified: " + target.why_not_drawn};

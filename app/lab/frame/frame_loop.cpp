@@ -322,6 +322,9 @@ void FrameLoop::update_source() {
         m_work.messages.say(problem);
     if (!problems.empty())
         report_content_problems(m_work);
+    Source* const source = m_work.media.source().get();
+    if (source && m_work.player.transport().is_playing() && source->refresh())
+        m_drawn_extent = {};  // a live source has another size
     if (m_work.media.source().is_late())
         show_source(m_work.player.transport().time());
     const auto taken =

@@ -71,7 +71,7 @@ std::string source_text(const std::string& text) {
     auto source = parse_source(text);
     if (!source)
         return fs::path(text).filename().string();
-    if (!source->is_pattern())
+    if (source->is_file())
         source->picture = fs::path(source->picture).filename().string();
     return to_string(*source);
 }

@@ -2,6 +2,7 @@
 
 #include "gpu/headless_context.h"
 #include "io/system/machine_memory.h"
+#include "lab/document/live_content.h"
 #include "model/picture/display_bytes.h"
 
 #include <fmt/format.h>
@@ -17,14 +18,6 @@ constexpr double frames_per_second = 60.0;
 std::string argument_of(const GoldenItem& item) {
     const std::string path = item.file.string();
     return item.preset.empty() && path.find('/') == std::string::npos ? path + '/' : path;
-}
-
-std::string why_not_repeatable(const Document& document) {
-    const std::string& kind = document.state().signal.kind;
-    const bool is_live = kind == "microphone" || kind == "stdin" || kind == "socket";
-    return document.look().driven_by == Driver::signal && is_live
-               ? fmt::format("the signal '{}' is different in every run", kind)
-               : std::string();
 }
 }  // namespace
 

@@ -29,7 +29,7 @@ Result<bool> FittedSource::show(double seconds, Executors& executors) {
 }
 
 Result<void> FittedSource::show_past(double seconds, Executors& executors) {
-    if (!m_source || m_source->is_film())
+    if (!m_source || m_source->is_film() || m_source->is_live())
         return {};
     const auto shown = show(seconds, executors);
     return shown ? Result<void>() : fail(shown.error());
@@ -52,7 +52,7 @@ Result<void> FittedSource::show_in(double seconds, const Other& other) {
 }
 
 Result<void> FittedSource::show_past_in(double seconds, const Other& other) {
-    if (!m_source || m_source->is_film())
+    if (!m_source || m_source->is_film() || m_source->is_live())
         return {};
     return show_in(seconds, other);
 }

@@ -24,7 +24,8 @@ public:
     /// Sets the source for the end time of a frame; true if the picture changed. A
     /// picture that is still being read is late.
     Result<bool> show(double seconds, Executors& executors);
-    /// The same for a replayed frame. A film keeps its current picture.
+    /// The same for a replayed frame. A film and a live
+    /// source keep their current picture.
     Result<void> show_past(double seconds, Executors& executors);
     /// As show(), for executors that have lost their source.
     Result<void> show_again(double seconds, Executors& executors);

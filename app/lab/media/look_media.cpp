@@ -21,6 +21,11 @@ void append(const Diagnostics& more, Diagnostics& problems) {
 }
 
 void check_source(const std::string& text, Diagnostics& problems) {
+    if (const auto spec = parse_source(text); spec && spec->is_live()) {
+        if (const auto live = parse_live(spec->picture); !live)
+            append(live.error(), problems);
+        return;  // depends on another program or a device
+    }
     auto source = Source::open(text);
     append(source ? source->take_problems() : source.error(), problems);
 }

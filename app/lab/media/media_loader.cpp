@@ -23,7 +23,7 @@ LoadedMedia read_signal(const std::string& name, JobProgress& work) {
 LoadedMedia read_source(const std::string& name) {
     LoadedMedia loaded;
     loaded.name = name;
-    auto source = Source::open(name);
+    auto source = Source::open(name, LiveReading::newest);
     if (!source)
         loaded.problems = std::move(source.error());
     else
@@ -37,7 +37,7 @@ std::string file_to_digest(const LoadedMedia& loaded) {
         return {};
     if (!loaded.source)
         return loaded.name;
-    const bool is_file = !loaded.source->moves() && !loaded.source->spec().is_pattern();
+    const bool is_file = !loaded.source->moves() && loaded.source->spec().is_file();
     return is_file ? loaded.source->spec().picture : std::string();
 }
 }  // namespace

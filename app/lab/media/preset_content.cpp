@@ -35,7 +35,13 @@ std::string file_named_by(const Preset& preset) {
     if (preset.source.empty())
         return preset.signal ? file_of(*preset.signal) : std::string();
     const auto source = parse_source(preset.source);
-    return !source || source->is_pattern() ? std::string() : source->picture;
+    return source && source->is_file() ? source->picture : std::string();
+}
+
+// The source that records a window, the screen, a camera or a pipe; "": none.
+std::string live_source_of(const Preset& preset) {
+    const auto source = parse_source(preset.source);
+    return source && source->is_live() ? source->picture : std::string();
 }
 
 // Moves the signal or source to `outside` if it needs the user's consent.
@@ -43,13 +49,15 @@ void separate_drive(Preset& preset, const fs::path& folder, const RecentMedia& r
                     OutsideContent& outside) {
     const std::string socket =
         preset.signal && preset.source.empty() ? socket_of(*preset.signal) : std::string();
+    const std::string live = live_source_of(preset);
     const std::string file = socket.empty() ? file_named_by(preset) : std::string();
-    const bool is_outside = socket.empty()
-                                ? !file.empty() && is_asked_for(folder / file, folder, recent)
-                                : !is_inside(socket, runtime_folder());
+    const bool is_outside = !socket.empty() ? !is_inside(socket, runtime_folder())
+                            : !live.empty()
+                                ? !recent.has(live)
+                                : !file.empty() && is_asked_for(folder / file, folder, recent);
     if (!is_outside)
         return;
-    outside.name = socket.empty() ? file : socket;
+    outside.name = !socket.empty() ? socket : live.empty() ? file : live;
     outside.signal = std::exchange(preset.signal, std::nullopt);
     outside.source = std::exchange(preset.source, {});
     preset.media_digest.clear();
@@ -74,8 +82,9 @@ std::string OutsideContent::names(char quote) const {
     const bool is_socket = signal && !socket_of(*signal).empty();
     std::vector<std::string> named;
     if (!name.empty())
-        named.push_back(is_socket ? fmt::format("socket {0}{1}{0}", quote, name)
-                                  : fmt::format("file {0}{1}{0}", quote, name));
+        named.push_back(is_live(name) ? fmt::format("live source {0}{1}{0}", quote, name)
+                        : is_socket   ? fmt::format("socket {0}{1}{0}", quote, name)
+                                      : fmt::format("file {0}{1}{0}", quote, name));
     for (auto file = files.begin(); file != files.end() && named.size() < max_named; ++file)
         named.push_back(fmt::format("file {0}{1}{0}", quote, file->second.path));
     if (count() > named.size())

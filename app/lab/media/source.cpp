@@ -1,5 +1,6 @@
 #include "lab/media/source.h"
 
+#include "io/capture/open_capture.h"
 #include "io/pictures/picture_file.h"
 #include "io/pictures/picture_sequence.h"
 #include "io/video/video_file.h"
@@ -16,6 +17,8 @@
 
 namespace {
 constexpr double usual_rate = 60.0;
+constexpr double first_picture_seconds = 3.0;  // until a live source counts as missing
+constexpr Extent missing_extent{640, 480};
 
 // The pattern with its size, from the text of a pattern source.
 std::string_view pattern_of(const SourceSpec& spec) {
@@ -26,14 +29,91 @@ std::string_view pattern_of(const SourceSpec& spec) {
 Result<Picture> read_still(const SourceSpec& spec) {
     return spec.is_pattern() ? make_pattern(pattern_of(spec)) : load_picture(spec.picture);
 }
+
+/// Every picture of a live input, one after the other.
+class LiveReader final : public PictureReader {
+public:
+    explicit LiveReader(std::unique_ptr<VideoCapture> input) : m_input(std::move(input)) {}
+
+    Result<std::optional<Picture>> read(std::int64_t number) override {
+        constexpr double between_looks = 1.0;  // s
+        while (m_next <= number && !m_count) {
+            auto picture = m_input->read(between_looks);
+            if (!picture && m_next == 0)
+                return fail(picture.error());
+            if (!picture)
+                m_count = m_next;
+            else if (*picture)
+                m_latest = std::move(**picture);
+            m_next += picture && *picture ? 1 : 0;
+        }
+        return m_count && number >= *m_count ? std::nullopt : std::optional(m_latest);
+    }
+
+    std::optional<std::int64_t> count() const override { return m_count; }
+    double rate() const override { return m_input->rate(); }
+
+private:
+    std::unique_ptr<VideoCapture> m_input;
+    Picture m_latest;
+    std::int64_t m_next = 0;
+    std::optional<std::int64_t> m_count;
+};
 }  // namespace
 
-Result<Source> Source::open(const std::string& text) {
+Result<void> Source::open_whole_pipe(const LiveSpec& live) {
+    auto input = open_capture(live, m_spec.rate, StreamPace::all);
+    if (!input)
+        return fail(input.error());
+    auto reader = std::make_unique<LiveReader>(std::move(*input));
+    LiveReader& opened = *reader;
+    m_stream = std::make_unique<FrameStream>(std::move(reader), m_spec.picture, false);
+    m_picture = m_stream->wait(0);
+    m_own_rate = opened.rate();  // known when the first picture has come
+    if (!m_picture)
+        return fail(m_stream->take_problems());
+    return {};
+}
+
+Result<void> Source::open_live(LiveReading reading) {
+    const auto live = parse_live(m_spec.picture);
+    if (!live)
+        return fail(live.error());
+    if (reading == LiveReading::complete && live->kind == LiveKind::pipe)
+        return open_whole_pipe(*live);
+    m_live = std::make_unique<LiveStream>(
+        [live = *live, rate = m_spec.rate] { return open_capture(live, rate, StreamPace::live); },
+        m_spec.picture, m_spec.rate);
+    m_picture = m_live->wait_for_first(first_picture_seconds);
+    m_is_late = !m_picture;
+    if (m_picture)
+        return {};
+    if (reading == LiveReading::complete) {
+        Diagnostics problems = m_live->take_problems();
+        if (problems.empty())
+            problems.push_back({m_spec.picture, 0, "no picture came within 3 s"});
+        for (Diagnostic& problem : problems)
+            problem.severity = Severity::error;
+        return fail(std::move(problems));
+    }
+    const auto size = static_cast<std::size_t>(missing_extent.width * missing_extent.height * 3);
+    m_picture = std::make_shared<const Picture>(
+        Picture{missing_extent, 3, Encoding::display, std::vector<float>(size)});
+    return {};
+}
+
+Result<Source> Source::open(const std::string& text, LiveReading live) {
     auto spec = parse_source(text);
     if (!spec)
         return fail(spec.error());
     Source source;
     source.m_spec = std::move(*spec);
+    if (source.m_spec.is_live()) {
+        if (auto opened = source.open_live(live); !opened)
+            return fail(opened.error());
+        source.find_prescale();
+        return source;
+    }
     const std::filesystem::path file = source.m_spec.picture;
     const bool is_pattern = source.m_spec.is_pattern();
     std::error_code error;
@@ -76,7 +156,7 @@ Extent Source::extent() const {
 
 // The factor of the first picture is used for the whole film.
 void Source::find_prescale() {
-    if (m_spec.prescaled != 0 || m_spec.is_pattern() || m_has_looked_for_prescale)
+    if (m_spec.prescaled != 0 || m_spec.is_pattern() || m_has_looked_for_prescale || m_is_late)
         return;
     m_found_prescale = found_prescale(*m_picture);
     m_has_looked_for_prescale = true;
@@ -98,12 +178,16 @@ void Source::set_spec(const SourceSpec& spec) {
     m_spec = spec;
     find_prescale();
     if (m_stream)
-        m_stream->set_loop(spec.loops);
+        m_stream->set_loop(spec.loops && !spec.is_live());
+    if (m_live)
+        m_live->set_rate(spec.rate);
 }
 
 void Source::expect(Encoding encoding) {
     if (m_stream)
         m_stream->set_encoding(encoding);
+    if (m_live)
+        m_live->set_encoding(encoding);
 }
 
 double Source::rate() const {
@@ -130,7 +214,27 @@ void Source::draw_pattern(double seconds) {
         m_picture = std::make_shared<const Picture>(std::move(*picture));
 }
 
+void Source::follow_live() {
+    SharedPicture picture = m_live->newest();
+    m_is_late = picture == nullptr;
+    if (picture)
+        m_picture = std::move(picture);
+    find_prescale();
+}
+
+bool Source::refresh() {
+    const Extent before = extent();
+    if (m_live)
+        follow_live();
+    return extent() != before;
+}
+
 SharedPicture Source::wait_for(double seconds) {
+    if (m_live) {
+        m_live->wait_until(seconds);
+        follow_live();
+        return original();
+    }
     if (m_is_moving_pattern)
         draw_pattern(seconds);
     if (m_stream)
@@ -141,8 +245,10 @@ SharedPicture Source::wait_for(double seconds) {
 }
 
 SharedPicture Source::picture_at(double seconds) {
+    if (m_live)
+        follow_live();
     if (!m_stream)
-        return wait_for(seconds);
+        return m_live ? original() : wait_for(seconds);
     SharedPicture picture = m_stream->peek(number_at(seconds));
     m_is_late = picture == nullptr;
     if (picture)
@@ -152,10 +258,10 @@ SharedPicture Source::picture_at(double seconds) {
 
 Diagnostics Source::take_problems() {
     Diagnostics problems = std::exchange(m_problems, {});
-    if (m_stream) {
-        const Diagnostics more = m_stream->take_problems();
-        problems.insert(problems.end(), more.begin(), more.end());
-    }
+    const Diagnostics more = m_stream ? m_stream->take_problems()
+                             : m_live ? m_live->take_problems()
+                                      : Diagnostics();
+    problems.insert(problems.end(), more.begin(), more.end());
     return problems;
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 fs::path source_video(const Document& document) {
     const auto source = parse_source(document.state().source);
     const bool is_video = document.look().driven_by == Driver::picture && source &&
-                          source->rate == 0.0 && !source->is_pattern() &&
+                          source->rate == 0.0 && source->is_file() &&
                           is_video_file(source->picture);
     return is_video ? fs::path(source->picture) : fs::path();
 }

@@ -56,7 +56,8 @@ void stand_in(Document& document) {
             set_signal(document, *look.default_signal);
     } else if (look.driven_by == Driver::picture) {
         const auto source = parse_source(document.state().source);
-        if (source && !source->is_pattern() && is_lost(source->picture))
+        const bool is_live = source && source->is_live();
+        if (is_live || (source && source->is_file() && is_lost(source->picture)))
             set_source(document, look.default_source);
     }
 }
@@ -71,9 +72,9 @@ int frames_of(const Look& look) {
 std::vector<fs::path> files_named_in(const Document& document) {
     std::vector<fs::path> files;
     const auto source = parse_source(document.state().source);
-    const bool is_pattern =
-        document.look().driven_by == Driver::picture && source && source->is_pattern();
-    if (const std::string file = driving_file(document); !file.empty() && !is_pattern)
+    const bool has_no_file =
+        document.look().driven_by == Driver::picture && source && !source->is_file();
+    if (const std::string file = driving_file(document); !file.empty() && !has_no_file)
         files.emplace_back(file);
     for (const auto& [name, value] : document.values())
         if (!value.path.empty())

@@ -37,7 +37,7 @@ std::string digest_of_media(const fs::path& file) {
 std::string media_file_of(const Preset& preset) {
     if (!preset.source.empty()) {
         const auto source = parse_source(preset.source);
-        return !source || source->is_pattern() ? std::string() : source->picture;
+        return source && source->is_file() ? source->picture : std::string();
     }
     return preset.signal ? file_of(*preset.signal) : std::string();
 }
@@ -77,6 +77,13 @@ bool is_picture_file(const fs::path& file) {
     return has_extension(file, picture_extensions());
 }
 
+namespace {
+// A live source is no file.
+fs::path listed_as(const fs::path& file) {
+    return is_live(file.string()) ? file : fs::absolute(file).lexically_normal();
+}
+}  // namespace
+
 std::vector<MediaEntry> RecentMedia::entries() const {
     if (!is_there(m_list))
         return {};
@@ -88,7 +95,7 @@ std::vector<MediaEntry> RecentMedia::entries() const {
 void RecentMedia::remember(const fs::path& file, const std::string& digest) const {
     constexpr std::size_t maximum = 100;
     std::vector<MediaEntry> list = entries();
-    const MediaEntry entry{fs::absolute(file).lexically_normal(), digest, stamp_text(file)};
+    const MediaEntry entry{listed_as(file), digest, stamp_text(file)};
     if (!list.empty() && list.front() == entry)
         return;
     std::erase_if(list, [&entry](const MediaEntry& old) { return old.file == entry.file; });
@@ -113,8 +120,7 @@ std::optional<fs::path> RecentMedia::find(const std::string& name,
 
 bool RecentMedia::has(const fs::path& file) const {
     const std::vector<MediaEntry> all = entries();
-    return std::ranges::find(all, fs::absolute(file).lexically_normal(), &MediaEntry::file) !=
-           all.end();
+    return std::ranges::find(all, listed_as(file), &MediaEntry::file) != all.end();
 }
 
 std::string RecentMedia::digest_of(const fs::path& file) const {

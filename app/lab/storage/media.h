@@ -17,8 +17,8 @@ bool is_sound_file(const std::filesystem::path& file);
 /// Whether the file name has the extension of a picture.
 bool is_picture_file(const std::filesystem::path& file);
 
-/// The user's recently opened sounds and pictures, stored between sessions. A preset names its file
-/// without a folder, so that it can be shared. This list finds the file again.
+/// The user's recently opened sounds, pictures and live sources, stored between sessions. A preset
+/// names its file without a folder, so that it can be shared. This list finds the file again.
 class RecentMedia {
 public:
     explicit RecentMedia(const Roots& roots) : m_list(roots.state / "media.json") {}

@@ -112,7 +112,7 @@ Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual) 
         const auto taken = take_setting(pieces.back(), source);
         if (taken && !*taken)
             return fail(taken->error());
-        if (!taken && !text.starts_with("pattern:"))
+        if (!taken && !text.starts_with("pattern:") && !has_live_settings(text))
             break;
         if (!taken)
             own.insert(own.begin(), pieces.back());
@@ -121,7 +121,10 @@ Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual) 
     pieces.insert(pieces.end(), own.begin(), own.end());
     source.picture = fmt::format("{}", fmt::join(pieces, ","));
     if (source.picture.empty())
-        return fail({{}, 0, "a source must be a file or pattern:NAME"});
+        return fail({{},
+                     0,
+                     "a source must be a file, pattern:NAME, window:TITLE, screen:, camera:DEVICE "
+                     "or pipe:"});
     if (source.shape && source.aspect != 1.0)
         return fail({{}, 0, "a source can have 'aspect' or 'shape', not both"});
     return source;

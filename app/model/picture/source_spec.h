@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/look/extent.h"
+#include "model/picture/live_spec.h"
 
 #include <optional>
 #include <string>
@@ -25,7 +26,7 @@ struct ShapeRatio {
 
 /// A source picture by name, with its display settings: "frame_%04d.png,fit=whole,rate=25".
 struct SourceSpec {
-    std::string picture;  // "pattern:NAME" with its own settings, or a file
+    std::string picture;  // "pattern:NAME" or a live source with its own settings, or a file
     Fit fit = Fit::stretch;
     double aspect = 1.0;  // width / height of a pixel; ignored when stretched
     double rate = 0.0;    // pictures per second of a sequence or video; 0: its own, or 60
@@ -35,12 +36,15 @@ struct SourceSpec {
 
     bool operator==(const SourceSpec&) const = default;
     bool is_pattern() const { return picture.starts_with("pattern:"); }
+    bool is_live() const { return ::is_live(picture); }
+    bool is_file() const { return !picture.empty() && !is_pattern() && !is_live(); }
 };
 
 constexpr int largest_prescale = 8;
 
 /// Parses a source with the settings fit, aspect, shape, prescaled, rate and loop at its end.
-/// Everything before them, commas included, is the file name or pattern. `usual`: default settings.
+/// Everything before them, commas included, is the file name, pattern or
+/// live source. `usual`: default settings.
 /// Errors have no file.
 Result<SourceSpec> parse_source(std::string_view text, const SourceSpec& usual = {});
 

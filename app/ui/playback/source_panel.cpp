@@ -24,6 +24,8 @@ void set_source(const SourceSpec& source, Edits& edits, bool continues_step = fa
 
 // The label of the pattern, or the file name.
 std::string label_of(const SourceSpec& source) {
+    if (source.is_live())
+        return source.picture;
     if (!source.is_pattern())
         return std::filesystem::path(source.picture).filename().string();
     std::string name = name_of_pattern(source);
