@@ -12,6 +12,7 @@ struct LabParts {
     const AudioControl& audio;
     const Messages& messages;
     const MediaInput& media;
+    const LiveChoices& live;
     const RenderSize& size;
     const LookSender& sender;
     const FrameLoop& frames;

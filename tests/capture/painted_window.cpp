@@ -1,5 +1,5 @@
 // An X11 window that paints itself as its standard input says, one command per line:
-//   fill RRGGBB | part X Y W H RRGGBB | move X Y | resize W H | hide | show
+//   fill RRGGBB | part X Y W H RRGGBB | move X Y | resize W H | hide | show | lower
 // It paints again what was uncovered, and answers "done" when the server has carried out a command.
 // Its arguments are TITLE X Y W H.
 
@@ -17,6 +17,8 @@
 #include <xcb/xcb.h>
 
 namespace {
+constexpr int largest_side = 8192;
+
 struct Place {
     int x = 0;
     int y = 0;
@@ -69,7 +71,7 @@ public:
         if (command == "fill" || command == "part")
             m_painted.push_back(line);
         if (command == "fill")
-            paint({0, 0, UINT16_MAX, UINT16_MAX}, words);
+            paint({0, 0, largest_side, largest_side}, words);
         else if (command == "part" && words >> place.x >> place.y >> place.width >> place.height)
             paint(place, words);
         else if (command == "move" && words >> place.x >> place.y)
@@ -77,6 +79,8 @@ public:
         else if (command == "resize" && words >> place.width >> place.height)
             configure(XCB_CONFIG_WINDOW_WIDTH | XCB_CONFIG_WINDOW_HEIGHT, place.width,
                       place.height);
+        else if (command == "lower")
+            lower();
         else if (command == "hide")
             xcb_unmap_window(m_connection, m_window);
         else if (command == "show")
@@ -103,6 +107,12 @@ private:
         const std::uint32_t values[]{static_cast<std::uint32_t>(first),
                                      static_cast<std::uint32_t>(second)};
         xcb_configure_window(m_connection, m_window, mask, values);
+    }
+
+    // Below all other windows.
+    void lower() {
+        const std::uint32_t below = XCB_STACK_MODE_BELOW;
+        xcb_configure_window(m_connection, m_window, XCB_CONFIG_WINDOW_STACK_MODE, &below);
     }
 
     void synchronize() {

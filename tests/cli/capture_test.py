@@ -10,8 +10,10 @@ import unittest
 from pathlib import Path
 
 PAINTED_WINDOW = sys.argv.pop()
-sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "window"))
+TESTS = Path(__file__).resolve().parents[1]
+sys.path[1:1] = [str(TESTS / "window"), str(TESTS / "capture")]
 
+from painted_window import PaintedWindow  # noqa: E402
 from program import PROGRAM, ProgramTest, main, read_png, run  # noqa: E402
 from screen import Screen  # noqa: E402
 
@@ -20,30 +22,6 @@ COPY = """/*{ "INPUTS": [{ "NAME": "inputImage", "TYPE": "image" }] }*/
 void main() { gl_FragColor = IMG_THIS_PIXEL(inputImage); }
 """
 NAVY, ORANGE, GREEN = (0x20, 0x40, 0x60), (0xFF, 0x80, 0x00), (0x00, 0xFF, 0x00)
-
-
-class Window:
-    """A window of another program, in its own process."""
-
-    def __init__(self, test, title, x, y, width, height):
-        self.process = subprocess.Popen([PAINTED_WINDOW, title, *map(str, (x, y, width, height))],
-                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-                                        env={**os.environ, "DISPLAY": test.screen.display})
-        test.addCleanup(self.close)
-        self.wait()
-
-    def wait(self):
-        answer = self.process.stdout.readline().strip()
-        assert answer == "done", answer
-
-    def do(self, command):
-        print(command, file=self.process.stdin, flush=True)
-        self.wait()
-
-    def close(self):
-        self.process.stdin.close()
-        self.process.wait()
-        self.process.stdout.close()
 
 
 class CaptureTest(ProgramTest):
@@ -57,6 +35,11 @@ class CaptureTest(ProgramTest):
         self.copy = self.folder / "copy.fs"
         self.copy.write_text(COPY)
 
+    def window(self, *words):
+        window = PaintedWindow(PAINTED_WINDOW, self.screen.display, *words)
+        self.addCleanup(window.close)
+        return window
+
     def render(self, source, size, *options):
         return run("render", self.copy, "--source", source, "--size", size, *options, DISPLAY=self.screen.display)
 
@@ -68,10 +51,10 @@ class CaptureTest(ProgramTest):
         return [[tuple(row[x:x + 3]) for x in range(0, len(row), 3)] for row in rows]
 
     def test_a_covered_window_is_drawn_without_the_window_that_covers_it(self):
-        window = Window(self, "Painted: one, two", 100, 100, 320, 200)
+        window = self.window("Painted: one, two", 100, 100, 320, 200)
         window.do("fill 204060")
         window.do("part 10 20 30 40 ff8000")
-        cover = Window(self, "Cover", 150, 150, 320, 200)
+        cover = self.window("Cover", 150, 150, 320, 200)
         cover.do("fill 00ff00")
         rows = self.pixels("window:painted: ONE, two", "320x200")
         wanted = [[ORANGE if 10 <= x < 40 and 20 <= y < 60 else NAVY for x in range(320)] for y in range(200)]
@@ -81,7 +64,7 @@ class CaptureTest(ProgramTest):
         self.assertEqual(rows, [[GREEN if x >= 10 and y >= 10 else NAVY for x in range(20)] for y in range(20)])
 
     def test_a_window_that_is_missing_or_minimised_is_named(self):
-        window = Window(self, "Painted", 0, 0, 64, 48)
+        window = self.window("Painted", 0, 0, 64, 48)
         window.do("fill 204060")
         self.assert_refused(self.render("window:Editor", "64x48", "--frames", "1", "-o", self.folder / "no.png"),
                             "no window has the title 'Editor'. Open windows: 'Painted'")

@@ -5,6 +5,7 @@ import sys
 import unittest
 from pathlib import Path
 
+from capturing import Capturing
 from choosing import Choosing
 from collecting import Collecting
 from comparing import Comparing
@@ -30,7 +31,7 @@ from tuning import Tuning
 Person.executable = Path(sys.argv[1]).resolve()
 
 
-class WindowTest(Choosing, Collecting, Comparing, Drawing, Driving, Editing, Exporting, Filing, Foreign,
+class WindowTest(Capturing, Choosing, Collecting, Comparing, Drawing, Driving, Editing, Exporting, Filing, Foreign,
                  Helping, Keeping, Keyboard, Listing, Looking, Moving, Owning, Remoting, Sequencing,
                  Trying, Tuning):
     """All tests with one window, for pictures of the manual."""

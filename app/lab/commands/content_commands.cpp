@@ -67,6 +67,17 @@ void ContentCommands::open(const fs::path& file) {
          .file = file});
 }
 
+void ContentCommands::show_live(const std::string& text) {
+    if (!m_work.document || !can_use(m_work.document->look(), Driver::picture))
+        return m_work.messages.say(needs_picture_look, true);
+    const auto source = parse_source(text);
+    const auto live = source ? parse_live(source->picture) : fail(source.error());
+    if (!live)
+        return static_cast<void>(m_work.messages.succeeded(live));
+    m_work.media.choose(
+        {.driver = Driver::picture, .source = with_users_defaults(text, m_work.document->look())});
+}
+
 void ContentCommands::choose_picture(const std::string& parameter, const fs::path& file) {
     if (m_work.document)
         m_work.pictures.chosen().choose(m_work.document->look(), {parameter, file});
@@ -110,7 +121,8 @@ void ContentCommands::take_content() {
     if (!taken || !m_work.messages.succeeded(*taken))
         return;
     const ChosenContent& chosen = **taken;
-    m_work.opened_files.add(chosen.file);
+    if (!chosen.file.empty())
+        m_work.opened_files.add(chosen.file);
     const bool is_signal = chosen.driver == Driver::signal;
     if (!can_use(m_work.document->look(), chosen.driver)) {
         Content content = content_of(*m_work.document);  // stored for the next look that uses it

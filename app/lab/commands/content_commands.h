@@ -21,6 +21,8 @@ public:
     /// Makes a file the signal, source, drawing or reference. It is read in the background. On
     /// failure nothing changes.
     void open(const std::filesystem::path& file);
+    /// Makes a live source, as parse_source() reads it, the source. Reports why it can't.
+    void show_live(const std::string& text);
     /// The same for the picture of an image parameter.
     void choose_picture(const std::string& parameter, const std::filesystem::path& file);
     /// Stops reading; the previous content stays.

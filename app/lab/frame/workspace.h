@@ -4,6 +4,7 @@
 #include "lab/editor/external_programs.h"
 #include "lab/library/library.h"
 #include "lab/library/opened_files.h"
+#include "lab/media/live_choices.h"
 #include "lab/media/look_pictures.h"
 #include "lab/media/media_input.h"
 #include "lab/media/render_size.h"
@@ -24,6 +25,7 @@ struct Workspace {
     OpenDocument document = {};
     Player player{machine_sound_devices()};
     MediaInput media{RecentMedia(library.roots())};
+    LiveChoices live = {};
     RenderSize size{document, media};
     LookSender sender{library.roots().cache / "sent"};
     std::unique_ptr<Renderer> renderer = {};  // null until a look has drawn

@@ -99,7 +99,9 @@ std::optional<Result<ChosenContent>> MediaInput::take_chosen(const Look& look, P
             return fail(std::move(set.error()));
     if (is_shown)
         m_loader.cancel();
-    m_recent.remember(chosen.file, loaded->digest);
+    m_recent.remember(
+        chosen.file.empty() ? std::filesystem::path(file_of_source(chosen.source)) : chosen.file,
+        loaded->digest);
     if (is_shown)
         note(chosen.driver == Driver::signal ? file_of(chosen.signal)
                                              : file_of_source(chosen.source),

@@ -20,7 +20,7 @@ struct ChosenContent {
     Driver driver = Driver::signal;  // which of the two
     Spec signal = {};
     std::string source = {};
-    std::filesystem::path file = {};
+    std::filesystem::path file = {};  // "": a live source
 };
 
 /// Loads the signal or source of the open look: the signal for the player, the source picture for

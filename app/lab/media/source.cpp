@@ -271,7 +271,9 @@ bool is_source_file(const std::filesystem::path& file) {
 
 Result<void> show_placed(const Picture& picture, const SourceSpec& spec, Extent viewport,
                          Executors& executors) {
-    const bool is_whole = spec.fit == Fit::stretch;
+    const bool is_whole = spec.fit == Fit::stretch ||
+                          (spec.fit != Fit::integer &&
+                           placed_extent(picture.extent, spec, viewport) == picture.extent);
     return executors.set_source(is_whole ? picture : placed(picture, spec, viewport),
                                 placed_aspect(spec, picture.extent),
                                 placed_raster(picture.extent, spec, viewport));

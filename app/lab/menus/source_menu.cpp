@@ -146,6 +146,10 @@ std::vector<MenuSection> source_sections(const Document& document, const OpenSou
         {.name = "Picture or video file…", .commands = {[](WindowState& window) {
                                                window.dialog = {.kind = Dialog::Kind::open_file};
                                            }}});
+    section.entries.push_back({.name = "Live source…", .commands = {[](WindowState& window) {
+                                                           window.dialog = {
+                                                               .kind = Dialog::Kind::live_source};
+                                                       }}});
     section.entries.push_back(content_lock_entry(document));
     add_named("Size", source_sizes(source), source, section.entries);
     add_fits(source, section.entries);

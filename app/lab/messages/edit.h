@@ -15,6 +15,7 @@ class DrawingTool;
 class ExternalPrograms;
 class FrameLoop;
 class Lab;
+class LiveChoices;
 class LookCommands;
 class LookSender;
 class MediaInput;
@@ -34,10 +35,10 @@ struct WindowState;
 /// no look is open. `Lab` is for edits that open a session.
 using MutableParts =
     std::tuple<AudioControl*, Automation*, BackgroundJobs*, ComparisonView*, ContentCommands*,
-               Document*, DrawingTool*, ExternalPrograms*, FrameLoop*, Lab*, LookCommands*,
-               LookSender*, MediaInput*, Messages*, ParameterSettingsStore*, PassControl*, Player*,
-               PresetCommands*, Previews*, RemoteControl*, RenderSize*, Renderer*, Sequencer*,
-               WindowState*>;
+               Document*, DrawingTool*, ExternalPrograms*, FrameLoop*, Lab*, LiveChoices*,
+               LookCommands*, LookSender*, MediaInput*, Messages*, ParameterSettingsStore*,
+               PassControl*, Player*, PresetCommands*, Previews*, RemoteControl*, RenderSize*,
+               Renderer*, Sequencer*, WindowState*>;
 
 /// A change of some parts: a function that takes references to them, such as
 /// [](Player& player) { player.pause(); }.

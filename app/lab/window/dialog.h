@@ -16,6 +16,7 @@ struct Dialog {
         open_file,
         choose_file,  // for the parameter or signal in `subject`
         choose_reference,
+        live_source,
         save_picture,
         save_pass,  // of the pass in `subject`
         load_drawing,

@@ -11,6 +11,7 @@
 #include "ui/dialogs/help_dialogs.h"
 #include "ui/dialogs/impulse_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
+#include "ui/dialogs/live_dialog.h"
 #include "ui/dialogs/look_export_dialog.h"
 #include "ui/dialogs/name_field.h"
 #include "ui/dialogs/new_look_dialog.h"
@@ -28,6 +29,7 @@
 #include <imgui/imgui.h>
 
 #include <algorithm>
+#include <array>
 
 namespace {
 struct Question {
@@ -125,64 +127,42 @@ Question name_question(Dialog::Kind kind) {
     return {"Save preset as",  "Preset name", "Save",        save_preset,
             check_preset_name, is_preset,     replace_preset};
 }
+void draw_named(const Scene& scene, Edits& edits) {
+    draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
+}
+
+struct DialogRow {
+    Dialog::Kind kind;
+    void (*draw)(const Scene& scene, Edits& edits);
+};
+constexpr std::array dialog_rows{
+    DialogRow{Dialog::Kind::save_preset_as, draw_named},
+    DialogRow{Dialog::Kind::rename_preset, draw_named},
+    DialogRow{Dialog::Kind::duplicate_look, draw_named},
+    DialogRow{Dialog::Kind::new_look, draw_new_look_dialog},
+    DialogRow{Dialog::Kind::add_pass, draw_add_pass_dialog},
+    DialogRow{Dialog::Kind::palette, draw_palette_dialog},
+    DialogRow{Dialog::Kind::compare_preset, draw_compare_dialog},
+    DialogRow{Dialog::Kind::remote, draw_remote_dialog},
+    DialogRow{Dialog::Kind::impulse, draw_impulse_dialog},
+    DialogRow{Dialog::Kind::rates, draw_rates_dialog},
+    DialogRow{Dialog::Kind::keys, draw_keys_dialog},
+    DialogRow{Dialog::Kind::about, draw_about_dialog},
+    DialogRow{Dialog::Kind::save_picture, draw_still_dialog},
+    DialogRow{Dialog::Kind::export_frames, draw_export_dialog},
+    DialogRow{Dialog::Kind::export_look, draw_look_export_dialog},
+    DialogRow{Dialog::Kind::live_source, draw_live_dialog},
+    DialogRow{Dialog::Kind::send_look, draw_send_dialog},
+    DialogRow{Dialog::Kind::quit_exporting, draw_quit_exporting_dialog},
+    DialogRow{Dialog::Kind::asked, draw_asked_dialog},
+};
 }  // namespace
 
 void draw_dialogs(const Scene& scene, Edits& edits) {
-    using Kind = Dialog::Kind;
-    if (file_dialog_kind(scene.window.dialog.kind))
+    const Dialog::Kind kind = scene.window.dialog.kind;
+    if (file_dialog_kind(kind))
         return draw_file_dialog(scene, edits);
-    switch (scene.window.dialog.kind) {
-        case Kind::save_preset_as:
-        case Kind::rename_preset:
-        case Kind::duplicate_look:
-            draw_name_dialog(name_question(scene.window.dialog.kind), scene, edits);
-            return;
-        case Kind::new_look:
-            draw_new_look_dialog(scene, edits);
-            return;
-        case Kind::add_pass:
-            draw_add_pass_dialog(scene, edits);
-            return;
-        case Kind::palette:
-            draw_palette_dialog(scene, edits);
-            return;
-        case Kind::compare_preset:
-            draw_compare_dialog(scene, edits);
-            return;
-        case Kind::remote:
-            draw_remote_dialog(scene, edits);
-            return;
-        case Kind::impulse:
-            draw_impulse_dialog(scene, edits);
-            return;
-        case Kind::rates:
-            draw_rates_dialog(scene, edits);
-            return;
-        case Kind::keys:
-            draw_keys_dialog(scene, edits);
-            return;
-        case Kind::about:
-            draw_about_dialog(scene, edits);
-            return;
-        case Kind::save_picture:
-            draw_still_dialog(scene, edits);
-            return;
-        case Kind::export_frames:
-            draw_export_dialog(scene, edits);
-            return;
-        case Kind::export_look:
-            draw_look_export_dialog(scene, edits);
-            return;
-        case Kind::send_look:
-            draw_send_dialog(scene, edits);
-            return;
-        case Kind::quit_exporting:
-            draw_quit_exporting_dialog(scene, edits);
-            return;
-        case Kind::asked:
-            draw_asked_dialog(scene, edits);
-            return;
-        default:
-            return;
-    }
+    const auto row = std::ranges::find(dialog_rows, kind, &DialogRow::kind);
+    if (row != dialog_rows.end())
+        row->draw(scene, edits);
 }

@@ -66,6 +66,11 @@ void draw_choice(const SourceSpec& source, const Scene& scene, Edits& edits) {
     if (ImGui::Button("Open picture or video…"))
         edits.show({.kind = Dialog::Kind::open_file});
     tooltip("For an image sequence, type the file name with %04d for the number.");
+    if (ImGui::Button("Show live source…"))
+        edits.show({.kind = Dialog::Kind::live_source,
+                    .text = source.is_live() ? to_string(source) : std::string()});
+    edits.mark("live_source");
+    tooltip("A window of another program, the screen, a camera or a pipe.");
 }
 
 struct NamedList {

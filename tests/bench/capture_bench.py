@@ -1,0 +1,111 @@
+"""Reading a screen that changes 30 times a second: capture_bench.py PROGRAM. Time from a change on
+the screen to the picture, and CPU time next to FFmpeg's x11grab at 30 pictures per second, which
+reads the same screen under Xvfb. A window of 640 x 360 in a screen of 1920 x 1080 changes."""
+
+import os
+import statistics
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "window"))
+from figure import tell  # noqa: E402
+from screen import Screen  # noqa: E402
+
+SCREEN = (1920, 1080)
+RATE = 30
+SECONDS = 8
+FRAME_MS = 1000 / RATE
+
+
+def cpu_seconds(process):
+    """CPU time of a process that has ended."""
+    before = os.times()
+    process.wait()
+    after = os.times()
+    return after.children_user + after.children_system - before.children_user - before.children_system
+
+
+class Window:
+    """A window that changes its colour."""
+
+    def __init__(self, program, environment, width, height):
+        self.process = subprocess.Popen([program, "Bench", "0", "0", str(width), str(height)], text=True,
+                                        env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.process.stdout.readline()
+
+    def fill(self, color):
+        """Returns when the window has changed, in s of the monotonic clock."""
+        begun = time.monotonic()
+        print("fill %06x" % color, file=self.process.stdin, flush=True)
+        self.process.stdout.readline()
+        return begun
+
+    def play(self, seconds):
+        """Changes the colour at the rate; (time, colour) of each change."""
+        changes = []
+        begun = time.monotonic()
+        while time.monotonic() < begun + seconds:
+            color = 1 + len(changes)
+            changes.append((self.fill(color), color))
+            time.sleep(max(0.0, begun + len(changes) / RATE - time.monotonic()))
+        return changes
+
+    def close(self):
+        self.process.stdin.close()
+        self.process.wait()
+
+
+def delays_of(lines, changes):
+    """ms from each change to its picture."""
+    shown = {}
+    for line in lines:
+        when, red, green, blue = line.split()
+        shown.setdefault(int(red) << 16 | int(green) << 8 | int(blue), float(when))
+    return [1000 * (shown[color] - when) for when, color in changes if color in shown]
+
+
+def ours(reader, window, environment):
+    """Delays in ms, CPU time in s."""
+    process = subprocess.Popen([reader, "screen:"], env=environment, stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, text=True)
+    process.stdout.readline()
+    changes = window.play(SECONDS)
+    time.sleep(0.3)
+    process.stdin.close()
+    lines = process.stdout.read().splitlines()
+    return delays_of(lines, changes), cpu_seconds(process)
+
+
+def theirs(window, environment):
+    """CPU time of ffmpeg in s."""
+    process = subprocess.Popen(
+        ["ffmpeg", "-v", "error", "-nostdin", "-f", "x11grab", "-framerate", str(RATE), "-video_size",
+         "%dx%d" % SCREEN, "-draw_mouse", "0", "-i", environment["DISPLAY"], "-t", str(SECONDS), "-f", "null", "-"],
+        env=environment)
+    window.play(SECONDS)
+    return cpu_seconds(process)
+
+
+def measure(folder, width, height):
+    with Screen(*SCREEN) as screen:
+        environment = {**os.environ, "DISPLAY": screen.display}
+        window = Window(folder.parent / "painted_window", environment, width, height)
+        delays, our_cpu = ours(folder / "capture_reader", window, environment)
+        their_cpu = theirs(window, environment)
+        window.close()
+    return delays, our_cpu, their_cpu
+
+
+def main():
+    folder = Path(__file__).resolve().parents[2] / "build/release/tests/bench"
+    for width, height in ((640, 360), SCREEN):
+        delays, our_cpu, their_cpu = measure(folder, width, height)
+        delays.sort()
+        print(width, height, "median %.2f ms p95 %.2f ms" % (statistics.median(delays), delays[len(delays) * 95 // 100]),
+              "of", len(delays), "cpu ours %.2f s ffmpeg %.2f s ratio %.2f" % (our_cpu, their_cpu, our_cpu / their_cpu))
+
+
+if __name__ == "__main__":
+    main()
