@@ -17,6 +17,8 @@ SCREEN = (1920, 1080)
 RATE = 30
 SECONDS = 8
 FRAME_MS = 1000 / RATE
+TOPIC = "capture"
+TITLE = "Live sources"
 
 
 def cpu_seconds(process):
@@ -103,8 +105,14 @@ def main():
     for width, height in ((640, 360), SCREEN):
         delays, our_cpu, their_cpu = measure(folder, width, height)
         delays.sort()
-        print(width, height, "median %.2f ms p95 %.2f ms" % (statistics.median(delays), delays[len(delays) * 95 // 100]),
-              "of", len(delays), "cpu ours %.2f s ffmpeg %.2f s ratio %.2f" % (our_cpu, their_cpu, our_cpu / their_cpu))
+        part = "%d x %d px of the screen" % (width, height)
+        detail = "%d changes" % len(delays)
+        tell(TOPIC, TITLE, "capture-median-%d" % width, "change of %s to picture, median" % part,
+             statistics.median(delays), "ms", FRAME_MS, detail)
+        tell(TOPIC, TITLE, "capture-p95-%d" % width, "change of %s to picture, 95th percentile" % part,
+             delays[len(delays) * 95 // 100], "ms", FRAME_MS, detail)
+        tell(TOPIC, TITLE, "capture-cpu-%d" % width, "CPU time next to FFmpeg's x11grab, %s change" % part,
+             our_cpu / their_cpu, "x", 1.0, "%.2f s and %.2f s" % (our_cpu, their_cpu))
 
 
 if __name__ == "__main__":

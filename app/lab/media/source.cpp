@@ -96,9 +96,9 @@ Result<void> Source::open_live(LiveReading reading) {
             problem.severity = Severity::error;
         return fail(std::move(problems));
     }
-    const auto size = static_cast<std::size_t>(missing_extent.width * missing_extent.height * 3);
-    m_picture = std::make_shared<const Picture>(
-        Picture{missing_extent, 3, Encoding::display, std::vector<float>(size)});
+    Picture black{missing_extent, 3, Encoding::display, {}};
+    black.pixels.resize(black.index(0, missing_extent.height));
+    m_picture = std::make_shared<const Picture>(std::move(black));
     return {};
 }
 
