@@ -22,10 +22,8 @@ int main(int count, char** words) {
             continue;
         const std::chrono::duration<double> now =
             std::chrono::steady_clock::now().time_since_epoch();
-        const std::vector<float>& pixels = (*picture)->pixels;
-        std::printf("%.6f %.0f %.0f %.0f\n", now.count(), static_cast<double>(pixels[0] * 255.0f),
-                    static_cast<double>(pixels[1] * 255.0f),
-                    static_cast<double>(pixels[2] * 255.0f));
+        const std::uint8_t* const pixel = (*picture)->bytes.get();
+        std::printf("%.6f %d %d %d\n", now.count(), pixel[2], pixel[1], pixel[0]);
         std::fflush(stdout);
     }
     return 0;

@@ -2,6 +2,7 @@
 
 #include "gpu/objects/gl_format.h"
 #include "gpu/objects/upload_rows.h"
+#include "model/picture/byte_pixels.h"
 #include "model/picture/encoding_curve.h"
 
 #include <algorithm>
@@ -36,10 +37,41 @@ void recode_row(const float* pixel, int channels, int width, const EncodingCurve
         texel[3] = rgba[3];
     }
 }
+
+// The colours of bytes: a table, because there are only 256.
+using ByteCurve = std::array<float, 256>;
+
+ByteCurve curve_of_bytes(const EncodingCurve* curve) {
+    ByteCurve table{};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const float number = float_of(static_cast<std::uint8_t>(i));
+        table[i] = curve ? (*curve)(number) : number;
+    }
+    return table;
+}
+
+// `count` rows of the texture, starting at `first`.
+void fill_byte_rows(const Picture& picture, const ByteCurve& curve, RowOrder rows, int first,
+                    int count, float* texel) {
+    const Extent extent = picture.extent;
+    for (int row = first; row < first + count; ++row) {
+        const int y = rows == RowOrder::top_first ? row : extent.height - 1 - row;
+        const std::uint8_t* byte = bytes_at(picture, 0, y);
+        for (int x = 0; x < extent.width; ++x, byte += 4, texel += 4) {
+            texel[0] = curve[byte[2]];
+            texel[1] = curve[byte[1]];
+            texel[2] = curve[byte[0]];
+            texel[3] = 1.0f;
+        }
+    }
+}
+
 // `count` rows of the texture, starting at `first`.
 void fill_rows(const Picture& picture, const EncodingCurve* curve, RowOrder rows, int first,
                int count, float* texel) {
     const Extent extent = picture.extent;
+    if (picture.bytes)
+        return fill_byte_rows(picture, curve_of_bytes(curve), rows, first, count, texel);
     for (int row = first; row < first + count; ++row) {
         const int y = rows == RowOrder::top_first ? row : extent.height - 1 - row;
         const float* pixel = picture.pixels.data() + picture.index(0, y);

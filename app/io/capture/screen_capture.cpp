@@ -67,14 +67,14 @@ private:
 
     Result<bool> update() {
         const bool has_moved = m_has_cursor && update_cursor();
-        if (m_damage.is_empty())
-            return has_moved;
+        if (m_damage.is_empty() && !has_moved)
+            return false;
         find_own_windows();
         const auto damaged = m_damage.take();
         const auto part = damaged ? overlap_of(*damaged, m_area) : std::nullopt;
-        if (!part || is_covered(*part))
-            return has_moved;
-        auto read = m_reader.read(m_server.root(), m_area.x, m_area.y, *part, m_covered);
+        if (!has_moved && (!part || is_covered(*part)))
+            return false;
+        auto read = m_reader.read(m_server.root(), m_area.x, m_area.y, m_covered);
         if (read && !*read)
             return fail({{}, 0, "the screen's size has changed"});
         return read;
@@ -121,26 +121,32 @@ private:
     }
 
     Picture picture() const {
-        Picture picture = picture_of(m_area.extent, m_reader.pixels());
-        const auto part = m_has_cursor ? overlap_of(m_cursor.place, m_area) : std::nullopt;
-        if (!part)
-            return picture;
-        for (int y = part->y; y < part->y + part->extent.height; ++y)
-            for (int x = part->x; x < part->x + part->extent.width; ++x)
-                blend(x, y, &picture.pixels[picture.index(x - m_area.x, y - m_area.y)]);
-        return picture;
+        if (const auto part = m_has_cursor ? overlap_of(m_cursor.place, m_area) : std::nullopt)
+            draw_cursor(*part);
+        return {m_area.extent, 4, Encoding::display, {}, {}, {}, m_reader.bytes()};
     }
 
-    void blend(int x, int y, float* rgb) const {
-        const auto row = static_cast<std::size_t>(y - m_cursor.place.y);
-        const auto column = static_cast<std::size_t>(x - m_cursor.place.x);
-        const std::uint32_t argb =
-            m_cursor.pixels[row * static_cast<std::size_t>(m_cursor.place.extent.width) + column];
-        const auto part = [&](int shift) {
-            return static_cast<float>((argb >> static_cast<unsigned>(shift)) & 0xFFU) / 255.0f;
-        };
-        for (int c = 0; c < 3; ++c)
-            rgb[c] = part(16 - 8 * c) + rgb[c] * (1.0f - part(24));
+    void draw_cursor(const ScreenArea& part) const {
+        for (int y = part.y; y < part.y + part.extent.height; ++y)
+            for (int x = part.x; x < part.x + part.extent.width; ++x) {
+                const auto row = static_cast<std::size_t>(y - m_cursor.place.y);
+                const auto column = static_cast<std::size_t>(x - m_cursor.place.x);
+                const auto width = static_cast<std::size_t>(m_cursor.place.extent.width);
+                const std::size_t pixel = static_cast<std::size_t>(y - m_area.y) *
+                                              static_cast<std::size_t>(m_area.extent.width) +
+                                          static_cast<std::size_t>(x - m_area.x);
+                blend(m_cursor.pixels[row * width + column], m_reader.bytes().get() + 4 * pixel);
+            }
+    }
+
+    // `argb` is premultiplied; the pixel is blue, green, red.
+    static void blend(std::uint32_t argb, std::uint8_t* pixel) {
+        const std::uint32_t alpha = argb >> 24U;
+        for (unsigned c = 0; c < 3; ++c) {
+            const std::uint32_t own = (argb >> (8U * c)) & 0xFFU;
+            const std::uint32_t below = (pixel[c] * (255U - alpha) + 127U) / 255U;
+            pixel[c] = static_cast<std::uint8_t>(std::min(own + below, 255U));
+        }
     }
 
     XServer m_server;

@@ -74,10 +74,11 @@ public:
             }
             if (!m_is_hidden && (!m_damage.is_empty() || m_needs_all)) {
                 auto read = update();
-                if (!read || *read)
-                    return read ? Result<std::optional<Picture>>(
-                                      picture_of(m_reader->extent(), m_reader->pixels()))
-                                : fail(read.error());
+                if (!read)
+                    return fail(read.error());
+                if (*read)
+                    return Picture{m_reader->extent(), 4, Encoding::display, {}, {}, {},
+                                   m_reader->bytes()};
             }
             const double left = Seconds(end - Clock::now()).count();
             if (left <= 0.0)
@@ -156,9 +157,8 @@ private:
 
     // False: the window changes its size just now.
     Result<bool> update() {
-        const auto damaged = m_damage.take();
-        const ScreenArea all{0, 0, m_reader->extent()};
-        auto read = m_reader->read(m_pixmap, 0, 0, m_needs_all || !damaged ? all : *damaged);
+        m_damage.take();
+        auto read = m_reader->read(m_pixmap, 0, 0);
         if (read && *read)
             m_needs_all = false;
         else if (read)

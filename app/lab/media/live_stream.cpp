@@ -61,7 +61,7 @@ void LiveStream::report(const std::string& message) {
 }
 
 void LiveStream::publish(Picture picture) {
-    if (const auto encoding = m_encoding.load())
+    if (const auto encoding = m_encoding.load(); encoding && !picture.bytes)
         recode(picture, *encoding);
     auto shared = std::make_shared<const Picture>(std::move(picture));
     {

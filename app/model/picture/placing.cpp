@@ -1,5 +1,7 @@
 #include "model/picture/placing.h"
 
+#include "model/picture/byte_pixels.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -97,30 +99,51 @@ Extent placed_extent(Extent picture, const SourceSpec& source, Extent viewport) 
     return placing_of(picture, source, viewport).made;
 }
 
-Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) {
-    const Placing placing = placing_of(given.extent, source, viewport);
-    Picture smaller;
-    if (placing.shrink > 1)
-        smaller = averaged(given, placing.shrink);
-    const Picture& picture = placing.shrink > 1 ? smaller : given;
-    Picture made{placing.made, picture.channels, picture.encoding, {}};
-    made.pixels.resize(made.index(0, made.extent.height));
+namespace {
+// Copies the visible pixels into a result that has `channels` values per pixel.
+template <typename Number>
+void place_pixels(const Picture& picture, const Number* from, const Placing& placing, Picture& made,
+                  Number* to) {
     const auto channels = static_cast<std::size_t>(picture.channels);
-    if (channels == 4)
-        for (std::size_t i = 3; i < made.pixels.size(); i += 4)
-            made.pixels[i] = 1.0f;
-    const Extent shown = shown_extent(given.extent, placing);
+    const Extent shown{picture.extent.width * placing.repeat_x,
+                       picture.extent.height * placing.repeat_y};
     const auto [left, top] = first_pixel(made.extent, shown);
     const int first = std::max(left, 0);
     const int end = std::min(left + shown.width, made.extent.width);
     for (int y = std::max(top, 0); y < std::min(top + shown.height, made.extent.height); ++y) {
         const int from_y = (y - top) / placing.repeat_y;
+        if (placing.repeat_x == 1) {
+            std::copy_n(from + picture.index(first - left, from_y),
+                        static_cast<std::size_t>(std::max(end - first, 0)) * channels,
+                        to + made.index(first, y));
+            continue;
+        }
         for (int x = first; x < end; ++x)
-            std::copy_n(picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(
-                                                     (x - left) / placing.repeat_x, from_y)),
-                        channels,
-                        made.pixels.begin() + static_cast<std::ptrdiff_t>(made.index(x, y)));
+            std::copy_n(from + picture.index((x - left) / placing.repeat_x, from_y), channels,
+                        to + made.index(x, y));
     }
+}
+}  // namespace
+
+Picture placed(const Picture& given, const SourceSpec& source, Extent viewport) {
+    const Placing placing = placing_of(given.extent, source, viewport);
+    Picture smaller;
+    if (placing.shrink > 1)
+        smaller = averaged(with_floats(given), placing.shrink);
+    const Picture& picture = placing.shrink > 1 ? smaller : given;
+    Picture made{placing.made, picture.channels, picture.encoding, {}};
+    const std::size_t size = made.index(0, made.extent.height);
+    if (picture.bytes) {
+        const auto bytes = std::make_shared<std::vector<std::uint8_t>>(size);
+        place_pixels(picture, picture.bytes.get(), placing, made, bytes->data());
+        made.bytes = {bytes, bytes->data()};
+        return made;
+    }
+    made.pixels.resize(size);
+    if (picture.channels == 4)
+        for (std::size_t i = 3; i < made.pixels.size(); i += 4)
+            made.pixels[i] = 1.0f;
+    place_pixels(picture, picture.pixels.data(), placing, made, made.pixels.data());
     return made;
 }
 

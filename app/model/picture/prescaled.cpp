@@ -1,5 +1,7 @@
 #include "model/picture/prescaled.h"
 
+#include "model/picture/byte_pixels.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -44,7 +46,9 @@ Changes changes_along(int length, const IsNew& is_new) {
 }
 }  // namespace
 
-int found_prescale(const Picture& picture) {
+int found_prescale(const Picture& given) {
+    const Picture floats = given.bytes ? with_floats(given) : Picture();
+    const Picture& picture = given.bytes ? floats : given;
     constexpr int largest = 8;
     constexpr int min_changes = 8;
     const Changes rows =
@@ -73,11 +77,19 @@ Picture without_prescale(const Picture& picture, int times) {
                         {},
                         picture.shape,
                         picture.note};
+    if (picture.bytes)
+        original.channels = 3;
     original.pixels.reserve(original.index(0, original.extent.height));
     for (int y = 0; y < original.extent.height; ++y)
         for (int x = 0; x < original.extent.width; ++x) {
             const int from_x = std::min(x * times + times / 2, picture.extent.width - 1);
             const int from_y = std::min(y * times + times / 2, picture.extent.height - 1);
+            if (picture.bytes) {
+                const std::uint8_t* const bytes = bytes_at(picture, from_x, from_y);
+                for (const int c : {2, 1, 0})
+                    original.pixels.push_back(float_of(bytes[c]));
+                continue;
+            }
             const auto pixel =
                 picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(from_x, from_y));
             original.pixels.insert(original.pixels.end(), pixel, pixel + picture.channels);

@@ -1,6 +1,7 @@
 #include "gpu/objects/texels.h"
 
 #include "model/look/color.h"
+#include "model/picture/byte_pixels.h"
 
 #include <doctest/doctest.h>
 
@@ -29,4 +30,21 @@ TEST_CASE("light beyond 0..1 follows the curve, mirrored below zero") {
     gpu::fill_texels({{1, 1}, 3, Encoding::display, {2.0f, -0.5f, 1.0f}}, Encoding::linear, texels);
     CHECK(texels[0] == doctest::Approx(srgb_decode(2.0)).epsilon(1e-6));
     CHECK(texels[1] == doctest::Approx(-srgb_decode(0.5)).epsilon(1e-6));
+}
+
+TEST_CASE("bytes are uploaded like their floats") {
+    Picture bytes{{3, 2}, 4, Encoding::display, {}};
+    const auto values = std::make_shared<std::vector<std::uint8_t>>(24);
+    for (std::size_t i = 0; i < values->size(); ++i)
+        (*values)[i] = static_cast<std::uint8_t>(i * 11);
+    bytes.bytes = {values, values->data()};
+    for (const Encoding wanted : {Encoding::display, Encoding::linear})
+        for (const RowOrder rows : {RowOrder::bottom_first, RowOrder::top_first}) {
+            std::vector<float> from_bytes;
+            std::vector<float> from_floats;
+            gpu::fill_texels(bytes, wanted, from_bytes, rows);
+            gpu::fill_texels(with_floats(bytes), wanted, from_floats, rows);
+            CHECK(from_bytes == from_floats);
+            CHECK(from_bytes[3] == 1.0f);
+        }
 }
