@@ -85,7 +85,7 @@ def theirs(window, environment):
     process = subprocess.Popen(
         ["ffmpeg", "-v", "error", "-nostdin", "-f", "x11grab", "-framerate", str(RATE), "-video_size",
          "%dx%d" % SCREEN, "-draw_mouse", "0", "-i", environment["DISPLAY"], "-t", str(SECONDS), "-f", "null", "-"],
-        env=environment)
+        env=environment, stderr=subprocess.DEVNULL)
     window.play(SECONDS)
     return cpu_seconds(process)
 
