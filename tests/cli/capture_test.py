@@ -63,6 +63,16 @@ class CaptureTest(ProgramTest):
         rows = self.pixels("screen:area=140x140+20+20", "20x20")
         self.assertEqual(rows, [[GREEN if x >= 10 and y >= 10 else NAVY for x in range(20)] for y in range(20)])
 
+    def test_the_cursor_is_drawn_on_request(self):
+        window = self.window("Painted", 0, 0, 200, 200)
+        window.do("fill 204060")
+        self.screen.do("mousemove", 100, 100)
+        self.assertEqual(self.pixels("screen:area=50x50+100+100", "100x100"), [[NAVY] * 100] * 100)
+        rows = self.pixels("screen:area=50x50+100+100,cursor=on", "100x100")
+        changed = {(x, y) for y, row in enumerate(rows) for x, color in enumerate(row) if color != NAVY}
+        self.assertTrue(changed)
+        self.assertTrue(all(abs(x - 50) < 32 and abs(y - 50) < 32 for x, y in changed), changed)
+
     def test_a_window_that_is_missing_or_minimised_is_named(self):
         window = self.window("Painted", 0, 0, 64, 48)
         window.do("fill 204060")

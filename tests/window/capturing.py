@@ -51,6 +51,13 @@ class Capturing(Person):
         program.key("ctrl+z")
         program.wait("undo restores the source", lambda s: not s["driving_source"].startswith("window:"))
 
+    def test_the_screen_leaves_out_the_window_itself(self):
+        program = self.program
+        program.click("look:crt")
+        program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
+        self.show_live("screen:")
+        program.wait("a notice says so", lambda s: "the window of Afterglow covers a part" in s["notice"])
+
     def test_a_wrong_live_source_keeps_the_dialog_open(self):
         program = self.program
         program.click("look:crt")
