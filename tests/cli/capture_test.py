@@ -86,13 +86,13 @@ class CaptureTest(ProgramTest):
         for source, why in (("screen:area=700x0+200+100", "the area does not fit on the screen, which has 800x600 px"),
                             ("screen::4321", "can't open the X display ':4321'"),
                             ("screen:,area=1x1", "expected XxY+W+H"),
-                            ("camera:/dev/no-camera", "there is no camera '/dev/no-camera'"),
+                            ("camera:/dev/no-camera", "camera '/dev/no-camera' not found"),
                             ("pipe:/no/such/pipe", "can't open the pipe"),
                             (f"pipe:{self.copy}", "the file is not a named pipe. Create one with mkfifo.")):
             with self.subTest(source):
                 self.assert_refused(self.render(source, "64x48", "--frames", "1", "-o", self.folder / "no.png"), why)
         self.assert_refused(run("render", self.copy, "--source", "screen:", "-o", self.folder / "no.png"),
-                            "there is no X display")
+                            "no X display found")
 
     def test_a_preset_does_not_record_the_screen_by_itself(self):
         preset = self.folder / "live.json"

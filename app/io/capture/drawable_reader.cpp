@@ -96,15 +96,13 @@ Result<std::shared_ptr<std::uint8_t>> DrawableReader::read_shared(xcb_drawable_t
         return read_sent(drawable, x, y);
     }
     xcb_connection_t* const connection = m_server.connection();
-    xcb_generic_error_t* error = nullptr;
     const XcbReply<xcb_shm_get_image_reply_t> reply(xcb_shm_get_image_reply(
         connection,
         xcb_shm_get_image(connection, drawable, static_cast<std::int16_t>(x),
                           static_cast<std::int16_t>(y), static_cast<std::uint16_t>(m_extent.width),
                           static_cast<std::uint16_t>(m_extent.height), ~0U,
                           XCB_IMAGE_FORMAT_Z_PIXMAP, memory->segment(), 0),
-        &error));
-    const XcbReply<xcb_generic_error_t> freed(error);
+        nullptr));
     const auto is_read = checked(reply ? reply->size : 0);
     if (!is_read)
         return fail(is_read.error());
@@ -114,7 +112,6 @@ Result<std::shared_ptr<std::uint8_t>> DrawableReader::read_shared(xcb_drawable_t
 Result<std::shared_ptr<std::uint8_t>> DrawableReader::read_sent(xcb_drawable_t drawable, int x,
                                                                 int y) {
     xcb_connection_t* const connection = m_server.connection();
-    xcb_generic_error_t* error = nullptr;
     const std::shared_ptr<xcb_get_image_reply_t> reply(
         xcb_get_image_reply(
             connection,
@@ -122,9 +119,8 @@ Result<std::shared_ptr<std::uint8_t>> DrawableReader::read_sent(xcb_drawable_t d
                           static_cast<std::int16_t>(x), static_cast<std::int16_t>(y),
                           static_cast<std::uint16_t>(m_extent.width),
                           static_cast<std::uint16_t>(m_extent.height), ~0U),
-            &error),
+            nullptr),
         XcbFree());
-    const XcbReply<xcb_generic_error_t> freed(error);
     const auto is_read =
         checked(reply ? static_cast<std::uint32_t>(xcb_get_image_data_length(reply.get())) : 0);
     if (!is_read)

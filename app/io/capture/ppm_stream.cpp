@@ -1,6 +1,7 @@
 #include "io/capture/ppm_stream.h"
 
 #include "base/text.h"
+#include "model/picture/byte_pixels.h"
 
 #include <algorithm>
 
@@ -51,9 +52,9 @@ Result<std::optional<Picture>> PpmStream::take() {
     if (m_bytes.size() < (*head)->size + count)
         return std::nullopt;
     Picture picture{extent, 3, Encoding::display, std::vector<float>(count)};
-    std::ranges::transform(
-        std::string_view(m_bytes).substr((*head)->size, count), picture.pixels.begin(),
-        [](char byte) { return static_cast<float>(static_cast<unsigned char>(byte)) / 255.0f; });
+    std::ranges::transform(std::string_view(m_bytes).substr((*head)->size, count),
+                           picture.pixels.begin(),
+                           [](char byte) { return float_of(static_cast<std::uint8_t>(byte)); });
     m_bytes.erase(0, (*head)->size + count);
     return picture;
 }

@@ -17,7 +17,7 @@ using Seconds = std::chrono::duration<double>;
 constexpr Seconds own_windows_stay{0.5};        // how long a list of our windows is used
 constexpr double cursor_interval = 1.0 / 60.0;  // s; its movement damages nothing
 
-/// The mouse cursor: straight RGBA of its image, px from the top left of the screen.
+/// The mouse cursor, px from the top left of the screen.
 struct Cursor {
     ScreenArea place;
     std::vector<std::uint32_t> pixels;  // premultiplied ARGB
@@ -40,6 +40,8 @@ public:
         const auto end = Clock::now() + Seconds(seconds);
         for (;;) {
             take_events(0.0);
+            if (m_server.is_lost())
+                return fail({{}, 0, "the X server has ended the connection"});
             auto changed = update();
             if (!changed)
                 return fail(changed.error());

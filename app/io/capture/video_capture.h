@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-/// A picture that changes by itself. Used by one thread.
+/// Gives the pictures of a live source. Used by one thread.
 class VideoCapture {
 public:
     virtual ~VideoCapture() = default;

@@ -252,7 +252,7 @@ Result<std::unique_ptr<VideoCapture>> open_camera(const LiveSpec& spec, double r
     if (!std::filesystem::exists(spec.name, error))
         return fail({{},
                      0,
-                     fmt::format("there is no camera '{}'. Plug it in, or choose another device.",
+                     fmt::format("camera '{}' not found. Plug it in, or choose another device.",
                                  spec.name)});
     return open_video_stream(camera_options(spec, rate), fmt::format("the camera '{}'", spec.name));
 }

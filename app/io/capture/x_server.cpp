@@ -34,12 +34,11 @@ Result<XServer> XServer::open(const std::string& display) {
     int number = 0;
     server.m_connection.reset(xcb_connect(display.empty() ? nullptr : display.c_str(), &number));
     if (server.is_lost())
-        return fail(
-            {{},
-             0,
-             display.empty()
-                 ? std::string("there is no X display. Start an X11 session, or set $DISPLAY.")
-                 : fmt::format("can't open the X display '{}'", display)});
+        return fail({{},
+                     0,
+                     display.empty()
+                         ? std::string("no X display found. Start an X11 session, or set $DISPLAY.")
+                         : fmt::format("can't open the X display '{}'", display)});
     server.m_screen = screen_of(server.connection(), number);
     if (auto found = server.find_extensions(); !found)
         return fail(found.error());
@@ -55,14 +54,12 @@ Result<void> XServer::find_extensions() {
     for (xcb_extension_t* extension : {&xcb_composite_id, &xcb_damage_id, &xcb_xfixes_id})
         if (!has(x, *extension))
             return fail({{}, 0, "the X server lacks Composite, Damage or XFixes"});
-    xcb_generic_error_t* error = nullptr;
     const XcbReply<xcb_composite_query_version_reply_t> composite(
-        xcb_composite_query_version_reply(x, xcb_composite_query_version(x, 0, 2), &error));
+        xcb_composite_query_version_reply(x, xcb_composite_query_version(x, 0, 2), nullptr));
     const XcbReply<xcb_damage_query_version_reply_t> damage(
         xcb_damage_query_version_reply(x, xcb_damage_query_version(x, 1, 1), nullptr));
     const XcbReply<xcb_xfixes_query_version_reply_t> fixes(
         xcb_xfixes_query_version_reply(x, xcb_xfixes_query_version(x, 4, 0), nullptr));
-    const XcbReply<xcb_generic_error_t> freed(error);
     if (!composite || !damage || !fixes || composite->minor_version < 2)
         return fail({{}, 0, "the X server's Composite extension is too old"});
     m_first_damage_event = xcb_get_extension_data(x, &xcb_damage_id)->first_event;

@@ -78,7 +78,7 @@ bool is_picture_file(const fs::path& file) {
 }
 
 namespace {
-// A live source is no file.
+// A live source is not a file.
 fs::path listed_as(const fs::path& file) {
     return is_live(file.string()) ? file : fs::absolute(file).lexically_normal();
 }

@@ -28,7 +28,7 @@ TEST_CASE("a camera is opened with its size and rate") {
     const auto missing = open_camera(spec, 0.0);
     REQUIRE_FALSE(missing.has_value());
     CHECK(missing.error().front().message ==
-          "there is no camera '/dev/no-such-camera'. Plug it in, or choose another device.");
+          "camera '/dev/no-such-camera' not found. Plug it in, or choose another device.");
 }
 
 TEST_CASE("a recorded device gives its pictures, then says that it has ended") {
