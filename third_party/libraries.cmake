@@ -47,6 +47,8 @@ add_external(xcb PkgConfig::xcb)
 pkg_check_modules(xcb_capture REQUIRED IMPORTED_TARGET xcb xcb-composite xcb-damage xcb-shm
     xcb-xfixes)
 add_external(xcb_capture PkgConfig::xcb_capture)
+pkg_check_modules(pipewire REQUIRED IMPORTED_TARGET libpipewire-0.3)
+add_external(pipewire PkgConfig::pipewire)
 add_external(imgui PkgConfig::imgui glfw)
 add_external(glslang glslang::glslang glslang::glslang-default-resource-limits glslang::SPIRV)
 # The C++ interface, which has no CMake file. The package is named after the C interface.

@@ -14,6 +14,8 @@ const char* pattern_of(Progress::Kind work) {
     switch (work) {
         case Progress::Kind::rendering_pictures:
             return "\rRendering: {} of {} pictures, {:.{}f} pictures/s, {:.0f} s left\033[K";
+        case Progress::Kind::showing_frames:
+            return "\rFrame {0}, {2:.{3}f} frames/s. Press Ctrl+C to stop.\033[K";
         case Progress::Kind::checking_files:
             return "\rChecking: {} of {} files, {:.{}f} files/s, {:.0f} s left\033[K";
         case Progress::Kind::finding_period:

@@ -7,7 +7,13 @@
 /// Progress of long work, on one line of stderr. Prints nothing if stderr is not a terminal.
 class Progress {
 public:
-    enum class Kind { rendering_frames, rendering_pictures, checking_files, finding_period };
+    enum class Kind {
+        rendering_frames,
+        rendering_pictures,
+        showing_frames,  // without an end
+        checking_files,
+        finding_period,
+    };
 
     Progress(Kind work, int total);
     ~Progress();

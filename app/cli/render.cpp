@@ -99,13 +99,13 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
     const bool is_film = is_film_output(output);
     const FilmChoice& film = arguments.film;
     const bool has_choice = !film.codec.empty() || !film.sound.empty() || arguments.quality > 0.0;
-    if (has_choice && (!is_film || output == export_pipe))
+    if (has_choice && (!is_film || is_stream_output(output)))
         throw UsageError("--codec, --audio-codec and --quality need a video file");
-    const bool can_have_alpha =
-        is_film ? output != export_pipe : names.is_sequence() && to_lower(output).ends_with(".png");
+    const bool can_have_alpha = is_film ? !is_stream_output(output)
+                                        : names.is_sequence() && to_lower(output).ends_with(".png");
     if (film.keeps_alpha && !can_have_alpha)
         throw UsageError("--alpha needs a video file or numbered PNG files");
-    if (arguments.loops && (output == export_pipe || (!is_film && !names.is_sequence())))
+    if (arguments.loops && (is_stream_output(output) || (!is_film && !names.is_sequence())))
         throw UsageError("--loop needs a video file or an image sequence");
     if (arguments.loops && (arguments.start > 0.0 || arguments.frames > 0))
         throw UsageError(
@@ -120,7 +120,7 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
     if (arguments.loops)
         if (const auto fits = check_loop_rate(output, arguments.look.request().fps); !fits)
             throw UsageError(fits.error().front().message);
-    if (is_film && output != export_pipe)
+    if (is_film && !is_stream_output(output))
         if (const auto encoding = film_encoding(output, arguments.film_choice()); !encoding)
             throw UsageError(encoding.error().front().message);
 }
@@ -128,12 +128,15 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
 // Checks the output before anything is drawn.
 FrameNames output_names(const RenderArguments& arguments) {
     const std::string& output = arguments.output;
-    auto names = parse_frame_names(output);
+    if (is_virtual_camera(output))
+        if (const auto camera = parse_virtual_camera(output); !camera)
+            throw UsageError(fmt::format("--output: {}", camera.error().front().message));
+    auto names = parse_frame_names(is_stream_output(output) ? export_pipe : output);
     if (!names)
         throw UsageError(fmt::format("--output: {}", names.error().front().message));
     if (output == export_pipe && is_terminal(standard_output))
         throw UsageError("--output: '-' writes video data; pipe it to another program");
-    if (output != export_pipe)
+    if (!is_stream_output(output))
         check_ending("--output", output, output_endings());
     if (is_film_output(arguments.output) && names->is_sequence())
         throw UsageError("--output: a video is one file; use %04d with .png or .exr only");
@@ -144,7 +147,7 @@ FrameNames output_names(const RenderArguments& arguments) {
 }
 
 Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& names) {
-    if (arguments.output != export_pipe)
+    if (!is_stream_output(arguments.output))
         if (auto good = check_writable(names.name(0)); !good)
             return good;
     if (arguments.all_passes.empty())
@@ -155,6 +158,8 @@ Result<void> check_outputs(const RenderArguments& arguments, const FrameNames& n
 Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline& offline) {
     const double fps = arguments.look.request().fps;
     if (arguments.frames == 0 && arguments.seconds == 0.0) {
+        if (is_virtual_camera(arguments.output))
+            return ExportPart{part_of(arguments.start, 0.0, fps).first, endless_frames};
         const auto seconds = is_film_output(arguments.output)
                                  ? default_video_seconds(offline, arguments.start)
                                  : offline.document().look().settle_frames / fps;
@@ -218,7 +223,10 @@ Result<void> draw_loop(const RenderArguments& arguments, ExportJob job, Offline&
 
 /// Draws all frames of the part and saves them.
 Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offline& offline) {
-    Progress progress(Progress::Kind::rendering_frames, static_cast<int>(job.part.end));
+    const bool is_endless = job.part.end == endless_frames;
+    Progress progress(
+        is_endless ? Progress::Kind::showing_frames : Progress::Kind::rendering_frames,
+        static_cast<int>(job.part.end));
     job.should_continue = [&](std::int64_t drawn) {
         progress.show(static_cast<int>(drawn));
         return true;
@@ -413,7 +421,8 @@ Command add_render(CommandLine& program) {
     options
         .add("-o,--output FILE", arguments->output,
              "Picture of the last frame (.png, .exr), image sequence (frame_%04d.png or .exr, from "
-             "0000), video (.mp4, .mov, .mkv, .webm, .gif), or - for y4m on standard output")
+             "0000), video (.mp4, .mov, .mkv, .webm, .gif), - for y4m on standard output, or a "
+             "virtual camera (pipewire:NAME, v4l2:/dev/videoN), which runs until Ctrl+C")
         .required();
     Option frames = options.add("--frames N", arguments->frames,
                                 "Number of frames to render, from t = 0 (default: until the look "

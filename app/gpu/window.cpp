@@ -27,16 +27,17 @@ Result<std::unique_ptr<Window>> Window::open(const WindowOptions& options) {
     return window;
 }
 
-Result<std::unique_ptr<Window>> Window::open_full_screen(std::size_t display) {
-    GLFWmonitor* monitor = Displays::find(display);
-    if (!monitor)
+Result<std::unique_ptr<Window>> Window::open_output(std::optional<std::size_t> display) {
+    GLFWmonitor* monitor = display ? Displays::find(*display) : nullptr;
+    if (display && !monitor)
         return fail(
             {{},
              0,
              "The display is no longer connected. Choose another display for the output window."});
-    const GLFWvidmode* mode = glfwGetVideoMode(monitor);
-    auto context = GlfwContext::create({"Afterglow output", {mode->width, mode->height}},
-                                       m_context.get(), monitor);
+    WindowOptions options{.title = "Afterglow output"};
+    if (const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr)
+        options.size = {mode->width, mode->height};
+    auto context = GlfwContext::create(options, m_context.get(), monitor);
     if (!context)
         return fail(context.error());
     std::unique_ptr<Window> window(new Window(std::move(*context)));

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace gpu {
@@ -16,10 +17,10 @@ class Window {
 public:
     /// Its context is current. Fails with a message without a display or OpenGL 4.1.
     static Result<std::unique_ptr<Window>> open(const WindowOptions& options);
-    /// A window without frame or pointer that covers a display at its current resolution. It shares
-    /// this window's textures and stays open when another window is focused. Makes this window's
-    /// context current afterwards.
-    Result<std::unique_ptr<Window>> open_full_screen(std::size_t display);
+    /// A window without frame or pointer that covers a display at its current resolution, or is
+    /// hidden without a display. It shares this window's textures and stays open when another
+    /// window is focused. Makes this window's context current afterwards.
+    Result<std::unique_ptr<Window>> open_output(std::optional<std::size_t> display);
 
     Context& context() { return *m_context; }
     WindowEvents& events() { return m_events; }

@@ -1,5 +1,5 @@
 // An X11 window that paints itself as its standard input says, one command per line:
-//   fill RRGGBB | part X Y W H RRGGBB | move X Y | resize W H | hide | show | lower
+//   fill RRGGBB | part X Y W H RRGGBB | move X Y | resize W H | hide | show | lower | raise
 // It paints again what was uncovered, and answers "done" when the server has carried out a command.
 // Its arguments are TITLE X Y W H.
 
@@ -80,7 +80,9 @@ public:
             configure(XCB_CONFIG_WINDOW_WIDTH | XCB_CONFIG_WINDOW_HEIGHT, place.width,
                       place.height);
         else if (command == "lower")
-            lower();
+            stack(XCB_STACK_MODE_BELOW);
+        else if (command == "raise")
+            stack(XCB_STACK_MODE_ABOVE);
         else if (command == "hide")
             xcb_unmap_window(m_connection, m_window);
         else if (command == "show")
@@ -109,10 +111,9 @@ private:
         xcb_configure_window(m_connection, m_window, mask, values);
     }
 
-    // Below all other windows.
-    void lower() {
-        const std::uint32_t below = XCB_STACK_MODE_BELOW;
-        xcb_configure_window(m_connection, m_window, XCB_CONFIG_WINDOW_STACK_MODE, &below);
+    // Below or above all other windows.
+    void stack(std::uint32_t mode) {
+        xcb_configure_window(m_connection, m_window, XCB_CONFIG_WINDOW_STACK_MODE, &mode);
     }
 
     void synchronize() {

@@ -171,14 +171,6 @@ class Owning(Person):
         left, top, right, bottom = self.program.place("picture")
         return [right - left, bottom - top]
 
-    def restart_with_size(self, width, height):
-        program = self.program
-        program.quit()
-        session = json.loads(program.session().read_text())
-        session.update(follows_view=False, fits_shape=False, width=width, height=height)
-        program.session().write_text(json.dumps(session))
-        program.start()
-
     def test_panes_and_comparing_leave_the_picture_its_size(self):
         program = self.program
         self.restart_with_size(0, 0)  # like the first start, when the program chooses the size

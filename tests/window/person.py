@@ -2,6 +2,7 @@
 screen."""
 
 import array
+import json
 import math
 import tempfile
 import unittest
@@ -121,6 +122,14 @@ class Person(unittest.TestCase):
         left, top, right, bottom = self.program.place("picture")
         x, y = (left + right) // 2, (top + bottom) // 2
         return self.screen.brightness((x - 150, y - 110, x + 150, y + 110))
+
+    def restart_with_size(self, width, height):
+        program = self.program
+        program.quit()
+        session = json.loads(program.session().read_text())
+        session.update(follows_view=False, fits_shape=False, width=width, height=height)
+        program.session().write_text(json.dumps(session))
+        program.start()
 
     def hover(self, widget):
         self.screen.do("mousemove", *self.program.middle(widget))

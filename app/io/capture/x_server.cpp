@@ -142,22 +142,25 @@ std::vector<XWindow> XServer::windows() const {
     return found;
 }
 
+xcb_window_t XServer::top_level_of(xcb_window_t window) const {
+    for (;;) {
+        const XcbReply<xcb_query_tree_reply_t> tree(
+            xcb_query_tree_reply(connection(), xcb_query_tree(connection(), window), nullptr));
+        if (!tree)
+            return XCB_NONE;
+        if (tree->parent == root() || tree->parent == XCB_NONE)
+            return window;
+        window = tree->parent;
+    }
+}
+
 std::optional<ScreenArea> XServer::place_on_screen(xcb_window_t window) const {
     const XcbReply<xcb_get_window_attributes_reply_t> attributes(xcb_get_window_attributes_reply(
         connection(), xcb_get_window_attributes(connection(), window), nullptr));
     if (!attributes || attributes->map_state != XCB_MAP_STATE_VIEWABLE)
         return std::nullopt;
-    for (;;) {
-        const XcbReply<xcb_query_tree_reply_t> tree(
-            xcb_query_tree_reply(connection(), xcb_query_tree(connection(), window), nullptr));
-        if (!tree)
-            return std::nullopt;
-        if (tree->parent == root() || tree->parent == XCB_NONE)
-            break;
-        window = tree->parent;
-    }
-    const XcbReply<xcb_get_geometry_reply_t> place(
-        xcb_get_geometry_reply(connection(), xcb_get_geometry(connection(), window), nullptr));
+    const XcbReply<xcb_get_geometry_reply_t> place(xcb_get_geometry_reply(
+        connection(), xcb_get_geometry(connection(), top_level_of(window)), nullptr));
     if (!place)
         return std::nullopt;
     return ScreenArea{
@@ -174,4 +177,9 @@ XcbReply<xcb_generic_event_t> XServer::wait_for_event(double seconds) const {
     ::poll(&waiting, 1, static_cast<int>(std::ceil(seconds * 1000.0)));
     event.reset(xcb_poll_for_event(connection()));
     return event;
+}
+
+void XServer::wait_for_requests() const {
+    const XcbReply<xcb_get_input_focus_reply_t> answer(
+        xcb_get_input_focus_reply(connection(), xcb_get_input_focus(connection()), nullptr));
 }

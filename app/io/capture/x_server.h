@@ -43,11 +43,16 @@ public:
 
     /// The windows with a title, the topmost last.
     std::vector<XWindow> windows() const;
+    /// The child of the root that contains a window, such as a frame of the window manager; none:
+    /// it does not exist.
+    xcb_window_t top_level_of(xcb_window_t window) const;
     /// Where a window is on the screen, with the frame of its window manager; nullopt: not visible.
     std::optional<ScreenArea> place_on_screen(xcb_window_t window) const;
 
     /// Waits at most `seconds` for an event; null: none came.
     XcbReply<xcb_generic_event_t> wait_for_event(double seconds) const;
+    /// Waits until the server has carried out all requests so far.
+    void wait_for_requests() const;
     /// The first event number of XDamage.
     int first_damage_event() const { return m_first_damage_event; }
 

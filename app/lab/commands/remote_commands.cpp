@@ -120,9 +120,11 @@ Result<OscMessages> black_out(const RemoteCall& call) {
     if (!is_black)
         return fail(is_black.error());
     auto* window = part<WindowState>(call);
-    if (!window || !window->output.is_open)
+    if (!window || !window->output.is_on())
         return reject(
-            "the output window is closed. Send /afterglow/command/action/output_window first.");
+            "the output window and the virtual camera are off. Send "
+            "/afterglow/command/action/output_window or /afterglow/command/action/virtual_camera "
+            "first.");
     window->output.is_black = *is_black;
     return OscMessages{};
 }
@@ -199,7 +201,7 @@ Result<OscMessages> reply_time(const RemoteCall& call) {
 
 Result<OscMessages> reply_blackout(const RemoteCall& call) {
     const auto* window = part<WindowState>(call);
-    return reply(call, window && window->output.is_open && window->output.is_black ? 1.0 : 0.0);
+    return reply(call, window && window->output.is_on() && window->output.is_black ? 1.0 : 0.0);
 }
 
 constexpr const char* press_argument = "[1 or 0]";
@@ -217,9 +219,11 @@ constexpr std::array command_rows{
     RemoteCommand{"command/seek", "SECONDS", "go to a time", run_seek},
     RemoteCommand{"command/restart", press_argument, "start again at time 0 without history",
                   run_restart},
-    RemoteCommand{"command/blackout", "1 or 0",
-                  "make the output window black, or show the picture again. Both are immediate",
-                  black_out},
+    RemoteCommand{
+        "command/blackout", "1 or 0",
+        "black out the output window and the virtual camera, or show the picture again. Both "
+        "are immediate",
+        black_out},
     RemoteCommand{"command/slot/NAME/recall", press_argument, "recall slot a, b or c",
                   use_slot<false>},
     RemoteCommand{"command/slot/NAME/store", press_argument, "store the values in slot a, b or c",
@@ -233,7 +237,7 @@ constexpr std::array command_rows{
     RemoteCommand{"query/parameters", "", "reply with one message per parameter", reply_parameters},
     RemoteCommand{"query/playing", "", "reply with 1 while playing, otherwise 0", reply_playing},
     RemoteCommand{"query/time", "", "reply with the time in seconds", reply_time},
-    RemoteCommand{"query/blackout", "", "reply with 1 while the output window is black",
+    RemoteCommand{"query/blackout", "", "reply with 1 while the output is blacked out",
                   reply_blackout},
 };
 }  // namespace

@@ -317,12 +317,12 @@ Result<void> FrameLoop::apply_signal() {
 }
 
 void FrameLoop::update_source() {
-    const Diagnostics problems = m_work.media.take_problems();
-    for (const Diagnostic& problem : problems)
-        m_work.messages.say(problem);
-    if (!problems.empty())
-        report_content_problems(m_work);
     Source* const source = m_work.media.source().get();
+    if (const auto problems = m_work.media.take_problems()) {
+        for (const Diagnostic& problem : *problems)
+            m_work.messages.say(problem);
+        report_content_problems(m_work);
+    }
     if (source && m_work.player.transport().is_playing() && source->refresh())
         m_drawn_extent = {};  // a live source has another size
     if (m_work.media.source().is_late())

@@ -50,10 +50,18 @@ Diagnostics LiveStream::take_problems() {
     return std::exchange(m_problems, {});
 }
 
+bool LiveStream::take_solved() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_is_solved, false);
+}
+
 void LiveStream::report(const std::string& message) {
     {
         const std::lock_guard lock(m_mutex);
-        if (std::exchange(m_reported, message) == message || message.empty())
+        if (std::exchange(m_reported, message) == message)
+            return;
+        m_is_solved = message.empty();
+        if (m_is_solved)
             return;
         m_problems.push_back({m_name, 0, message, Severity::warning});
     }

@@ -38,6 +38,8 @@ public:
     void set_rate(double rate) { m_rate = rate; }
     /// Why the picture is missing, old or incomplete, once per change.
     Diagnostics take_problems();
+    /// Whether the last one of them has ended since the last call.
+    bool take_solved();
 
 private:
     void run();
@@ -58,6 +60,7 @@ private:
     std::chrono::steady_clock::time_point m_begun;  // the first picture
     std::string m_reported;                         // the last problem; "": none at present
     Diagnostics m_problems;
+    bool m_is_solved = false;
     bool m_is_ending = false;
     std::thread m_thread;
 };

@@ -165,10 +165,17 @@ Result<void> MediaInput::follow_source(const Document& document, const Player& p
     return {};
 }
 
-Diagnostics MediaInput::take_problems() {
+std::optional<Diagnostics> MediaInput::take_problems() {
     constexpr std::size_t max_kept = 4;  // fits into a panel
     Source* source = m_source.get();
-    Diagnostics problems = source ? source->take_problems() : Diagnostics();
+    if (!source)
+        return std::nullopt;
+    Diagnostics problems = source->take_problems();
+    const bool is_solved = source->take_solved();
+    if (problems.empty() && !is_solved)
+        return std::nullopt;
+    if (source->is_live())
+        m_problems.clear();  // it has one at most
     for (Diagnostic& problem : problems) {
         problem.severity = Severity::warning;
         if (source->spec().picture == m_problem_file && m_problems.size() < max_kept)

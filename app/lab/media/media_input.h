@@ -60,8 +60,9 @@ public:
 
     FittedSource& source() { return m_source; }
     const FittedSource& source() const { return m_source; }
-    /// The new read errors of the source since the last call; problems() keeps them.
-    Diagnostics take_problems();
+    /// The new read errors of the source since the last call; problems() keeps them. Empty: the
+    /// problem of a live source has ended. nullopt: nothing has changed.
+    std::optional<Diagnostics> take_problems();
 
 private:
     Result<void> follow_signal(const Document& document, Player& player);

@@ -56,6 +56,8 @@ public:
     bool is_late() const { return m_is_late; }
     /// The new errors and warnings since the last call.
     Diagnostics take_problems();
+    /// Whether the problem of a live source has ended since the last call.
+    bool take_solved() { return m_live && m_live->take_solved(); }
 
 private:
     std::int64_t number_at(double seconds) const;

@@ -14,9 +14,11 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -98,6 +100,25 @@ FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRate
         if (auto done = write_video(descriptor, std::exchange(header, {})); !done)
             return done;
         return write_video(descriptor, made.bytes);
+    };
+    return {make, deliver, false};
+}
+
+FramePipeline::Stages camera_stages(VirtualCamera& camera, Extent extent, double fps) {
+    using Clock = std::chrono::steady_clock;
+    const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
+        if (const auto fits = check_size(frame, extent); !fits)
+            return fail(fits.error());
+        return FromFrame{frame_bytes(frame.picture, 8, FrameAlpha::none), {}};
+    };
+    const std::chrono::duration<double> between(1.0 / fps);
+    auto deliver = [&camera, between, next = Clock::time_point()](
+                       std::int64_t, const FromFrame& made) mutable -> Result<void> {
+        const auto now = Clock::now();
+        std::this_thread::sleep_until(next);
+        // A late frame does not hurry the following ones.
+        next = std::max(next, now) + std::chrono::duration_cast<Clock::duration>(between);
+        return camera.show(made.bytes);
     };
     return {make, deliver, false};
 }

@@ -4,10 +4,12 @@
 #include "io/video/film_file.h"
 #include "io/video/frame_bytes.h"
 #include "io/video/frame_pipeline.h"
+#include "io/virtual_camera/virtual_camera.h"
 #include "model/picture/flash_log.h"
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 
 class Offline;
 
@@ -44,9 +46,15 @@ FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t firs
 FramePipeline::Stages film_stages(FilmFile& film, FrameAlpha alpha);
 /// Writes y4m to an open file descriptor.
 FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate);
+/// Shows the frames with `camera`, which must outlive the stages: each at its time, the first one
+/// at once.
+FramePipeline::Stages camera_stages(VirtualCamera& camera, Extent extent, double fps);
 
 /// The stages of a job, with flash detection if requested. The job must outlive them.
 FramePipeline::Stages watched_stages(const ExportJob& job);
+
+/// The frames of an output without an end, about a year at 60 fps.
+inline constexpr std::int64_t endless_frames = std::numeric_limits<int>::max();
 
 /// Draws from a fresh start and writes on background threads. Each file is complete or missing.
 /// False: cancelled.

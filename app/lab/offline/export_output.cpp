@@ -11,8 +11,12 @@
 #include <algorithm>
 #include <cstdlib>
 
+bool is_stream_output(const std::string& output) {
+    return output == export_pipe || is_virtual_camera(output);
+}
+
 bool is_film_output(const std::string& output) {
-    return output == export_pipe || is_film_name(output);
+    return is_stream_output(output) || is_film_name(output);
 }
 
 Result<void> check_loop_rate(const std::string& output, double fps) {
@@ -43,9 +47,10 @@ std::string lossy_sound_warning(const FilmEncoding& encoding, const Spec& signal
 }
 
 namespace {
-/// An opened output. The stages use `film`.
+/// An opened output. The stages use `film` and `camera`.
 struct OpenOutput {
-    std::unique_ptr<FilmFile> film;  // null: no film
+    std::unique_ptr<FilmFile> film = {};         // null: no film
+    std::unique_ptr<VirtualCamera> camera = {};  // null: no camera
     FramePipeline::Stages stages;
 };
 
@@ -78,21 +83,35 @@ Result<OpenOutput> open_film(const std::string& output, const Offline& offline,
     const FrameAlpha alpha =
         encoding->keeps_alpha ? alpha_of(pass_of(offline, job), true) : FrameAlpha::none;
     FramePipeline::Stages stages = film_stages(**film, alpha);
-    return OpenOutput{std::move(*film), std::move(stages)};
+    return OpenOutput{std::move(*film), {}, std::move(stages)};
+}
+
+Result<OpenOutput> open_camera(const std::string& output, Extent extent, double fps) {
+    const auto spec = parse_virtual_camera(output);
+    if (!spec)
+        return fail(spec.error());
+    auto camera = open_virtual_camera(*spec, extent, frame_rate_fraction(fps));
+    if (!camera)
+        return fail(camera.error());
+    FramePipeline::Stages stages = camera_stages(**camera, extent, fps);
+    return OpenOutput{{}, std::move(*camera), std::move(stages)};
 }
 
 Result<OpenOutput> open_output(const std::string& output, const Offline& offline,
                                const ExportJob& job, Diagnostics& warnings) {
+    const Extent extent = offline.executor().target(job.pass).extent();
     if (output == export_pipe)
-        return OpenOutput{nullptr,
-                          pipe_stages(standard_output, offline.executor().target(job.pass).extent(),
-                                      frame_rate_fraction(job.fps))};
+        return OpenOutput{
+            {}, {}, pipe_stages(standard_output, extent, frame_rate_fraction(job.fps))};
+    if (is_virtual_camera(output))
+        return open_camera(output, extent, job.fps);
     if (is_film_output(output))
         return open_film(output, offline, job, warnings);
     const auto names = parse_frame_names(output);
     if (!names)
         return fail(names.error());
-    return OpenOutput{nullptr,
+    return OpenOutput{{},
+                      {},
                       sequence_stages(*names, job.loops ? 0 : job.part.first,
                                       alpha_of(pass_of(offline, job), job.film.keeps_alpha))};
 }
@@ -119,7 +138,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
         return fail(opened.error());
     job.stages = opened->stages;
     FlashLog flashes;
-    if (counts_flashes(offline, job))
+    if (counts_flashes(offline, job) && !opened->camera)
         job.flashes = &flashes;
     auto done = export_frames(offline, job);
     if (!done || !*done)

@@ -66,7 +66,8 @@ void MainView::count_flashes(const Subject& subject) {
         subject.seconds);
 }
 
-// Independent of the panels; the whole picture at the largest integer zoom that fits.
+// Independent of the panels; the whole picture at the largest integer zoom that fits. Over another
+// window it has the size of that window.
 void MainView::draw_output(const Subject& subject) {
     const WindowState& window = subject.window;
     const bool is_black = window.output.is_black || subject.renderer.executors().inputs().is_black;
@@ -80,7 +81,8 @@ void MainView::draw_output(const Subject& subject) {
               {.texture = &executor.target(shown),
                .pass = shown,
                .whole = executor.target(last).extent(),
-               .view = {},
+               .view = {.fit = window.output.is_overlay ? PictureView::Fit::whole
+                                                        : PictureView::Fit::integer},
                .options = {.encoding = encoding_of(executor.look(), shown)}});
 }
 

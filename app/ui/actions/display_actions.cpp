@@ -2,21 +2,48 @@
 
 #include "gpu/displays.h"
 #include "gpu/input_event.h"
+#include "lab/messages/messages.h"
+#include "lab/output/source_overlay.h"
+#include "ui/actions/file_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
 
 namespace {
+using file_actions::has_document;
 constexpr int key_f12 = gpu::key::last_function;
 
+bool has_output(const Scene& scene) {
+    return scene.window.output.is_on();
+}
+
 bool shows_output(const Scene& scene) {
-    return scene.window.output.is_open;
+    return scene.window.output.is_open && !scene.window.output.is_overlay;
 }
 
 void toggle_output(const Scene&, Edits& edits) {
-    edits.arrange([](WindowState& window) {
-        window.output.is_open = !window.output.is_open;
-        window.output.is_black = false;
+    edits.arrange([](WindowState& window) { window.output.toggle(false); });
+}
+
+bool shows_overlay(const Scene& scene) {
+    return scene.window.output.is_open && scene.window.output.is_overlay;
+}
+
+void toggle_overlay(const Scene& scene, Edits& edits) {
+    const auto refusal = overlay_refusal(scene.lab.document);
+    if (!refusal || shows_overlay(scene))
+        return edits.arrange([](WindowState& window) { window.output.toggle(true); });
+    edits.change([refusal](Messages& messages) {
+        messages.ask(refusal->text, refusal->buttons, "overlay");
     });
+}
+
+bool has_camera(const Scene& scene) {
+    return scene.window.output.is_camera_on;
+}
+
+void toggle_camera(const Scene&, Edits& edits) {
+    edits.arrange(
+        [](WindowState& window) { window.output.is_camera_on = !window.output.is_camera_on; });
 }
 
 bool has_displays(const Scene&) {
@@ -26,7 +53,12 @@ bool has_displays(const Scene&) {
 void next_output(const Scene& scene, Edits& edits) {
     const std::size_t count = gpu::Displays().count();
     const std::size_t next = (scene.output_monitor + 1) % count;
-    edits.arrange([next](WindowState& window) { window.output = {true, false, next}; });
+    edits.arrange([next](WindowState& window) {
+        window.output.is_open = true;
+        window.output.is_overlay = false;
+        window.output.is_black = false;
+        window.output.monitor = next;
+    });
 }
 
 bool is_black(const Scene& scene) {
@@ -80,13 +112,29 @@ std::vector<Action> display_actions::list() {
          false,
          next_output,
          has_displays},
+        {ActionId::show_overlay,
+         Menu::output,
+         "Overlay on source window",
+         {key_f12, true},
+         false,
+         toggle_overlay,
+         has_document,
+         shows_overlay},
+        {ActionId::virtual_camera,
+         Menu::output,
+         "Virtual camera",
+         {},
+         false,
+         toggle_camera,
+         has_document,
+         has_camera},
         {ActionId::blackout,
          Menu::output,
          "Blackout",
          {'B', true},
          false,
          blackout,
-         shows_output,
+         has_output,
          is_black},
         {ActionId::wait_for_display,
          Menu::frame_rate,

@@ -60,7 +60,7 @@ const char* disabled_reason(const Action& action, const Scene& scene) {
     if (action.id == ActionId::next_output)
         return "only one display is connected";
     if (action.id == ActionId::blackout)
-        return "the output window is closed";
+        return "the output window and the virtual camera are off";
     if (!scene.lab.document)
         return action.id == ActionId::restore_unsaved ? no_unsaved : "no look is open";
     switch (action.id) {

@@ -102,6 +102,8 @@ enum class ActionId {
     move_pass_later,
     show_look_in_folder,
     show_output,
+    show_overlay,
+    virtual_camera,
     next_output,
     blackout,
     wait_for_display,

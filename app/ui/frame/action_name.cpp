@@ -97,6 +97,8 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::write_passes, "save_passes"},
     {ActionId::passes_as_written, "revert_passes"},
     {ActionId::show_output, "output_window"},
+    {ActionId::show_overlay, "overlay"},
+    {ActionId::virtual_camera, "virtual_camera"},
     {ActionId::next_output, "move_output"},
     {ActionId::blackout, "blackout"},
     {ActionId::wait_for_display, "vsync"},

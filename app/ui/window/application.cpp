@@ -5,6 +5,7 @@
 #include "lab/library/library_view.h"
 #include "lab/menus/palette.h"
 #include "lab/menus/window_menu.h"
+#include "lab/output/camera_output.h"
 #include "lab/safe_start.h"
 #include "lab/session.h"
 #include "lab/session/first_file.h"
@@ -60,6 +61,12 @@ void open_first(const ApplicationOptions& options, const Session& session, Lab& 
     else
         restore_safely(lab, session, find_unfinished_opening(options.roots));
 }
+
+/// What other programs get of the picture.
+struct PictureUses {
+    PictureClipboard clipboard;
+    CameraOutput camera{gpu::WindowEvents::wake};
+};
 
 /// The window and its main loop.
 class Application {
@@ -120,7 +127,7 @@ private:
     DesktopFileDialog m_files{gpu::WindowEvents::wake};
     SessionAutosave m_keeper;
     KeyStore m_keys;
-    PictureClipboard m_clipboard;
+    PictureUses m_picture;
     int m_instance;
     bool m_has_reported_other = false;
     bool m_is_quitting = false;
@@ -158,6 +165,8 @@ void Application::update() {
         m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
     follow_output();
     update_lab(wall_seconds);
+    m_picture.camera.update(m_state.output, m_lab.renderer(), m_lab.frames().passes().picture_pass(),
+                    m_lab.messages());
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
     // Without stored panel sizes, the size of the picture is unknown.
@@ -174,11 +183,14 @@ void Application::update() {
 void Application::follow_output() {
     OutputWindow& output = m_panels.output();
     const bool was_open = output.is_open();
-    if (std::string problem = output.follow(m_state.output, m_window); !problem.empty())
+    const std::string source_window = overlaid_window(m_lab.document());
+    if (std::string problem = output.follow(m_state.output, source_window, m_window);
+        !problem.empty())
         m_lab.messages().say(std::move(problem), true);
     m_state.views.sizes.output = output.extent();
     if (!was_open && output.is_open())
-        offer_display_size(m_lab.work().size, m_lab.messages(), output.extent());
+        (m_state.output.is_overlay ? offer_overlay_size : offer_display_size)(
+            m_lab.work().size, m_lab.messages(), output.extent());
 }
 
 void Application::update_lab(double wall_seconds) {
@@ -214,7 +226,7 @@ void Application::apply(const Edits& edits) {
     if (!m_state.copied.empty())
         m_window.set_clipboard(std::exchange(m_state.copied, {}));
     if (edits.requests().copies_picture && m_lab.document() && m_lab.renderer())
-        m_clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
+        m_picture.clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
                          m_lab.sequencer().drawn_document(), m_lab.work().media.recent(),
                          m_lab.messages());
     m_is_quitting = m_is_quitting || edits.requests().quits;

@@ -1,33 +1,64 @@
 #include "ui/window/output_window.h"
 
+#include "gpu/x11_window.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-std::string OutputWindow::follow(OutputState& state, gpu::Window& panels) {
+Result<void> OutputWindow::open(const OutputState& state, const std::string& source_window,
+                                gpu::Window& panels) {
+    auto window = panels.open_output(state.is_overlay ? std::nullopt : std::optional(m_monitor));
+    if (!window)
+        return fail(window.error());
+    if (state.is_overlay) {
+        auto overlay = SourceOverlay::open(gpu::x11_window(**window), source_window);
+        if (!overlay)
+            return fail(overlay.error());
+        m_overlay.emplace(std::move(*overlay));
+    }
+    m_window = std::move(*window);
+    return {};
+}
+
+void OutputWindow::close(gpu::Window& panels) {
+    m_overlay.reset();
+    m_window.reset();
+    panels.context().make_current();
+}
+
+std::string OutputWindow::follow(OutputState& state, const std::string& source_window,
+                                 gpu::Window& panels) {
     if (m_window && (m_is_left || m_window->take_close_request()))
         state.is_open = false;
     m_is_left = false;
+    if (m_overlay && state.is_open && state.is_overlay && source_window.empty())
+        state.is_open = false;
     const std::size_t own = panels.display();
     const std::size_t wanted = state.monitor_for(panels.displays().count(), own);
-    if (m_window && (!state.is_open || wanted != m_monitor)) {
-        m_window.reset();
-        panels.context().make_current();
-        panels.focus();
+    const bool is_same = state.is_overlay ? m_overlay && m_overlay->title() == source_window
+                                          : !m_overlay && wanted == m_monitor;
+    m_monitor = wanted;
+    if (m_window && (!state.is_open || !is_same)) {
+        const bool was_overlay = m_overlay.has_value();
+        close(panels);
+        if (!was_overlay)
+            panels.focus();
     }
     std::string problem;
     if (state.is_open && !m_window) {
-        auto opened = panels.open_full_screen(wanted);
-        if (opened) {
-            m_window = std::move(*opened);
-            (wanted == own ? *m_window : panels).focus();
-        } else {
+        const auto opened = open(state, source_window, panels);
+        if (!opened) {
+            panels.context().make_current();
             state.is_open = false;
-            problem = fmt::format("Can't open the output window: {}", to_string(opened.error()));
+            problem =
+                fmt::format("Can't open the {}: {}", state.is_overlay ? "overlay" : "output window",
+                            to_string(opened.error()));
+        } else if (!state.is_overlay) {
+            (wanted == own ? *m_window : panels).focus();
         }
     }
-    m_monitor = wanted;
-    m_covers_panels = m_window && wanted == own;
+    m_covers_panels = m_window && !m_overlay && wanted == own;
     return problem;
 }
 

@@ -308,9 +308,10 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.frames.comparison().mode() == CompareMode::wipe
             ? fmt::format("{:.3f}", scene.window.views.wipe_share)
             : "null",
-        json_string(!scene.window.output.is_open   ? "off"
-                    : scene.window.output.is_black ? "black"
-                                                   : "on"),
+        json_string(!scene.window.output.is_open     ? "off"
+                    : scene.window.output.is_black   ? "black"
+                    : scene.window.output.is_overlay ? "overlay"
+                                                     : "on"),
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab.frames.nan_guard()) +
             flashes_text(scene) + switches_text(lab.frames.passes().switches()) +

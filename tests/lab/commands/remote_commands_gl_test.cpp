@@ -141,7 +141,9 @@ TEST_CASE("blackout is immediate, and is rejected without an output window") {
     RemoteLab small;
     small.send("command/blackout", {1.0});
     CHECK(small.reason() ==
-          "the output window is closed. Send /afterglow/command/action/output_window first.");
+          "the output window and the virtual camera are off. Send "
+          "/afterglow/command/action/output_window or /afterglow/command/action/virtual_camera "
+          "first.");
     CHECK_FALSE(small.window.output.is_black);
     small.window.output.is_open = true;
     small.send("command/blackout", {1.0});

@@ -117,12 +117,20 @@ TEST_CASE("a live source that is missing is reported once, and opened when it ap
     CHECK(is_soon([&] { return shows(stream, 0.5f); }));
 }
 
-TEST_CASE("a notice of a live source is reported when it begins") {
+TEST_CASE("a notice of a live source is reported when it begins and when it ends") {
     Recording recording;
     recording.notice = "the window is minimised";
     LiveStream stream(opening(recording), "window:Editor", 0.0);
     CHECK(problem_of(stream) == "the window is minimised");
     CHECK(stream.take_problems().empty());
+    CHECK_FALSE(stream.take_solved());
+    {
+        const std::lock_guard lock(recording.mutex);
+        recording.notice.clear();
+    }
+    bool is_solved = false;
+    CHECK(is_soon([&] { return is_solved = is_solved || stream.take_solved(); }));
+    CHECK_FALSE(stream.take_solved());
 }
 
 TEST_CASE("pictures of a live source are converted before they are drawn") {

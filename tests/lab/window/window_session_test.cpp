@@ -137,7 +137,7 @@ TEST_CASE("the output window prefers a display without the panels") {
     CHECK(OutputState{.monitor = 1}.monitor_for(2, 1) == 1);  // the user's choice
     CHECK(OutputState{.monitor = 2}.monitor_for(2, 0) == 1);  // this display is gone
     WindowState window;
-    window.output = {true, false, 3};
+    window.output = {.is_open = true, .monitor = 3};
     const OutputState restored = restored_window(serialized_window(window)).output;
     CHECK(restored.monitor == 3);
     CHECK_FALSE(restored.is_open);
