@@ -8,7 +8,8 @@
 
 int main(int count, char** words) {
     const auto spec = parse_live(count == 2 ? words[1] : "");
-    auto capture = spec ? open_capture(*spec, 0.0, StreamPace::live) : fail(spec.error());
+    CaptureMemory memory;
+    auto capture = spec ? open_capture(*spec, 0.0, memory) : fail(spec.error());
     if (!capture) {
         std::fprintf(stderr, "%s\n", capture.error().front().message.c_str());
         return 1;

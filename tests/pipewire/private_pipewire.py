@@ -16,6 +16,11 @@ context.modules = [
     { name = libpipewire-module-access }
     { name = libpipewire-module-metadata }
     { name = libpipewire-module-link-factory }
+    { name = libpipewire-module-spa-node-factory }
+]
+context.objects = [
+    { factory = spa-node-factory
+        args = { factory.name = support.node.driver node.name = Dummy-Driver priority.driver = 20000 } }
 ]
 """
 

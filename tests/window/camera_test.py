@@ -56,9 +56,11 @@ class CameraTest(unittest.TestCase):
         self.assertEqual(len(received), 30 * frame)
         self.assertGreater(max(received[-frame::4]), 60, "the last frame is not black")
         program.key("ctrl+b")
+        program.wait("it is blacked out", lambda s: s["output"] == "black")
         black = server.read(NAME, 30, self.folder / "black.raw")
         self.assertEqual(max(max(black[at::4]) for at in range(3)), 0, "no frame shows the picture")
         program.key("ctrl+b")
+        program.wait("it is visible again", lambda s: s["output"] == "camera")
         program.key("space")  # a paused picture is sent, too
         program.wait("the picture is paused", lambda s: not s["is_playing"])
         still = server.read(NAME, 30, self.folder / "still.raw")

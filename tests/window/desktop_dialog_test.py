@@ -9,27 +9,18 @@ from pathlib import Path
 
 from person import Person, write_tones
 
+sys.path.insert(1, str(Path(__file__).resolve().parents[1] / "desktop"))
+from private_bus import PrivateBus  # noqa: E402
+
 Person.executable = Path(sys.argv[1]).resolve()
 FAKE_PORTAL = Person.executable.parents[1] / "tests/fake_portal"
-BUS_CONFIG = """<busconfig>
-  <type>session</type>
-  <listen>unix:tmpdir=/tmp</listen>
-  <policy context="default"><allow send_destination="*"/><allow receive_sender="*"/><allow own="*"/></policy>
-</busconfig>
-"""
 
 
 class DesktopDialogTest(Person):
     @classmethod
     def sit_down(cls):
-        folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-bus-")))
-        (folder / "bus.conf").write_text(BUS_CONFIG)
-        cls.daemon = subprocess.Popen(
-            ["dbus-daemon", "--config-file=%s" % (folder / "bus.conf"), "--nofork", "--nopidfile",
-             "--print-address=1"], stdout=subprocess.PIPE, text=True)
-        cls.cleanups.append(lambda *_: cls.end(cls.daemon))
-        cls.bus = cls.daemon.stdout.readline().strip()
-        cls.portal_folder = folder
+        cls.bus = cls.enter(PrivateBus()).address
+        cls.portal_folder = Path(cls.enter(tempfile.TemporaryDirectory(prefix="afterglow-portal-")))
         cls.start_portal()
         cls.cleanups.append(lambda *_: cls.end(cls.portal))
         super().sit_down()

@@ -6,6 +6,12 @@
 #include <optional>
 #include <string>
 
+/// What a live source keeps until it is opened again.
+struct CaptureMemory {
+    std::string permission = {};  // of the desktop to share the same again; "": none
+    bool is_denied = false;       // the user has refused: the desktop is not asked again
+};
+
 /// Gives the pictures of a live source. Used by one thread.
 class VideoCapture {
 public:
@@ -16,6 +22,8 @@ public:
     virtual Result<std::optional<Picture>> read(double seconds) = 0;
     /// Why the picture is incomplete or old; "": it is neither.
     virtual std::string notice() const { return {}; }
+    /// Whether it waits for the user, who must choose in a dialog of the desktop.
+    virtual bool asks_user() const { return false; }
     /// Pictures per second, if the input states it; 0: no constant rate.
     virtual double rate() const { return 0.0; }
 };

@@ -2,6 +2,7 @@
 
 #include "io/capture/drawable_reader.h"
 #include "io/capture/find_window.h"
+#include "io/capture/screen_cast.h"
 #include "io/capture/x_damage.h"
 #include "io/capture/x_server.h"
 
@@ -159,6 +160,10 @@ Result<std::unique_ptr<VideoCapture>> capture_window(const std::string& title) {
         return fail(server.error());
     auto window = find_window(*server, title);
     if (!window)
-        return fail(window.error());
+        return fail(
+            {{},
+             0,
+             window.error().front().message +
+                 (has_screen_cast() ? ". On Wayland, choose other windows with screen:." : "")});
     return std::make_unique<WindowCapture>(std::move(*server), std::move(*window));
 }

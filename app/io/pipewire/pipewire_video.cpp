@@ -277,6 +277,8 @@ private:
                 fmt::format("PipeWire has ended the video: {}", error ? error : "no reason");
         else if (state == PW_STREAM_STATE_UNCONNECTED && before != PW_STREAM_STATE_UNCONNECTED)
             m_problem = "the PipeWire server has ended";
+        else if (before == PW_STREAM_STATE_STREAMING && m_is_offered)
+            pw_stream_flush(m_stream, false);  // the next reader must not see an old picture
         else if (state == PW_STREAM_STATE_STREAMING && m_is_offered)
             pw_stream_trigger_process(m_stream);  // a new reader sees the present picture
     }
@@ -324,10 +326,12 @@ private:
     void read(const spa_buffer& buffer) {
         const spa_data& data = buffer.datas[0];
         const bool is_corrupted = (data.chunk->flags & SPA_CHUNK_FLAG_CORRUPTED) != 0;
-        if (!data.data || data.chunk->size == 0 || data.chunk->stride <= 0 || is_corrupted)
+        if (!data.data || data.chunk->size == 0 || data.chunk->stride < 0 || is_corrupted)
             return;
         const Part part = cropped_part(buffer, m_extent);
-        const auto stride = static_cast<std::size_t>(data.chunk->stride);
+        const std::size_t stride = data.chunk->stride > 0
+                                       ? static_cast<std::size_t>(data.chunk->stride)
+                                       : static_cast<std::size_t>(m_extent.width) * channels;
         const std::size_t first = data.chunk->offset + part.y * stride + part.x * channels;
         const std::size_t size = stride * static_cast<std::size_t>(part.extent.height - 1) +
                                  static_cast<std::size_t>(part.extent.width) * channels;
@@ -376,7 +380,7 @@ Result<std::unique_ptr<PipeWireVideo>> PipeWireVideo::read(const Descriptor& soc
         return fail(connected.error());
     pw_properties* const properties =
         pw_properties_new(PW_KEY_MEDIA_TYPE, "Video", PW_KEY_MEDIA_CATEGORY, "Capture",
-                          PW_KEY_MEDIA_ROLE, "Screen", nullptr);
+                          PW_KEY_MEDIA_ROLE, "Screen", PW_KEY_NODE_NAME, "Afterglow", nullptr);
     if (auto opened = stream->open("Afterglow", properties, node, accepted_formats()); !opened)
         return fail(opened.error());
     return std::unique_ptr<PipeWireVideo>(new PipeWireVideo(std::move(stream)));

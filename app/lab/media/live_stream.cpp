@@ -98,6 +98,7 @@ std::unique_ptr<VideoCapture> LiveStream::opened() {
 // Resets an input that is lost.
 void LiveStream::read(std::unique_ptr<VideoCapture>& input) {
     auto picture = input->read(longest_wait);
+    m_asks_user = picture && input->asks_user();
     if (!picture) {
         report(picture.error().front().message);
         input.reset();

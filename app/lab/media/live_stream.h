@@ -33,6 +33,8 @@ public:
     SharedPicture wait_for_first(double seconds);
     /// Waits until this time after the first picture, s.
     void wait_until(double seconds) const;
+    /// Whether it waits for the user, as VideoCapture::asks_user().
+    bool asks_user() const { return m_asks_user; }
     /// Converts all pictures read from now on.
     void set_encoding(Encoding encoding) { m_encoding = encoding; }
     void set_rate(double rate) { m_rate = rate; }
@@ -52,6 +54,7 @@ private:
     Open m_open;
     std::string m_name;
     std::atomic<double> m_rate;
+    std::atomic<bool> m_asks_user = false;
     std::atomic<std::optional<Encoding>> m_encoding{std::nullopt};  // nullopt: unchanged
     mutable std::mutex m_mutex;
     std::condition_variable m_ending;  // wakes the thread

@@ -1,6 +1,7 @@
 #include "lab/media/source.h"
 
 #include "io/capture/open_capture.h"
+#include "io/capture/video_stream.h"
 #include "io/pictures/picture_file.h"
 #include "io/pictures/picture_sequence.h"
 #include "io/video/video_file.h"
@@ -62,7 +63,7 @@ private:
 }  // namespace
 
 Result<void> Source::open_whole_pipe(const LiveSpec& live) {
-    auto input = open_capture(live, m_spec.rate, StreamPace::all);
+    auto input = open_pipe(live, m_spec.rate, StreamPace::all);
     if (!input)
         return fail(input.error());
     auto reader = std::make_unique<LiveReader>(std::move(*input));
@@ -82,9 +83,13 @@ Result<void> Source::open_live(LiveReading reading) {
     if (reading == LiveReading::complete && live->kind == LiveKind::pipe)
         return open_whole_pipe(*live);
     m_live = std::make_unique<LiveStream>(
-        [live = *live, rate = m_spec.rate] { return open_capture(live, rate, StreamPace::live); },
+        [live = *live, rate = m_spec.rate, memory = std::make_shared<CaptureMemory>()] {
+            return open_capture(live, rate, *memory);
+        },
         m_spec.picture, m_spec.rate);
-    m_picture = m_live->wait_for_first(first_picture_seconds);
+    do
+        m_picture = m_live->wait_for_first(first_picture_seconds);
+    while (!m_picture && reading == LiveReading::complete && m_live->asks_user());
     m_is_late = !m_picture;
     if (m_picture)
         return {};

@@ -39,6 +39,8 @@ std::string CameraFeed::problem() const {
 void CameraFeed::show(RawPicture picture) {
     {
         const std::lock_guard lock(m_mutex);
+        if (!m_is_watched)
+            return;  // the reader has left since
         m_next = std::move(picture);
         m_has_picture = true;
     }

@@ -28,7 +28,7 @@ public:
     std::string problem() const;
     /// Whether a program reads the camera, but there was no picture since it began. It sees black.
     bool needs_picture() const;
-    /// Shows a picture of the size of the camera from now on.
+    /// Shows a picture of the size of the camera from now on, as long as it is watched.
     void show(RawPicture picture);
 
 private:

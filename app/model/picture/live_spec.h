@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-/// A picture that changes by itself.
+/// The kinds of live sources.
 enum class LiveKind {
     window,  // of another program
     screen,

@@ -165,8 +165,8 @@ void Application::update() {
         m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
     follow_output();
     update_lab(wall_seconds);
-    m_picture.camera.update(m_state.output, m_lab.renderer(), m_lab.frames().passes().picture_pass(),
-                    m_lab.messages());
+    m_picture.camera.update(m_state.output, m_lab.renderer(),
+                            m_lab.frames().passes().picture_pass(), m_lab.messages());
     if (m_window.framebuffer_size().is_empty())
         return;  // minimised
     // Without stored panel sizes, the size of the picture is unknown.
@@ -227,8 +227,8 @@ void Application::apply(const Edits& edits) {
         m_window.set_clipboard(std::exchange(m_state.copied, {}));
     if (edits.requests().copies_picture && m_lab.document() && m_lab.renderer())
         m_picture.clipboard.copy(*m_lab.renderer(), m_lab.frames().passes().picture_pass(),
-                         m_lab.sequencer().drawn_document(), m_lab.work().media.recent(),
-                         m_lab.messages());
+                                 m_lab.sequencer().drawn_document(), m_lab.work().media.recent(),
+                                 m_lab.messages());
     m_is_quitting = m_is_quitting || edits.requests().quits;
     // Only one window waits, to avoid waiting twice.
     m_desktop.set_vsync(m_state.frame_rate.waits_for_display && !m_panels.output().is_open());

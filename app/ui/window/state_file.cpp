@@ -81,6 +81,16 @@ std::string widget_rects_text(const Edits& edits) {
     return fmt::format("{{{}}}", fmt::join(rects, ","));
 }
 
+const char* output_text(const OutputState& output) {
+    if (!output.is_on())
+        return "off";
+    if (output.is_black)
+        return "black";
+    if (!output.is_open)
+        return "camera";
+    return output.is_overlay ? "overlay" : "on";
+}
+
 std::string probe_text(const Scene& scene) {
     const auto& probe = scene.window.probes.pointer;
     const auto& rgba = scene.views.probed();
@@ -308,10 +318,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         lab.frames.comparison().mode() == CompareMode::wipe
             ? fmt::format("{:.3f}", scene.window.views.wipe_share)
             : "null",
-        json_string(!scene.window.output.is_open     ? "off"
-                    : scene.window.output.is_black   ? "black"
-                    : scene.window.output.is_overlay ? "overlay"
-                                                     : "on"),
+        json_string(output_text(scene.window.output)),
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab.frames.nan_guard()) +
             flashes_text(scene) + switches_text(lab.frames.passes().switches()) +
