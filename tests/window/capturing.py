@@ -97,9 +97,6 @@ class Capturing(Person):
             return bool(reds) and max(reds) - min(reds) > 10
 
         program.wait_for("the look covers the window", lambda: is_drawn(60, 60, 340, 260))
-        program.wait("the size of the window is offered", lambda s: s["notice"] ==
-                     "The render size is 240 × 180 px, the window 320 × 240 px")
-        program.click("offer:Match window")
         program.wait("the picture has the size of the window", lambda s: s["picture"] == [320, 240])
         self.snapshot("overlay")
         window.do("move 800 400")
@@ -122,7 +119,7 @@ class Capturing(Person):
         program.key("ctrl+F12")
         program.wait("the overlay is closed", lambda s: s["output"] == "off")
         program.wait_for("the window is visible", lambda: colours(820, 420, 980, 540) == {bytes([0x20, 0x20, 0xC0])})
-        self.restart_with_size(*PICTURE)
+        program.wait("the picture has its own size", lambda s: s["picture"] == PICTURE)
 
     def test_the_overlay_closes_with_another_source(self):
         program = self.program

@@ -20,8 +20,9 @@ public:
     /// by default; native looks fill the view.
     ViewShape shape() const;
 
-    /// The size of the pane that shows the picture, px.
-    void set_view(Extent view_pixels);
+    /// The size of the pane that shows the picture, px. `is_overlay`: of the window under an
+    /// overlay; the picture then has this size instead of the chosen one.
+    void set_view(Extent view_pixels, bool is_overlay = false);
     /// Fixes the size to the current view.
     void fix_to_view();
     /// Fixes a size that is still undecided when the view has been unchanged for 0.5 s. The panes
@@ -33,5 +34,6 @@ private:
     const MediaInput& m_media;
     PictureSize m_chosen;
     Extent m_view{1280, 720};
+    bool m_is_overlay = false;
     std::optional<double> m_view_seconds;  // since it changed; nullopt: not set yet
 };

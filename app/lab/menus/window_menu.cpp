@@ -173,28 +173,15 @@ EffectiveSize effective_size(const RenderSize& render_size) {
     return {render_size.chosen(), render_size.shape(), render_size.extent()};
 }
 
-namespace {
-// `name`: of what shows the picture.
-void offer_size(const RenderSize& render_size, Messages& messages, const char* name, Extent shown,
-                Edit match) {
+void offer_display_size(const RenderSize& render_size, Messages& messages, Extent display) {
     const PictureSize& current = render_size.chosen();
-    if (current.follows_view || current.room(shown) == shown)
+    if (current.follows_view || current.room(display) == display)
         return;
     const Extent picture = render_size.extent();
-    messages.offer(fmt::format("The render size is {} × {} px, the {} {} × {} px", picture.width,
-                               picture.height, name, shown.width, shown.height),
-                   {.name = fmt::format("Match {}", name), .commands = {std::move(match)}});
-}
-}  // namespace
-
-void offer_display_size(const RenderSize& size, Messages& messages, Extent display) {
-    offer_size(size, messages, "display", display, [](RenderSize& fixed) { fixed.fix_to_view(); });
-}
-
-void offer_overlay_size(const RenderSize& size, Messages& messages, Extent window) {
-    offer_size(size, messages, "window", window, [](RenderSize& fixed) {
-        fixed.choose(with_shape({.fixed = fixed.chosen().fixed}, ViewShape::view));
-    });
+    messages.offer(
+        fmt::format("The render size is {} × {} px, the display {} × {} px", picture.width,
+                    picture.height, display.width, display.height),
+        {.name = "Match display", .commands = {[](RenderSize& fixed) { fixed.fix_to_view(); }}});
 }
 
 PictureSize with_shape(PictureSize size, ViewShape shape) {

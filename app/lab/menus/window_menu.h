@@ -20,8 +20,6 @@ EffectiveSize effective_size(const RenderSize& size);
 
 /// Offers the display's size if the output window shows a picture of fixed size.
 void offer_display_size(const RenderSize& size, Messages& messages, Extent display);
-/// Offers to follow the size of the window under the overlay if the picture has a fixed size.
-void offer_overlay_size(const RenderSize& size, Messages& messages, Extent window);
 
 /// Render size, zoom, panes, pins, waveform line and other settings of the window.
 std::vector<MenuSection> window_sections(const WindowState& window, const EffectiveSize& size);

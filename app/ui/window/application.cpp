@@ -188,9 +188,8 @@ void Application::follow_output() {
         !problem.empty())
         m_lab.messages().say(std::move(problem), true);
     m_state.views.sizes.output = output.extent();
-    if (!was_open && output.is_open())
-        (m_state.output.is_overlay ? offer_overlay_size : offer_display_size)(
-            m_lab.work().size, m_lab.messages(), output.extent());
+    if (!was_open && output.is_open() && !output.is_overlay())
+        offer_display_size(m_lab.work().size, m_lab.messages(), output.extent());
 }
 
 void Application::update_lab(double wall_seconds) {
@@ -198,7 +197,7 @@ void Application::update_lab(double wall_seconds) {
     const ViewSizes& sizes = m_state.views.sizes;
     const Extent seen = sizes.output.is_empty() ? sizes.picture : sizes.output;
     if (!seen.is_empty())
-        m_lab.work().size.set_view(seen);
+        m_lab.work().size.set_view(seen, m_panels.output().is_overlay());
     m_lab.frames().nan_guard().set_unattended(m_state.layout.is_picture_only ||
                                               m_panels.output().is_open());
     m_lab.frames().set_displayed(displayed_passes(m_lab, m_state));

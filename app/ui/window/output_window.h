@@ -25,6 +25,8 @@ public:
     /// Whether it hides the panels.
     bool covers_panels() const { return m_covers_panels; }
     bool is_open() const { return m_window != nullptr; }
+    /// Whether it is over the window of another program.
+    bool is_overlay() const { return m_overlay.has_value(); }
     /// In pixels; empty: closed.
     Extent extent() const { return m_window ? m_window->framebuffer_size() : Extent{}; }
 
