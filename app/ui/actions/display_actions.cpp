@@ -115,7 +115,7 @@ std::vector<Action> display_actions::list() {
         {ActionId::show_overlay,
          Menu::output,
          "Overlay on source window",
-         {key_f12, true},
+         {key_f12, true, true},
          false,
          toggle_overlay,
          has_document,
