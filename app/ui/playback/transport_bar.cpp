@@ -115,17 +115,21 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
     ImGui::SetCursorPosY((ImGui::GetWindowHeight() - ImGui::GetFrameHeight()) * 0.5f);
     draw_buttons(scene, edits);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float flashes = flash_button_width(scene);
-    const float menus = picture_menus_width(scene) + slot_buttons_width() + gap +
-                        (flashes > 0.0f ? flashes + gap : 0.0f);
     const auto end_of_last = [] { return ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x; };
+    const float right = ImGui::GetWindowContentRegionMax().x;
+    float menus = picture_menus_width(scene) + slot_buttons_width() + gap;
+    float flashes = flash_button_width(scene);
+    if (end_of_last() + 2.0f * gap + flashes + menus > right)
+        flashes = 0.0f;  // a narrow pane
+    if (flashes > 0.0f)
+        menus += flashes + gap;
     const float speed = ImGui::GetFontSize() * 11.0f;
-    if (end_of_last() + speed + menus < ImGui::GetWindowContentRegionMax().x) {
+    if (end_of_last() + speed + menus < right) {
         ImGui::SameLine(0.0f, ImGui::GetStyle().ItemSpacing.x * 2.0f);
         draw_speed(scene, edits);
     }
     const float end = end_of_last();
-    draw_info(scene, ImGui::GetWindowContentRegionMax().x - menus - end - ImGui::GetFontSize());
+    draw_info(scene, right - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
     if (flashes > 0.0f) {
         const float cursor = ImGui::GetCursorPosX();
