@@ -105,6 +105,9 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
                                         : names.is_sequence() && to_lower(output).ends_with(".png");
     if (film.keeps_alpha && !can_have_alpha)
         throw UsageError("--alpha needs a video file or numbered PNG files");
+    if (is_virtual_camera(output) && !arguments.all_passes.empty() && arguments.frames == 0 &&
+        arguments.seconds == 0.0)
+        throw UsageError("--all-passes with a virtual camera needs --frames or --seconds");
     if (arguments.loops && (is_stream_output(output) || (!is_film && !names.is_sequence())))
         throw UsageError("--loop needs a video file or an image sequence");
     if (arguments.loops && (arguments.start > 0.0 || arguments.frames > 0))

@@ -8,8 +8,7 @@
 
 int main(int count, char** words) {
     const auto spec = parse_live(count == 2 ? words[1] : "");
-    CaptureMemory memory;
-    auto capture = spec ? open_capture(*spec, 0.0, memory) : fail(spec.error());
+    auto capture = spec ? open_capture(*spec, 0.0) : fail(spec.error());
     if (!capture) {
         std::fprintf(stderr, "%s\n", capture.error().front().message.c_str());
         return 1;

@@ -77,6 +77,9 @@ class ScreenCastTest(ProgramTest):
     def calls(self, portal, count):
         return [portal.stdout.readline().strip() for _ in range(count)]
 
+    def wait_for_frame(self):
+        self.server.wait_until("the first frame is written", (self.folder / "0.png").exists)
+
     def test_the_shared_screen_is_drawn(self):
         portal = self.desktop("share")
         file = self.folder / "drawn.png"
@@ -88,7 +91,7 @@ class ScreenCastTest(ProgramTest):
                     for y in range(HEIGHT)]
         self.assertEqual([bytes(row) for row in rows], expected)
         self.assertEqual(self.calls(portal, 4),
-                         ["CreateSession", "SelectSources types=3 cursor_mode=1 persist_mode=1", "Start",
+                         ["CreateSession", "SelectSources types=3 cursor_mode=1 persist_mode=2", "Start",
                           "OpenPipeWireRemote"])
 
     def test_the_pixel_formats_of_other_senders_are_read(self):
@@ -115,22 +118,35 @@ class ScreenCastTest(ProgramTest):
         self.draw("screen:,cursor=on", "--frames", "1", "-o", self.folder / "drawn.png")
         self.assertIn("cursor_mode=2", self.calls(portal, 2)[1])
 
-    def test_after_the_end_the_same_is_shared_again_without_a_question(self):
+    def test_after_a_loss_the_same_is_shared_again_without_a_question(self):
         portal = self.desktop("share")
-        drawing = self.draw("screen:", "--seconds", "30", "-o", self.folder / "drawn.mp4")
+        drawing = self.draw("screen:", "--seconds", "30", "-o", self.folder / "%d.png")
         self.server.link("Screen", "Afterglow")
         self.calls(portal, 4)
+        self.wait_for_frame()
+        self.server.end()
+        self.assertEqual(self.calls(portal, 2)[1],
+                         "SelectSources types=3 cursor_mode=1 persist_mode=2 restore_token=again")
+        drawing.kill()
+
+    def test_after_the_user_has_stopped_sharing_nothing_is_asked(self):
+        portal = self.desktop("share")
+        drawing = self.draw("screen:", "--seconds", "3", "-o", self.folder / "%d.png")
+        self.server.link("Screen", "Afterglow")
+        self.calls(portal, 4)
+        self.wait_for_frame()
         portal.stdin.write("end\n")
         portal.stdin.flush()
-        self.assertEqual(self.calls(portal, 2)[1],
-                         "SelectSources types=3 cursor_mode=1 persist_mode=1 restore_token=again")
-        drawing.kill()
+        self.assertEqual(drawing.wait(timeout=60), 0, "the last picture stays")
+        self.assertIn("the desktop does not share the screen, as you chose there", drawing.stderr.read())
+        portal.stdin.close()
+        self.assertEqual(portal.stdout.read(), "", "no further call")
 
     def test_a_refusal_is_final(self):
         portal = self.desktop("deny")
         refused = self.draw("screen:", "--frames", "1", "-o", self.folder / "no.png")
         self.assertEqual(refused.wait(timeout=60), 1)
-        self.assertIn("sharing the screen was refused in the dialog of the desktop", refused.stderr.read())
+        self.assertIn("the desktop does not share the screen, as you chose there", refused.stderr.read())
         self.assertEqual(self.calls(portal, 3)[-1], "Start")
 
     def test_what_is_missing_is_named(self):

@@ -6,6 +6,5 @@
 #include <memory>
 
 /// Opens a live source: a window, the screen, a camera or a pipe. `rate`: of a camera or pipe, as
-/// in SourceSpec. `memory` must outlive the capture. Errors have no file and say what is missing.
-Result<std::unique_ptr<VideoCapture>> open_capture(const LiveSpec& spec, double rate,
-                                                   CaptureMemory& memory);
+/// in SourceSpec. Errors have no file and say what is missing.
+Result<std::unique_ptr<VideoCapture>> open_capture(const LiveSpec& spec, double rate);

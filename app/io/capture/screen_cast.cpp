@@ -12,6 +12,18 @@
 namespace {
 using Seconds = std::chrono::duration<double>;
 
+/// What the user has answered, for all captures of this process.
+struct Answer {
+    std::mutex mutex;
+    std::string permission;  // to share the same again; "": none
+    bool is_denied = false;
+};
+
+Answer& answer() {
+    static Answer given;
+    return given;
+}
+
 /// The newest picture of a PipeWire stream.
 class NewestPicture {
 public:
@@ -52,14 +64,14 @@ private:
 
 class ScreenCast final : public VideoCapture {
 public:
-    ScreenCast(std::unique_ptr<ScreenCastSession> session, CaptureMemory& memory)
-        : m_session(std::move(session)), m_memory(memory) {}
+    explicit ScreenCast(std::unique_ptr<ScreenCastSession> session)
+        : m_session(std::move(session)) {}
 
     Result<std::optional<Picture>> read(double seconds) override {
         if (!m_video)
             return begin(seconds);
         if (auto checked = m_session->check(); !checked)
-            return fail(checked.error());
+            return failed(checked.error());
         if (const std::string problem = m_video->problem(); !problem.empty())
             return fail({{}, 0, problem});
         return m_newest.wait(seconds);
@@ -68,15 +80,22 @@ public:
     bool asks_user() const override { return !m_video; }
 
 private:
+    tl::unexpected<Diagnostics> failed(const Diagnostics& why) const {
+        const std::lock_guard lock(answer().mutex);
+        answer().is_denied = answer().is_denied || m_session->is_denied();
+        return fail(why);
+    }
+
     Result<std::optional<Picture>> begin(double seconds) {
         auto stream = m_session->wait(seconds);
-        if (!stream) {
-            m_memory.is_denied = m_session->is_denied();
-            return fail(stream.error());
-        }
+        if (!stream)
+            return failed(stream.error());
         if (!*stream)
             return std::nullopt;
-        m_memory.permission = (*stream)->permission;
+        {
+            const std::lock_guard lock(answer().mutex);
+            answer().permission = (*stream)->permission;
+        }
         auto video =
             PipeWireVideo::read((*stream)->socket, (*stream)->node,
                                 [this](const PipeWirePixels& pixels) { m_newest.take(pixels); });
@@ -87,7 +106,6 @@ private:
     }
 
     std::unique_ptr<ScreenCastSession> m_session;
-    CaptureMemory& m_memory;
     NewestPicture m_newest;
     std::unique_ptr<PipeWireVideo> m_video;  // null: the user has not chosen yet. It calls m_newest
 };
@@ -98,16 +116,26 @@ bool has_screen_cast() {
     return display && *display;
 }
 
-Result<std::unique_ptr<VideoCapture>> cast_screen(const LiveSpec& spec, CaptureMemory& memory) {
+void allow_screen_cast_question() {
+    const std::lock_guard lock(answer().mutex);
+    answer().is_denied = false;
+}
+
+Result<std::unique_ptr<VideoCapture>> cast_screen(const LiveSpec& spec) {
     if (spec.area)
         return fail({{},
                      0,
                      "area= needs an X11 session. Leave it out, and choose a screen or a window in "
                      "the dialog of the desktop."});
-    if (memory.is_denied)
-        return fail({{}, 0, screen_cast_refused});
-    auto session = ScreenCastSession::open(spec.has_cursor, memory.permission);
+    std::string permission;
+    {
+        const std::lock_guard lock(answer().mutex);
+        if (answer().is_denied)
+            return fail({{}, 0, screen_cast_refused});
+        permission = answer().permission;
+    }
+    auto session = ScreenCastSession::open(spec.has_cursor, std::move(permission));
     if (!session)
         return fail(session.error());
-    return std::make_unique<ScreenCast>(std::move(*session), memory);
+    return std::make_unique<ScreenCast>(std::move(*session));
 }

@@ -9,5 +9,10 @@
 bool has_screen_cast();
 
 /// The screen or window that the user chooses in a dialog of the desktop. Returns before that.
+/// While the program runs, the same is shared again without a question where the desktop allows it.
 /// Errors have no file.
-Result<std::unique_ptr<VideoCapture>> cast_screen(const LiveSpec& spec, CaptureMemory& memory);
+Result<std::unique_ptr<VideoCapture>> cast_screen(const LiveSpec& spec);
+
+/// After the user has refused or has stopped sharing, cast_screen() fails until this is called: the
+/// user has chosen the source again.
+void allow_screen_cast_question();

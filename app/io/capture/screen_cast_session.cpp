@@ -20,7 +20,8 @@ constexpr const char* session_interface = "org.freedesktop.portal.Session";
 constexpr std::uint32_t monitors_and_windows = 1 | 2;
 constexpr std::uint32_t hidden_cursor = 1;
 constexpr std::uint32_t drawn_cursor = 2;
-constexpr std::uint32_t while_running = 1;  // how long the permission is valid
+// How long a permission is valid. A shorter one would end with the connection to the session bus.
+constexpr std::uint32_t until_revoked = 2;
 
 // Steps over the pairs of an a{sv}; `take` reads the variant of a key, or returns false.
 template <typename Take>
@@ -133,7 +134,7 @@ private:
     static int take_end(sd_bus_message* signal, void* data, sd_bus_error* /*error*/) {
         Bus& bus = *static_cast<Bus*>(data);
         if (bus.m_session == sd_bus_message_get_path(signal))
-            bus.fail_with("the desktop has stopped sharing the screen");
+            bus.deny();
         return 0;
     }
 
@@ -163,6 +164,11 @@ private:
         return 0;
     }
 
+    void deny() {
+        m_is_denied = true;
+        fail_with(screen_cast_refused);
+    }
+
     void fail_with(std::string problem) {
         if (m_problem.empty())
             m_problem = std::move(problem);
@@ -172,11 +178,12 @@ private:
         if (m_expected.empty() || m_expected != sd_bus_message_get_path(signal))
             return;
         m_expected.clear();
+        constexpr std::uint32_t cancelled = 1;
         std::uint32_t code = 2;
-        if (sd_bus_message_read(signal, "u", &code) < 0 || code != 0) {
-            m_is_denied = true;
-            return fail_with(screen_cast_refused);
-        }
+        if (sd_bus_message_read(signal, "u", &code) < 0 || (code != 0 && code != cancelled))
+            return fail_with("the desktop can't share its screen. Try again, or log in again.");
+        if (code == cancelled)
+            return deny();
         (this->*m_next)(signal);
     }
 
@@ -227,7 +234,7 @@ private:
         sd_bus_message_append(call.get(), "{sv}{sv}{sv}{sv}", "handle_token", "s", m_token.c_str(),
                               "types", "u", monitors_and_windows, "cursor_mode", "u",
                               m_has_cursor ? drawn_cursor : hidden_cursor, "persist_mode", "u",
-                              while_running);
+                              until_revoked);
         if (!m_permission.empty())
             sd_bus_message_append(call.get(), "{sv}", "restore_token", "s", m_permission.c_str());
         sd_bus_message_close_container(call.get());

@@ -8,10 +8,11 @@
 #include <optional>
 #include <string>
 
-/// The error after the user has refused.
+/// The error after the user has refused, or has stopped sharing.
 inline constexpr const char* screen_cast_refused =
-    "sharing the screen was refused in the dialog of the desktop. Choose the source again to see "
-    "the dialog again.";
+    "the desktop does not share the screen, as you chose there. Choose the source again to be "
+    "asked "
+    "again.";
 
 /// A video stream that the desktop shares.
 struct ScreenCastStream {
@@ -35,7 +36,7 @@ public:
     Result<std::optional<ScreenCastStream>> wait(double seconds);
     /// Fails if the user or the desktop has ended the stream since.
     Result<void> check();
-    /// Whether the user has refused.
+    /// Whether the user has refused, or has stopped sharing.
     bool is_denied() const;
 
 private:

@@ -6,12 +6,6 @@
 #include <optional>
 #include <string>
 
-/// What a live source keeps until it is opened again.
-struct CaptureMemory {
-    std::string permission = {};  // of the desktop to share the same again; "": none
-    bool is_denied = false;       // the user has refused: the desktop is not asked again
-};
-
 /// Gives the pictures of a live source. Used by one thread.
 class VideoCapture {
 public:

@@ -105,10 +105,12 @@ private:
     }
 
     // nullopt: it is not visible.
-    std::optional<Placed> placed() const {
+    std::optional<Placed> placed() {
         const XcbReply<xcb_get_window_attributes_reply_t> attributes(
             xcb_get_window_attributes_reply(x(), xcb_get_window_attributes(x(), m_target),
                                             nullptr));
+        if (!attributes)
+            m_target = XCB_NONE;  // it was destroyed before its events were asked for
         if (!attributes || attributes->map_state != XCB_MAP_STATE_VIEWABLE)
             return std::nullopt;
         const XcbReply<xcb_get_geometry_reply_t> size(

@@ -218,9 +218,13 @@ public:
         const spa_pod* parameter = format.get();
         const unsigned flags = PW_STREAM_FLAG_MAP_BUFFERS |
                                (m_is_offered ? PW_STREAM_FLAG_DRIVER : PW_STREAM_FLAG_AUTOCONNECT);
-        if (pw_stream_connect(m_stream, m_is_offered ? PW_DIRECTION_OUTPUT : PW_DIRECTION_INPUT,
-                              node, static_cast<pw_stream_flags>(flags), &parameter, 1) < 0)
+        const int result =
+            pw_stream_connect(m_stream, m_is_offered ? PW_DIRECTION_OUTPUT : PW_DIRECTION_INPUT,
+                              node, static_cast<pw_stream_flags>(flags), &parameter, 1);
+        if (result < 0) {
+            errno = -result;
             return no_server();
+        }
         return {};
     }
 
@@ -273,10 +277,10 @@ private:
     void change_state(pw_stream_state state, const char* error) {
         const auto before = std::exchange(m_state, state);
         if (state == PW_STREAM_STATE_ERROR)
-            m_problem =
-                fmt::format("PipeWire has ended the video: {}", error ? error : "no reason");
+            m_problem = fmt::format("PipeWire has ended the video: {}. Open it again.",
+                                    error ? error : "no reason given");
         else if (state == PW_STREAM_STATE_UNCONNECTED && before != PW_STREAM_STATE_UNCONNECTED)
-            m_problem = "the PipeWire server has ended";
+            m_problem = "the PipeWire server has ended. Open the video again.";
         else if (before == PW_STREAM_STATE_STREAMING && m_is_offered)
             pw_stream_flush(m_stream, false);  // the next reader must not see an old picture
         else if (state == PW_STREAM_STATE_STREAMING && m_is_offered)

@@ -8,20 +8,29 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
 #include <linux/videodev2.h>
 #include <sys/ioctl.h>
 
 namespace {
+Descriptor opened(const std::string& device) {
+    return Descriptor(::open(device.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+}
+
 // Whether programs can write pictures to the device.
 bool takes_pictures(const std::string& device) {
-    const Descriptor file(::open(device.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
+    const Descriptor file = opened(device);
     v4l2_capability can{};
     if (!file.is_open() || ::ioctl(file.get(), VIDIOC_QUERYCAP, &can) != 0)
         return false;
     const bool is_per_node = (can.capabilities & V4L2_CAP_DEVICE_CAPS) != 0;
     return ((is_per_node ? can.device_caps : can.capabilities) & V4L2_CAP_VIDEO_OUTPUT) != 0;
+}
+
+bool is_forbidden(const std::string& device) {
+    return !opened(device).is_open() && errno == EACCES;
 }
 
 class V4l2Camera final : public VirtualCamera {
@@ -32,13 +41,17 @@ public:
     Result<bool> is_watched() override { return true; }
 
     Result<void> show(std::string_view rgb) override {
-        if (m_process.feed(0, rgb))
+        return m_process.feed(0, rgb) ? Result<void>() : finish();
+    }
+
+    Result<void> finish() override {
+        m_process.end_input(0);
+        if (m_process.finish())
             return {};
-        m_process.finish();
         const std::string complaint = m_process.complaint();
         return fail({{},
                      0,
-                     fmt::format("the virtual camera has ended: {}",
+                     fmt::format("the virtual camera has ended: {}. Open it again.",
                                  complaint.empty() ? m_process.fault() : complaint)});
     }
 
@@ -82,7 +95,14 @@ Result<std::unique_ptr<VirtualCamera>> open_v4l2_camera(const std::string& devic
         return fail({{},
                      0,
                      fmt::format("virtual camera '{}' not found. Install the package "
-                                 "v4l2loopback-dkms, then run: modprobe v4l2loopback",
+                                 "v4l2loopback-dkms, then run: modprobe v4l2loopback "
+                                 "exclusive_caps=1",
+                                 device)});
+    if (is_forbidden(device))
+        return fail({{},
+                     0,
+                     fmt::format("no permission to open '{}'. Add yourself to the group video, and "
+                                 "log in again.",
                                  device)});
     if (!takes_pictures(device))
         return fail({{},

@@ -20,6 +20,8 @@ public:
     /// Shows a picture: RGB with 8 bits per channel, display-encoded, row 0 at the top. Errors as
     /// in is_watched().
     virtual Result<void> show(std::string_view rgb) = 0;
+    /// Waits until all pictures have been sent. Errors as in is_watched().
+    virtual Result<void> finish() { return {}; }
 };
 
 /// Where the pictures go: "pipewire:NAME" or "v4l2:/dev/videoN".

@@ -2,6 +2,7 @@
 
 #include "formats/preset/preset_format.h"
 #include "formats/scene/scene_file.h"
+#include "io/capture/screen_cast.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/parameter_edits.h"
 #include "lab/document/users_content.h"
@@ -74,6 +75,7 @@ void ContentCommands::show_live(const std::string& text) {
     const auto live = source ? parse_live(source->picture) : fail(source.error());
     if (!live)
         return static_cast<void>(m_work.messages.succeeded(live));
+    allow_screen_cast_question();
     m_work.media.choose(
         {.driver = Driver::picture, .source = with_users_defaults(text, m_work.document->look())});
 }

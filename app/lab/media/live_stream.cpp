@@ -61,8 +61,10 @@ void LiveStream::report(const std::string& message) {
         if (std::exchange(m_reported, message) == message)
             return;
         m_is_solved = message.empty();
-        if (m_is_solved)
+        if (m_is_solved) {
+            m_problems.clear();
             return;
+        }
         m_problems.push_back({m_name, 0, message, Severity::warning});
     }
     m_ready.notify_all();
@@ -98,7 +100,7 @@ std::unique_ptr<VideoCapture> LiveStream::opened() {
 // Resets an input that is lost.
 void LiveStream::read(std::unique_ptr<VideoCapture>& input) {
     auto picture = input->read(longest_wait);
-    m_asks_user = picture && input->asks_user();
+    m_asks_user = picture && !*picture && (input->asks_user() || m_asks_user);
     if (!picture) {
         report(picture.error().front().message);
         input.reset();

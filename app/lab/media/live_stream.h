@@ -33,7 +33,8 @@ public:
     SharedPicture wait_for_first(double seconds);
     /// Waits until this time after the first picture, s.
     void wait_until(double seconds) const;
-    /// Whether it waits for the user, as VideoCapture::asks_user().
+    /// Whether it waits for the user, as VideoCapture::asks_user(), or for the first picture after
+    /// that.
     bool asks_user() const { return m_asks_user; }
     /// Converts all pictures read from now on.
     void set_encoding(Encoding encoding) { m_encoding = encoding; }

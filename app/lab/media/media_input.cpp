@@ -170,11 +170,11 @@ std::optional<Diagnostics> MediaInput::take_problems() {
     Source* source = m_source.get();
     if (!source)
         return std::nullopt;
+    const bool is_solved = source->take_solved();  // first: a later problem is new
     Diagnostics problems = source->take_problems();
-    const bool is_solved = source->take_solved();
     if (problems.empty() && !is_solved)
         return std::nullopt;
-    if (source->is_live())
+    if (source->is_live() && source->spec().picture == m_problem_file)
         m_problems.clear();  // it has one at most
     for (Diagnostic& problem : problems) {
         problem.severity = Severity::warning;

@@ -19,6 +19,7 @@
 namespace {
 constexpr double usual_rate = 60.0;
 constexpr double first_picture_seconds = 3.0;  // until a live source counts as missing
+constexpr int most_waits_for_user = 40;        // of that time, while the user is asked
 constexpr Extent missing_extent{640, 480};
 
 // The pattern with its size, from the text of a pattern source.
@@ -83,13 +84,12 @@ Result<void> Source::open_live(LiveReading reading) {
     if (reading == LiveReading::complete && live->kind == LiveKind::pipe)
         return open_whole_pipe(*live);
     m_live = std::make_unique<LiveStream>(
-        [live = *live, rate = m_spec.rate, memory = std::make_shared<CaptureMemory>()] {
-            return open_capture(live, rate, *memory);
-        },
-        m_spec.picture, m_spec.rate);
+        [live = *live, rate = m_spec.rate] { return open_capture(live, rate); }, m_spec.picture,
+        m_spec.rate);
+    int waits = reading == LiveReading::complete ? most_waits_for_user : 1;
     do
         m_picture = m_live->wait_for_first(first_picture_seconds);
-    while (!m_picture && reading == LiveReading::complete && m_live->asks_user());
+    while (!m_picture && m_live->asks_user() && --waits > 0);
     m_is_late = !m_picture;
     if (m_picture)
         return {};

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 bool is_stream_output(const std::string& output) {
     return output == export_pipe || is_virtual_camera(output);
@@ -121,7 +123,13 @@ bool counts_flashes(const Offline& offline, const ExportJob& job) {
     return job.pass + 1 == static_cast<int>(offline.executor().look().passes.size());
 }
 
-Result<void> finish(const OpenOutput& opened, const FlashLog& flashes, Diagnostics& warnings) {
+// Also shows the last picture of a camera for its time.
+Result<void> finish(const OpenOutput& opened, double fps, const FlashLog& flashes,
+                    Diagnostics& warnings) {
+    if (opened.camera) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / fps));
+        return opened.camera->finish();
+    }
     if (opened.film)
         if (auto finished = opened.film->finish(); !finished)
             return finished;
@@ -143,7 +151,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
     auto done = export_frames(offline, job);
     if (!done || !*done)
         return done;
-    if (auto finished = finish(*opened, flashes, warnings); !finished)
+    if (auto finished = finish(*opened, job.fps, flashes, warnings); !finished)
         return fail(finished.error());
     return true;
 }
@@ -246,7 +254,7 @@ Result<bool> export_loop(const std::string& output, Offline& offline, const Expo
             return written;
         difference = drawing.next_period();
         if (difference <= tolerance) {
-            if (auto finished = finish(*opened, flashes, warnings); !finished)
+            if (auto finished = finish(*opened, period.fps, flashes, warnings); !finished)
                 return fail(finished.error());
             return true;
         }

@@ -44,15 +44,19 @@ void CameraFeed::show(RawPicture picture) {
         m_next = std::move(picture);
         m_has_picture = true;
     }
-    m_changed.notify_all();
 }
 
 void CameraFeed::run() {
-    const std::chrono::duration<double> between(1.0 / m_rate);
+    using Clock = std::chrono::steady_clock;
+    const auto between =
+        std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / m_rate));
+    auto due = Clock::now();
     std::string rgb;
     std::unique_lock lock(m_mutex);
     while (!m_is_ending) {
-        m_changed.wait_for(lock, between, [this] { return m_is_ending || m_next; });
+        due = std::max(due + between, Clock::now());  // a late picture does not hurry the next
+        if (m_changed.wait_until(lock, due, [this] { return m_is_ending; }))
+            return;
         const auto next = std::exchange(m_next, std::nullopt);
         lock.unlock();
         if (next)

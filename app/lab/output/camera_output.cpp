@@ -42,23 +42,45 @@ void CameraOutput::show(const Renderer& renderer, const Shown& wanted) {
     m_shown = wanted;
 }
 
+void CameraOutput::show_black() {
+    RawPicture black{m_extent, 3, Encoding::display, RawPicture::Bytes()};
+    std::get<RawPicture::Bytes>(black.pixels)
+        .resize(black.row_length() * static_cast<std::size_t>(m_extent.height));
+    m_feed->show(std::move(black));
+    m_shown = Shown{.is_black = true};
+}
+
+// Programs lose a camera that is opened again, so its size must have been steady for a while.
+bool CameraOutput::is_changing(Extent extent) {
+    constexpr auto steady = std::chrono::milliseconds(300);  // updates continue for longer
+    const auto now = std::chrono::steady_clock::now();
+    if (!m_feed || extent == m_extent || extent != m_wanted_extent)
+        m_wanted_since = now;
+    m_wanted_extent = extent;
+    return m_feed && extent != m_extent && now - m_wanted_since < steady;
+}
+
 void CameraOutput::update(OutputState& state, const Renderer* renderer, int pass,
                           Messages& messages) {
     if (!state.is_camera_on) {
         m_feed.reset();
         return;
     }
-    if (!renderer || !renderer->has_whole_picture())
-        return;
-    const Extent extent = renderer->executor().target(pass).extent();
-    if ((!m_feed || extent != m_extent) && !open(extent, messages)) {
-        state.is_camera_on = false;
-        return;
-    }
-    if (std::string problem = m_feed->problem(); !problem.empty()) {
+    if (std::string problem = m_feed ? m_feed->problem() : ""; !problem.empty()) {
         m_feed.reset();
         state.is_camera_on = false;
         return messages.say(std::move(problem), true, "virtual camera");
+    }
+    if (m_feed && state.is_black && !(m_shown && m_shown->is_black))
+        show_black();  // also while a frame is drawn slowly
+    if (!renderer || !renderer->has_whole_picture())
+        return;
+    const Extent extent = renderer->executor().target(pass).extent();
+    if (is_changing(extent))
+        return;
+    if ((!m_feed || extent != m_extent) && !open(extent, messages)) {
+        state.is_camera_on = false;
+        return;
     }
     const bool is_black = state.is_black || renderer->executors().inputs().is_black;
     const Shown wanted{renderer->executor().textures().number(), pass, is_black};

@@ -2,6 +2,8 @@
 
 #include "lab/output/camera_feed.h"
 
+#include <chrono>
+
 class Messages;
 class Renderer;
 struct OutputState;
@@ -29,9 +31,13 @@ private:
 
     bool open(Extent extent, Messages& messages);
     void show(const Renderer& renderer, const Shown& wanted);
+    void show_black();
+    bool is_changing(Extent extent);
 
     std::function<void()> m_wake;
     std::unique_ptr<CameraFeed> m_feed;  // null: off
-    Extent m_extent;
+    Extent m_extent;                     // of the camera
+    Extent m_wanted_extent;              // of the picture
+    std::chrono::steady_clock::time_point m_wanted_since;
     std::optional<Shown> m_shown;  // nullopt: nothing yet
 };

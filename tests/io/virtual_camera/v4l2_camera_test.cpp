@@ -62,5 +62,5 @@ TEST_CASE("a V4L2 camera that does not exist names what to install") {
     REQUIRE_FALSE(camera);
     CHECK(camera.error().front().message ==
           "virtual camera '/dev/no-camera' not found. Install the package v4l2loopback-dkms, then "
-          "run: modprobe v4l2loopback");
+          "run: modprobe v4l2loopback exclusive_caps=1");
 }
