@@ -50,14 +50,11 @@ public:
 
     /// Paints again after the server has uncovered parts.
     void repaint() {
-        bool is_uncovered = false;
-        while (xcb_generic_event_t* const event = xcb_poll_for_event(m_connection)) {
-            is_uncovered = is_uncovered || event->response_type == XCB_EXPOSE;
-            std::free(event);
+        while (is_uncovered()) {
+            const std::vector<std::string> painted = std::exchange(m_painted, {});
+            for (const std::string& line : painted)
+                obey(line);
         }
-        const std::vector<std::string> painted = std::exchange(m_painted, {});
-        for (const std::string& line : painted)
-            is_uncovered ? static_cast<void>(obey(line)) : m_painted.push_back(line);
     }
 
     /// False: the command is unknown.
@@ -94,6 +91,16 @@ public:
     }
 
 private:
+    // Takes all events, also those that came with the answer to another request.
+    bool is_uncovered() {
+        bool is_exposed = false;
+        while (xcb_generic_event_t* const event = xcb_poll_for_event(m_connection)) {
+            is_exposed = is_exposed || event->response_type == XCB_EXPOSE;
+            std::free(event);
+        }
+        return is_exposed;
+    }
+
     void paint(const Place& place, std::istringstream& words) {
         std::string color;
         words >> color;
@@ -147,8 +154,8 @@ int main(int count, char** words) {
     for (;;) {
         pollfd waited[]{{STDIN_FILENO, POLLIN, 0},
                         {xcb_get_file_descriptor(connection), POLLIN, 0}};
+        window.repaint();  // poll() does not see events that were already read
         poll(waited, 2, -1);
-        window.repaint();
         if (waited[0].revents == 0)
             continue;
         char bytes[256];

@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import tempfile
 import time
+import unittest
 from pathlib import Path
 
 CONFIG = """
@@ -26,7 +27,12 @@ context.objects = [
 
 
 class PrivatePipeWire:
+    """Skips the test where PipeWire or GStreamer is not installed."""
+
     def __enter__(self):
+        for program in ("pipewire", "pw-link", "gst-launch-1.0"):
+            if not shutil.which(program):
+                raise unittest.SkipTest(f"{program} is not installed")
         self.folder = Path(tempfile.mkdtemp())
         (self.folder / "server.conf").write_text(CONFIG)
         self.variables = {"XDG_RUNTIME_DIR": str(self.folder), "PIPEWIRE_DEBUG": "1"}
