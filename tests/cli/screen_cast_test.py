@@ -77,9 +77,6 @@ class ScreenCastTest(ProgramTest):
     def calls(self, portal, count):
         return [portal.stdout.readline().strip() for _ in range(count)]
 
-    def wait_for_frame(self):
-        self.server.wait_until("the first frame is written", (self.folder / "0.png").exists)
-
     def test_the_shared_screen_is_drawn(self):
         portal = self.desktop("share")
         file = self.folder / "drawn.png"
@@ -118,27 +115,28 @@ class ScreenCastTest(ProgramTest):
         self.draw("screen:,cursor=on", "--frames", "1", "-o", self.folder / "drawn.png")
         self.assertIn("cursor_mode=2", self.calls(portal, 2)[1])
 
-    def test_after_a_loss_the_same_is_shared_again_without_a_question(self):
+    def begin(self, seconds):
+        """The portal, and a drawing that has written its first frame."""
         portal = self.desktop("share")
-        drawing = self.draw("screen:", "--seconds", "30", "-o", self.folder / "%d.png")
+        drawing = self.draw("screen:", "--seconds", seconds, "-o", self.folder / "%d.png")
         self.server.link("Screen", "Afterglow")
         self.calls(portal, 4)
-        self.wait_for_frame()
+        self.server.wait_until("the first frame is written", (self.folder / "0.png").exists)
+        return portal, drawing
+
+    def test_after_a_loss_the_same_is_shared_again_without_a_question(self):
+        portal, drawing = self.begin(30)
         self.server.end()
         self.assertEqual(self.calls(portal, 2)[1],
                          "SelectSources types=3 cursor_mode=1 persist_mode=2 restore_token=again")
         drawing.kill()
 
     def test_after_the_user_has_stopped_sharing_nothing_is_asked(self):
-        portal = self.desktop("share")
-        drawing = self.draw("screen:", "--seconds", "3", "-o", self.folder / "%d.png")
-        self.server.link("Screen", "Afterglow")
-        self.calls(portal, 4)
-        self.wait_for_frame()
+        portal, drawing = self.begin(3)
         portal.stdin.write("end\n")
         portal.stdin.flush()
         self.assertEqual(drawing.wait(timeout=60), 0, "the last picture stays")
-        self.assertIn("the desktop does not share the screen, as you chose there", drawing.stderr.read())
+        self.assertIn("screen sharing was refused or stopped on the desktop", drawing.stderr.read())
         portal.stdin.close()
         self.assertEqual(portal.stdout.read(), "", "no further call")
 
@@ -146,7 +144,7 @@ class ScreenCastTest(ProgramTest):
         portal = self.desktop("deny")
         refused = self.draw("screen:", "--frames", "1", "-o", self.folder / "no.png")
         self.assertEqual(refused.wait(timeout=60), 1)
-        self.assertIn("the desktop does not share the screen, as you chose there", refused.stderr.read())
+        self.assertIn("screen sharing was refused or stopped on the desktop", refused.stderr.read())
         self.assertEqual(self.calls(portal, 3)[-1], "Start")
 
     def test_what_is_missing_is_named(self):

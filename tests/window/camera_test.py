@@ -1,12 +1,10 @@
 """The picture of the window as a virtual camera: camera_test.py PROGRAM."""
 
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-from program import Program
-from screen import Screen
+from own_program import OwnProgram
 
 SOURCE = Path(__file__).resolve().parents[2]
 sys.path.insert(1, str(SOURCE / "tests" / "pipewire"))
@@ -16,23 +14,8 @@ EXECUTABLE = Path(sys.argv[1]).resolve()
 NAME = "Afterglow"
 
 
-class CameraProgram(Program):
-    variables = {}
-
-    def environment(self):
-        return {**super().environment(), **self.variables}
-
-
-class CameraTest(unittest.TestCase):
-    def setUp(self):
-        self.screen = Screen(1000, 700).__enter__()
-        self.addCleanup(self.screen.__exit__, None, None, None)
-        folder = tempfile.TemporaryDirectory(prefix="afterglow-window-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.program = CameraProgram(EXECUTABLE, SOURCE, self.folder, self.screen)
-        self.addCleanup(self.program.stop)
-        self.program.arrange(1000, 700, [240, 180])
+class CameraTest(OwnProgram):
+    executable = EXECUTABLE
 
     def switch(self):
         """Runs the action from the palette."""

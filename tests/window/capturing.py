@@ -18,6 +18,15 @@ class Capturing(Person):
         window.do("lower")
         return window
 
+    def open_crt_and_game(self):
+        """Opens CRT, and a red window, which is returned."""
+        window = self.other_window("Game")
+        self.addCleanup(window.close)
+        window.do("fill c02020")
+        self.program.click("look:crt")
+        self.program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
+        return window
+
     def wait_for_red(self, what, low, high):
         """Waits until the red value below the pointer, 0 to 1, is in this range."""
         self.program.wait(what, lambda s: s["probe"] and low <= float(s["probe"]["rgba"][0]) <= high)
@@ -74,11 +83,7 @@ class Capturing(Person):
 
     def test_the_overlay_stays_over_the_window(self):
         program, screen = self.program, self.screen
-        window = self.other_window("Game")
-        self.addCleanup(window.close)
-        window.do("fill c02020")
-        program.click("look:crt")
-        program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
+        window = self.open_crt_and_game()
         program.key("ctrl+shift+F12")
         program.wait("a window is asked for", lambda s: "needs a window as its source" in s["notice"])
         self.show_live("window:Game")
@@ -123,11 +128,7 @@ class Capturing(Person):
 
     def test_the_overlay_closes_with_another_source(self):
         program = self.program
-        window = self.other_window("Game")
-        self.addCleanup(window.close)
-        window.do("fill c02020")
-        program.click("look:crt")
-        program.wait("the look is open", lambda s: s["look"] == "crt" and not s["is_loading"])
+        self.open_crt_and_game()
         self.show_live("window:Game")
         program.key("ctrl+shift+F12")
         program.wait("the overlay is open", lambda s: s["output"] == "overlay")

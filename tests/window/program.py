@@ -21,6 +21,7 @@ class Program:
         self.state_file = folder / "state.json"
         self.editor_log = folder / "editor.log"
         self.bus = "disabled:"  # no session bus: the program's own file dialog opens
+        self.variables = {}  # further environment variables
         for part in ("shaders", "presets"):
             shutil.copytree(source / part, folder / "data" / part)
         editor = folder / "editor"
@@ -60,7 +61,7 @@ class Program:
                 "AFTERGLOW_DATA": str(self.folder / "data"),
                 "AFTERGLOW_STATE_FILE": str(self.state_file),
                 "DBUS_SESSION_BUS_ADDRESS": self.bus, "VISUAL": str(self.folder / "editor"),
-                "LIBGL_ALWAYS_SOFTWARE": "1"}
+                "LIBGL_ALWAYS_SOFTWARE": "1", **self.variables}
 
     def start(self, *arguments):
         self.state_file.unlink(missing_ok=True)

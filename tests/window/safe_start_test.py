@@ -3,14 +3,12 @@
 import signal
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
+from own_program import OwnProgram
 from program import TIMEOUT_SECONDS, Program
-from screen import Screen
 
-SOURCE = Path(__file__).resolve().parents[2]
 EXECUTABLE = Path(sys.argv[1]).resolve()
 
 
@@ -34,16 +32,12 @@ class FaultyProgram(Program):
         return self.wait("the look is offered", lambda s: "offer:Try again" in s["widgets"])
 
 
-class SafeStartTest(unittest.TestCase):
+class SafeStartTest(OwnProgram):
+    executable = EXECUTABLE
+    make_program = FaultyProgram
+
     def setUp(self):
-        self.screen = Screen(1000, 700).__enter__()
-        self.addCleanup(self.screen.__exit__, None, None, None)
-        folder = tempfile.TemporaryDirectory(prefix="afterglow-window-")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.program = FaultyProgram(EXECUTABLE, SOURCE, self.folder, self.screen)
-        self.addCleanup(self.program.stop)
-        self.program.arrange(1000, 700, [240, 180])
+        super().setUp()
         self.program.start()
         self.program.set("decay", "0.5")
         self.values = self.program.state()["values"]

@@ -10,8 +10,7 @@
 
 /// The error after the user has refused, or has stopped sharing.
 inline constexpr const char* screen_cast_refused =
-    "the desktop does not share the screen, as you chose there. Choose the source again to be "
-    "asked "
+    "screen sharing was refused or stopped on the desktop. Choose the source again to be asked "
     "again.";
 
 /// A video stream that the desktop shares.

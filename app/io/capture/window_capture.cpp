@@ -164,6 +164,6 @@ Result<std::unique_ptr<VideoCapture>> capture_window(const std::string& title) {
             {{},
              0,
              window.error().front().message +
-                 (has_screen_cast() ? ". On Wayland, choose other windows with screen:." : "")});
+                 (has_screen_cast() ? ". On Wayland, use screen: to choose other windows." : "")});
     return std::make_unique<WindowCapture>(std::move(*server), std::move(*window));
 }

@@ -13,7 +13,7 @@
 class WindowOverlay {
 public:
     /// Places our hidden window. `window`: its number on the X server of $DISPLAY. `title`: as for
-    /// capture_window(). Errors have no file: there is no X server, or no such window.
+    /// capture_window(). Errors have no file: the X server or the window is missing.
     static Result<std::unique_ptr<WindowOverlay>> open(std::uint32_t window,
                                                        const std::string& title);
     ~WindowOverlay();

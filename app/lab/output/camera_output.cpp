@@ -4,9 +4,10 @@
 #include "lab/messages/messages.h"
 #include "lab/rendering/renderer.h"
 #include "lab/window/output_state.h"
-#include "model/picture/black.h"
 
 #include <fmt/format.h>
+
+#include <utility>
 
 namespace {
 constexpr double rate = 60.0;  // pictures per second
@@ -36,18 +37,17 @@ void CameraOutput::show(const Renderer& renderer, const Shown& wanted) {
     RawPicture picture;
     gpu::read_raw(executor.target(wanted.pass), picture);
     picture.encoding = encoding_of(executor.look(), wanted.pass);
-    if (wanted.is_black)
-        blacken(picture);
     m_feed->show(std::move(picture));
     m_shown = wanted;
 }
 
-void CameraOutput::show_black() {
+void CameraOutput::keep_black() {
+    if (!std::exchange(m_shown, std::nullopt) && !m_feed->needs_picture())
+        return;
     RawPicture black{m_extent, 3, Encoding::display, RawPicture::Bytes()};
     std::get<RawPicture::Bytes>(black.pixels)
         .resize(black.row_length() * static_cast<std::size_t>(m_extent.height));
     m_feed->show(std::move(black));
-    m_shown = Shown{.is_black = true};
 }
 
 // Programs lose a camera that is opened again, so its size must have been steady for a while.
@@ -71,8 +71,9 @@ void CameraOutput::update(OutputState& state, const Renderer* renderer, int pass
         state.is_camera_on = false;
         return messages.say(std::move(problem), true, "virtual camera");
     }
-    if (m_feed && state.is_black && !(m_shown && m_shown->is_black))
-        show_black();  // also while a frame is drawn slowly
+    const bool is_black = state.is_black || (renderer && renderer->executors().inputs().is_black);
+    if (m_feed && is_black)
+        return keep_black();  // also while a frame is drawn slowly
     if (!renderer || !renderer->has_whole_picture())
         return;
     const Extent extent = renderer->executor().target(pass).extent();
@@ -82,8 +83,9 @@ void CameraOutput::update(OutputState& state, const Renderer* renderer, int pass
         state.is_camera_on = false;
         return;
     }
-    const bool is_black = state.is_black || renderer->executors().inputs().is_black;
-    const Shown wanted{renderer->executor().textures().number(), pass, is_black};
+    if (is_black)
+        return keep_black();
+    const Shown wanted{renderer->executor().textures().number(), pass};
     if (m_feed->needs_picture() || (m_feed->is_watched() && wanted != m_shown))
         show(*renderer, wanted);
 }

@@ -20,18 +20,17 @@ public:
     void update(OutputState& state, const Renderer* renderer, int pass, Messages& messages);
 
 private:
-    /// What was shown last.
+    /// The picture that was shown last.
     struct Shown {
         std::uint64_t number = 0;  // of the content of the textures
         int pass = 0;
-        bool is_black = false;
 
         bool operator==(const Shown&) const = default;
     };
 
     bool open(Extent extent, Messages& messages);
     void show(const Renderer& renderer, const Shown& wanted);
-    void show_black();
+    void keep_black();
     bool is_changing(Extent extent);
 
     std::function<void()> m_wake;
@@ -39,5 +38,5 @@ private:
     Extent m_extent;                     // of the camera
     Extent m_wanted_extent;              // of the picture
     std::chrono::steady_clock::time_point m_wanted_since;
-    std::optional<Shown> m_shown;  // nullopt: nothing yet
+    std::optional<Shown> m_shown;  // nullopt: black
 };
