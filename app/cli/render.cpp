@@ -9,7 +9,9 @@
 #include "lab/offline/export_output.h"
 #include "lab/offline/loop.h"
 #include "lab/offline/output_precision.h"
+#include "model/look/readout_text.h"
 #include "model/look/spec.h"
+#include "model/look/subframe.h"
 
 #include <fmt/format.h>
 
@@ -40,6 +42,7 @@ struct RenderArguments {
     FilmChoice film;
     double quality = 0.0;  // 0: not given
     bool loops = false;
+    bool has_subframes = false;  // each sub-frame is a frame of the output
 
     FilmChoice film_choice() const {
         FilmChoice choice = film;
@@ -118,6 +121,8 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
         throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
     if (arguments.loops && !arguments.cues.empty())
         throw UsageError("--loop: a cue file does not repeat. Leave out --cues.");
+    if (arguments.loops && arguments.has_subframes)
+        throw UsageError("--loop writes whole source frames. Leave out --subframes.");
     if (arguments.loops && arguments.joins)
         throw UsageError("--loop takes one sound. Leave out --join.");
     if (arguments.loops)
@@ -241,11 +246,27 @@ Result<void> draw_frames(const RenderArguments& arguments, ExportJob job, Offlin
     return {};
 }
 
-// Names of the passes whose targets are saved.
+// The readouts of the last frame, one line each.
+void print_readouts(const Offline& offline) {
+    const Look& look = offline.executor().look();
+    for (std::size_t i = 0; i < look.passes.size(); ++i)
+        if (const auto& readout = look.passes[i].readout) {
+            const Picture picture = offline.picture(static_cast<int>(i));
+            const std::size_t last_row = picture.index(0, picture.extent.height - 1);
+            fmt::print(stderr, "{}\n",
+                       readout_text(*readout, static_cast<double>(picture.pixels[last_row])));
+        }
+}
+
+// Names of the passes whose targets are read.
 std::vector<std::string> seen_passes(const RenderArguments& arguments, const Look& look, int pass) {
     if (!arguments.all_passes.empty())
         return pass_names(look);
-    return {look.passes[static_cast<std::size_t>(pass)].name};
+    std::vector<std::string> names{look.passes[static_cast<std::size_t>(pass)].name};
+    for (const Pass& one : look.passes)
+        if (one.readout)
+            names.push_back(one.name);
+    return names;
 }
 
 // Whether specialised programs are worth their compilation, which takes as long as a few frames.
@@ -257,6 +278,11 @@ bool draws_many(const RenderArguments& arguments, const Look& look) {
     const double usual = is_film_output(arguments.output) ? many : look.settle_frames;
     const double written = arguments.seconds > 0.0 ? arguments.seconds * fps : usual;
     return arguments.start * fps + written >= many;
+}
+
+int drawn_subframes(const RenderArguments& arguments, const Offline& offline) {
+    const Document& document = offline.document();
+    return arguments.has_subframes ? subframes_of(document.look(), document.values()) : 1;
 }
 
 Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Offline& offline,
@@ -276,11 +302,14 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     ExportJob job{.part = *part,
                   .pass = *pass,
                   .fps = arguments.look.request().fps,
-                  .film = arguments.film_choice()};
+                  .film = arguments.film_choice(),
+                  .subframes = drawn_subframes(arguments, offline)};
     auto done = arguments.loops ? draw_loop(arguments, std::move(job), offline)
                 : is_film_output(arguments.output) || names.is_sequence()
                     ? draw_frames(arguments, std::move(job), offline)
                     : draw_picture(names.name(0), *part, *pass, offline, recent);
+    if (done)
+        print_readouts(offline);
     if (!done || arguments.all_passes.empty())
         return done;
     return save_all_passes(offline, arguments.all_passes);
@@ -289,6 +318,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
 int render_film(const RenderArguments& arguments, RenderRequest request, const DataFolders& data) {
     request.automation = arguments.automation;
     request.cues = arguments.cues;
+    request.draws_subframes = arguments.has_subframes;
     request.raises_precision =
         arguments.all_passes.empty() && is_deep_film(arguments.output, arguments.film_choice());
     if (arguments.timeout > 0.0)
@@ -441,6 +471,9 @@ Command add_render(CommandLine& program) {
         .between(0.001, 86400.0)
         .excludes(frames);
     add_film_options(options, *arguments);
+    options.add_flag("--subframes", arguments->has_subframes,
+                     "Write each sub-frame of the look as a frame; --fps counts them. Without it, "
+                     "each frame is a whole source frame");
     options.add("--moves FILE", arguments->automation,
                 "Automation file, as recorded in the window, with lines of 'seconds name value'");
     options.add("--cues FILE", arguments->cues,

@@ -12,6 +12,7 @@ LabParts parts_of(const Lab& lab) {
             .live = lab.work().live,
             .size = lab.work().size,
             .sender = lab.work().sender,
+            .display = lab.work().display,
             .frames = lab.frames(),
             .loader = lab.loader(),
             .programs = lab.work().programs,

@@ -2,6 +2,7 @@
 
 #include "lab/messages/edit.h"
 
+class DisplayPace;
 class LookLoader;
 
 /// The parts of the lab, to read.
@@ -15,6 +16,7 @@ struct LabParts {
     const LiveChoices& live;
     const RenderSize& size;
     const LookSender& sender;
+    const DisplayPace& display;
     const FrameLoop& frames;
     const LookLoader& loader;
     const ExternalPrograms& programs;

@@ -30,7 +30,7 @@ PreparedLook prepared(const RenderRequest& request) {
 /// they are kept between pictures.
 class Drawer {
 public:
-    explicit Drawer(Extent size) : m_size(size) {}
+    Drawer(Extent size, bool draws_subframes) : m_size(size), m_draws_subframes(draws_subframes) {}
 
     /// Frames side by side, from a restart.
     Picture strip(const std::vector<int>& frames, Document document);
@@ -39,6 +39,7 @@ private:
     void start(Document document);
 
     Extent m_size;
+    bool m_draws_subframes;
     std::optional<Offline> m_offline;
 };
 
@@ -48,7 +49,8 @@ void Drawer::start(Document document) {
         REQUIRE_MESSAGE(again.has_value(), problems_of(again));
         return;
     }
-    auto made = Offline::create({std::move(document), {}}, m_size, 60.0);
+    auto made = Offline::create(
+        {.document = std::move(document), .draws_subframes = m_draws_subframes}, m_size, 60.0);
     REQUIRE_MESSAGE(made.has_value(), problems_of(made));
     m_offline.emplace(std::move(*made));
 }
@@ -123,7 +125,8 @@ using GoldenDrive = std::pair<std::string, std::string>;
 /// The state of a look's sweep over its parameters.
 class Sweep {
 public:
-    explicit Sweep(const GoldenLook& look) : m_look(look), m_drawer(look.cell) {}
+    explicit Sweep(const GoldenLook& look)
+        : m_look(look), m_drawer(look.cell, look.draws_subframes) {}
 
     const Look& look(const GoldenDrive& drive = {}) { return base(drive).look(); }
     Picture with(const GoldenSettings& settings, const GoldenDrive& drive = {}) {
@@ -207,7 +210,7 @@ void check_parameters(const GoldenLook& look) {
 
 void check_presets(const GoldenLook& look) {
     std::vector<std::pair<std::string, Picture>> seen;
-    Drawer drawer(look.preset_cell);
+    Drawer drawer(look.preset_cell, look.draws_subframes);
     for (const PresetEntry& preset : library().presets(look.id)) {
         CAPTURE(preset.name);
         Picture drawn =

@@ -26,7 +26,8 @@ struct GoldenLook {
     std::map<std::string, std::string> signals =
         {};  // by parameter: a signal instead of the look's own
     std::map<std::string, std::string> sources =
-        {};  // parameters that it has only with a picture: a source for each
+        {};                        // parameters that it has only with a picture: a source for each
+    bool draws_subframes = false;  // each is one of the frames
     std::size_t fewest_presets = 4;
     std::set<std::string> faster = {};  // presets that look the same as another one and cost less
     std::string signal = {};            // in the sweep, for a look on a signal; "": the look's own

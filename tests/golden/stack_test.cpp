@@ -20,3 +20,10 @@ TEST_CASE(
 TEST_CASE("crt+crt: each preset matches its golden picture, and all presets differ") {
     check_presets(stack("crt+crt", 1));
 }
+
+TEST_CASE("crt+rolling-scan: the sub-frames of each preset match its golden picture") {
+    GoldenLook look = stack("crt+rolling-scan", 6);
+    look.draws_subframes = true;
+    look.fewest_presets = 1;
+    check_presets(look);
+}

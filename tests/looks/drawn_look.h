@@ -44,6 +44,10 @@ public:
         m_executors->picture().clear_history();
     }
 
+    Executors& executors() {
+        m_context->make_current();
+        return *m_executors;
+    }
     /// Draws a frame of 1/fps with these beam points.
     void draw(const Beam& beam = {}, double fps = 60.0) {
         m_context->make_current();  // another look's context may be current

@@ -31,6 +31,10 @@ NumberType natural_type(BuiltIn kind) {
             return {Scalar::floating, 4, 4};
         case BuiltIn::frame:
         case BuiltIn::frame_index:
+        case BuiltIn::source_frame_index:
+        case BuiltIn::subframe:
+        case BuiltIn::subframe_number:
+        case BuiltIn::subframes:
         case BuiltIn::samples:
             return {Scalar::integer, 1, 1};
         case BuiltIn::drawn_onto:
@@ -100,7 +104,18 @@ std::string time_value(BuiltIn kind, const Pass& pass, HostValues& host) {
         case BuiltIn::frame:
             return counted(host.frames_before() + " + 1", pass.frame_modulo);
         case BuiltIn::frame_index:
+        case BuiltIn::source_frame_index:
             return counted(host.frames_before(), pass.frame_modulo);
+        case BuiltIn::subframe:
+            return host.subframe_number() + " - 1";
+        case BuiltIn::subframe_number:
+            return host.subframe_number();
+        case BuiltIn::subframes:
+            return host.subframes();
+        case BuiltIn::peak:  // without HDR
+            return "1.0";
+        case BuiltIn::paper_white:
+            return "200.0";
         case BuiltIn::date:
             return host.date();
         case BuiltIn::date_from_0:

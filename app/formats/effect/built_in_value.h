@@ -26,6 +26,8 @@ public:
     virtual std::string time_before() = 0;    // at its start, s
     virtual std::string time_delta() = 0;     // s
     virtual std::string date() = 0;           // year, month from 1, day, seconds: a vec4; "": none
+    virtual std::string subframe_number() { return "1"; }  // an int, from 1
+    virtual std::string subframes() { return "1"; }        // an int, per source frame
     virtual std::string press() { return {}; }  // see Press::numbers: a vec4; "": no mouse
 };
 

@@ -6,6 +6,7 @@
 #include "formats/look/parameter_json.h"
 #include "formats/preset/modulation_format.h"
 #include "model/look/orbit.h"
+#include "model/look/subframe.h"
 
 #include <nlohmann/json.hpp>
 
@@ -46,6 +47,8 @@ void add_rarities(const Pass& pass, const Values& values, const Look& look, Json
         json["accumulate"] = true;
     if (pass.frame_modulo > 0)
         json["frame_modulo"] = pass.frame_modulo;
+    if (pass.per_source_frame)
+        json["per_source_frame"] = true;
     if (pass.repeat != Count(1))
         json["repeat"] = count_of(pass.repeat, look, values);
     if (pass.converge)
@@ -85,6 +88,8 @@ std::string describe_json(const Look& look, const Plan& plan, const Values& valu
               {"passes", Json::array()},
               {"images", Json::array()},
               {"parameters", Json::array()}};
+    if (const int subframes = subframes_of(look, values); subframes > 1)
+        json["subframes"] = subframes;
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
         Json pass = described(look.passes[i], plan.targets[i]);
         add_rarities(look.passes[i], values, look, pass);

@@ -6,6 +6,7 @@
 #include "formats/look/look_names.h"
 #include "formats/look/look_passes.h"
 #include "glsl/text/shader_files.h"
+#include "model/look/subframe.h"
 #include "model/picture/source_spec.h"
 #include "signals/patterns/patterns.h"
 #include "signals/signal_table.h"
@@ -137,6 +138,7 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look, bool is_pic
     look.source_encoding = reader.choice("source_encoding", encoding_names(), Encoding::linear);
     look.output = reader.choice("output", encoding_names(), Encoding::display);
     look.settle_frames = reader.whole("settle_frames", 1, 1, max_settle_frames);
+    look.subframes = read_count(reader, "subframes", 1, {1, max_subframes});
     look.has_orbit = reader.boolean("orbit", false);
     read_groups(reader, look);
     read_images(reader, folder, look);

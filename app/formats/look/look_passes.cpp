@@ -173,13 +173,6 @@ void read_rename(ObjectReader& reader, Pass& pass) {
     }
 }
 
-Count read_count(ObjectReader& reader, std::string_view key, int fallback, Limit limit) {
-    const JsonValue* count = reader.find(key);
-    if (count && count->is(JsonValue::Kind::text))
-        return count->text;
-    return reader.whole(key, fallback, static_cast<int>(limit.low), static_cast<int>(limit.high));
-}
-
 void read_converge(ObjectReader& reader, Pass& pass) {
     const JsonValue* converge = reader.find("converge");
     if (!converge)
@@ -187,6 +180,18 @@ void read_converge(ObjectReader& reader, Pass& pass) {
     pass.converge = read_count(reader, "converge", 0, {0, max_samples});
     if (!pass.accumulate)
         reader.problem(*converge, "'converge' needs 'accumulate': true");
+}
+
+void read_readout(ObjectReader& reader, Pass& pass) {
+    const JsonValue* member = reader.find("readout");
+    if (!member || !reader.expect(*member, JsonValue::Kind::object))
+        return;
+    ObjectReader own(*member, reader.file(), reader.problems());
+    static_cast<void>(own.require("label"));
+    pass.readout = Readout{own.text("label"), own.text("unit")};
+    own.report_unknown_keys();
+    if (info_of(pass.format).is_integer)
+        reader.problem(*member, "'readout' needs a format with floats");
 }
 
 void read_shaders(ObjectReader& reader, LookFolder& folder, const Look& look, Pass& pass) {
@@ -235,6 +240,8 @@ Pass read_pass(ObjectReader& reader, LookFolder& folder, const Look& look, bool 
     pass.repeat = read_count(reader, "repeat", 1, {1, max_repeats});
     read_converge(reader, pass);
     pass.frame_modulo = reader.whole("frame_modulo", 0, 0, largest_modulo);
+    pass.per_source_frame = reader.boolean("per_source_frame", false);
+    read_readout(reader, pass);
     return pass;
 }
 
@@ -295,6 +302,13 @@ bool is_for_driver(ObjectReader& reader, const Look& look) {
     if (member && !look.has_other_driver)
         reader.problem(*member, "'driven_by' needs a look with 'driven_by': 'signal-or-picture'");
     return reader.choice("driven_by", names, look.driven_by) == look.driven_by;
+}
+
+Count read_count(ObjectReader& reader, std::string_view key, int fallback, Limit limit) {
+    const JsonValue* count = reader.find(key);
+    if (count && count->is(JsonValue::Kind::text))
+        return count->text;
+    return reader.whole(key, fallback, static_cast<int>(limit.low), static_cast<int>(limit.high));
 }
 
 Sampler read_sampler(ObjectReader& reader) {

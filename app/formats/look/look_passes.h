@@ -10,6 +10,9 @@
 /// lines.
 void read_passes(ObjectReader& reader, LookFolder& folder, Look& look);
 
+/// Reads a whole number within `limit`, or the name of a parameter.
+Count read_count(ObjectReader& reader, std::string_view key, int fallback, Limit limit);
+
 /// Reads the "filter", "wrap" and "mipmap" of an input or image.
 Sampler read_sampler(ObjectReader& reader);
 

@@ -15,24 +15,24 @@ constexpr NumberType three_floats{Scalar::floating, 3, 1};
 constexpr NumberType four_floats{Scalar::floating, 4, 1};
 constexpr NumberType matrix{Scalar::floating, 4, 4};
 
-// Constant without rewinding, rotation, sub-frames, HDR or sensors.
+// Constant without rewinding, rotation or sensors.
 constexpr std::array slang_members{
     SlangMember{"MVP", matrix, BuiltIn::quad_to_clip},
     SlangMember{"OutputSize", four_floats, BuiltIn::target_extent},
     SlangMember{"FinalViewportSize", four_floats, BuiltIn::output_extent},
-    SlangMember{"FrameCount", one_natural, BuiltIn::frame_index},
+    SlangMember{"FrameCount", one_natural, BuiltIn::source_frame_index},
     SlangMember{"FrameTimeDelta", one_natural, BuiltIn::microseconds},
     SlangMember{"OriginalAspect", one_float, BuiltIn::source_aspect},
     SlangMember{"OriginalAspectRotated", one_float, BuiltIn::source_aspect},
     SlangMember{"FrameDirection", one_integer, std::nullopt, 1.0},
     SlangMember{"OriginalFPS", one_float, std::nullopt, 60.0},
     SlangMember{"Rotation", one_natural, std::nullopt, 0.0},
-    SlangMember{"TotalSubFrames", one_natural, std::nullopt, 1.0},
-    SlangMember{"CurrentSubFrame", one_natural, std::nullopt, 1.0},
-    SlangMember{"HDRMode", one_natural, std::nullopt, 0.0},
+    SlangMember{"TotalSubFrames", one_natural, BuiltIn::subframes},
+    SlangMember{"CurrentSubFrame", one_natural, BuiltIn::subframe_number},
+    SlangMember{"HDRMode", one_natural, BuiltIn::hdr_mode},
     SlangMember{"SubpixelLayout", one_natural, std::nullopt, 0.0},
     SlangMember{"ExpandGamut", one_natural, std::nullopt, 0.0},
-    SlangMember{"BrightnessNits", one_float, std::nullopt, 200.0},
+    SlangMember{"BrightnessNits", one_float, BuiltIn::paper_white},
     SlangMember{"Scanlines", one_float, std::nullopt, 0.0},
     SlangMember{"InverseTonemap", one_float, std::nullopt, 0.0},
     SlangMember{"HDR10", one_float, std::nullopt, 0.0},

@@ -6,6 +6,7 @@
 #include "formats/slang/similar_file.h"
 #include "glsl/cache/check_cache.h"
 #include "glsl/parameters/constant_parameters.h"
+#include "model/look/subframe.h"
 
 #include <fmt/format.h>
 
@@ -159,6 +160,33 @@ void add_filter(const TranslatedChain& chain, Filter chosen, Look& look) {
     look.parameters.push_back(std::move(filter));
 }
 
+bool reads_subframes(const Translation& shader) {
+    return std::ranges::any_of(shader.members, [](const BlockMember& member) {
+        return member.name == "TotalSubFrames" || member.name == "CurrentSubFrame";
+    });
+}
+
+// Adds a parameter for the number of sub-frames, which presets leave to the host.
+void add_subframes(const TranslatedChain& chain, Look& look) {
+    constexpr const char* name = "subframes";
+    if (std::ranges::none_of(chain.translations, reads_subframes) || find_parameter(look, name))
+        return;
+    Parameter count;
+    count.name = name;
+    count.label = "Sub-frames";
+    count.group = "Sub-frames";
+    count.help =
+        "Frames per source picture. It corresponds to RetroArch's setting Shader Sub-frames. The "
+        "window draws fewer if the display is too slow for them.";
+    count.type = {Scalar::integer, 1, 1};
+    count.range = {1.0, double{max_subframes}, 1.0};
+    count.limit = Limit{1.0, double{max_subframes}};
+    count.initial = 1.0;
+    count.declared = look.passes.front().declared;
+    look.subframes = count.name;
+    look.parameters.push_back(std::move(count));
+}
+
 Filter chosen_filter(const LoadOptions& help) {
     if (!help.values)
         return Filter::nearest;
@@ -184,6 +212,7 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const LoadOpt
     if (auto problems = constants.add_to(*look); !problems.empty())
         return fail(std::move(problems));
     add_filter(*chain, filter, *look);
+    add_subframes(*chain, *look);
     look->id = foreign_look_id(file);
     look->name = file.stem().string();
     look->driven_by = Driver::picture;

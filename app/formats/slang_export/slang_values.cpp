@@ -30,11 +30,13 @@ public:
     HostSize input(const Input& input) override {
         return texture(input.from == Input::From::source ? std::string() : input.name);
     }
-    std::string frames_before() override { return fmt::format("int({})", count()); }
+    std::string frames_before() override { return natural("FrameCount"); }
     std::string time() override { return fmt::format("float({} + 1u) / 60.0", count()); }
     std::string time_before() override { return fmt::format("float({}) / 60.0", count()); }
     std::string time_delta() override { return "1.0 / 60.0"; }
     std::string date() override { return {}; }
+    std::string subframe_number() override { return natural("CurrentSubFrame"); }
+    std::string subframes() override { return natural("TotalSubFrames"); }
 
 private:
     HostSize size(const std::string& name) {
@@ -44,6 +46,9 @@ private:
     // "": the source picture.
     HostSize texture(const std::string& name) {
         return size(name.empty() ? "OriginalSize" : name + "Size");
+    }
+    std::string natural(const std::string& name) {
+        return fmt::format("int({})", m_block.member("uint", name));
     }
     std::string count() { return m_block.member("uint", "FrameCount"); }
 
@@ -108,6 +113,8 @@ std::set<std::string, std::less<>> slang_reserved_names() {
             "OutputSize",
             "FinalViewportSize",
             "FrameCount",
+            "CurrentSubFrame",
+            "TotalSubFrames",
             "Position",
             "TexCoord",
             "FragColor",

@@ -23,6 +23,7 @@ public:
 
     Look stacked(Diagnostics& warnings) {
         const std::size_t first = first_drawn(warnings);
+        find_subframes(first);
         add_words();
         for (std::size_t i = 0; i < m_looks.size(); ++i) {
             const bool is_drawn = i >= first && !m_stack[i].is_bypassed;
@@ -57,6 +58,23 @@ private:
                                                 m_keys[i], m_keys[first]),
                                     Severity::warning});
         return first;
+    }
+
+    // The sub-frames are those of the last look that has any. A picture goes through the looks
+    // before it once per source frame. The beam of a signal moves in each sub-frame.
+    void find_subframes(std::size_t first) {
+        for (std::size_t i = first; i < m_looks.size(); ++i) {
+            if (m_stack[i].is_bypassed || m_looks[i].subframes == Count(1))
+                continue;
+            m_look.subframes = scoped(m_looks[i].subframes, name_prefix(m_stack, i));
+            m_whole_parts = driving().driven_by == Driver::signal ? 0 : i;
+        }
+    }
+
+    static Count scoped(Count count, const std::string& scope) {
+        if (auto* name = std::get_if<std::string>(&count))
+            name->insert(0, scope);
+        return count;
     }
 
     void add_words() {
@@ -101,10 +119,15 @@ private:
         if (!m_look.passes.empty()) {
             keep_light(m_look.passes.back());
             m_source = add_conversion(look, scope);
+            if (part <= m_whole_parts)
+                m_look.passes.back().per_source_frame = true;
         }
         m_first_pass = static_cast<int>(m_look.passes.size());
         for (const Pass& pass : look.passes)
             m_look.passes.push_back(in_scope(pass, scope));
+        for (std::size_t i = static_cast<std::size_t>(m_first_pass);
+             part < m_whole_parts && i < m_look.passes.size(); ++i)
+            m_look.passes[i].per_source_frame = true;
         for (Image image : look.images) {
             image.name = scope + image.name;
             image.encoding = look.source_encoding;
@@ -161,11 +184,9 @@ private:
             parameter.insert(0, scope);
         if (pass.onto)
             pass.onto->pass.insert(0, scope);
-        if (auto* repeat = std::get_if<std::string>(&pass.repeat))
-            *repeat = scope + *repeat;
+        pass.repeat = scoped(pass.repeat, scope);
         if (pass.converge)
-            if (auto* converge = std::get_if<std::string>(&*pass.converge))
-                *converge = scope + *converge;
+            pass.converge = scoped(*pass.converge, scope);
         return pass;
     }
 
@@ -227,6 +248,7 @@ private:
     const Stack& m_stack;
     std::vector<std::string> m_keys;
     std::size_t m_driving = 0;
+    std::size_t m_whole_parts = 0;  // the first looks, which are drawn once per source frame
     Look m_look;
     std::string m_source;  // of the current look; "": the original source
     int m_first_pass = 0;  // of the current look

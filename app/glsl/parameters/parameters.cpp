@@ -91,6 +91,11 @@ void check_counts(const Look& look, const std::vector<Parameter>& parameters, Di
     std::vector<std::string> names = parameter_names(look);
     for (const Parameter& parameter : parameters)
         names.push_back(parameter.name);
+    const auto* const subframes = std::get_if<std::string>(&look.subframes);
+    if (subframes && std::ranges::find(names, *subframes) == names.end())
+        errors.push_back({look.manifest, 0,
+                          fmt::format("'subframes' is '{0}', but no shader declares '{0}'{1}",
+                                      *subframes, did_you_mean(*subframes, names))});
     for (const Pass& pass : look.passes) {
         check_count(pass, pass.repeat,
                     "pass '{0}' repeats '{1}' times, but no shader declares '{1}'{2}", names,

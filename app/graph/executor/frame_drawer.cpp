@@ -57,6 +57,9 @@ void FrameDrawer::begin_frame(const Frame& frame, const std::vector<bool>* only,
     m_work.passes.assign(count, only == nullptr);
     for (std::size_t i = 0; only && i < std::min(only->size(), count); ++i)
         m_work.passes[i] = (*only)[i];
+    m_passes.set_frame(frame);
+    if (!is_again)
+        leave_out_of_subframe();
     draw_shared_whole();
     m_work.is_whole = only == nullptr;
     m_work.is_again = is_again;
@@ -66,7 +69,17 @@ void FrameDrawer::begin_frame(const Frame& frame, const std::vector<bool>* only,
         m_shapes.beam.advance(frame);
     write_beam(frame);
     m_textures.begin_frame(frame);
-    m_passes.set_frame(frame);
+}
+
+// A pass per source frame is drawn in the first sub-frame, or in a later one if it has no picture.
+void FrameDrawer::leave_out_of_subframe() {
+    for (std::size_t i = 0; i < m_work.passes.size(); ++i)
+        if (!advances(i) && m_textures.targets()[i].is_drawn())
+            m_work.passes[i] = false;
+}
+
+bool FrameDrawer::advances(std::size_t pass) const {
+    return m_passes.frame().subframe.is_first() || !m_graph.look().passes[pass].per_source_frame;
 }
 
 // If no pass draws the beam, the previous vertices stay for views of earlier draws.
@@ -121,6 +134,8 @@ std::optional<BeamSpot> FrameDrawer::smallest_spot() const {
 void FrameDrawer::advance(bool is_unfinished) {
     TargetSet& targets = m_textures.targets();
     for (std::size_t i = 0; i < targets.size(); ++i) {
+        if (!advances(i))
+            continue;
         if (is_unfinished && may_be_unfinished(i))
             targets[i].begin(Target::Unfinished::next);
         else
@@ -128,7 +143,8 @@ void FrameDrawer::advance(bool is_unfinished) {
         if (m_textures.is_kept(i))
             targets[i].keep();
     }
-    m_textures.advance_source();
+    if (m_passes.frame().subframe.is_first())
+        m_textures.advance_source();
 }
 
 void FrameDrawer::draw_passes() {

@@ -62,6 +62,8 @@ public:
 
     /// The stored picture of a pass in the last complete frame.
     const gpu::Texture& picture(std::size_t pass) const;
+    /// Of the current or last frame.
+    const Subframe& subframe() const { return m_passes.frame().subframe; }
     /// Of the last draw or redraw.
     int draw_calls() const { return m_draw_calls; }
     /// The inputs and built-in uniforms of the pass in that draw.
@@ -77,6 +79,8 @@ private:
     };
 
     void begin_frame(const Frame& frame, const std::vector<bool>* only, bool is_again);
+    void leave_out_of_subframe();
+    bool advances(std::size_t pass) const;  // whether the current frame gives it a new picture
     void draw_shared_whole();
     void write_beam(const Frame& frame);
     bool draws(std::size_t pass, Draw shape) const;  // in the current frame

@@ -5,29 +5,29 @@
 #include <algorithm>
 #include <utility>
 
-PlanTerms FrameGraph::terms(const FrameSettings& settings, std::size_t passes) const {
+PlanTerms FrameGraph::terms(const FrameSettings& settings, const Look& look) const {
     PlanTerms terms{.largest_side = m_largest_side,
                     .seen = settings.displayed,
                     .draws_once = settings.redraws == Redraws::never};
     if (!terms.seen.empty())
-        terms.seen.resize(passes, true);
-    for (std::size_t i = 0; i < passes; ++i) {
+        terms.seen.resize(look.passes.size(), true);
+    for (std::size_t i = 0; i < look.passes.size(); ++i) {
         const PassRun run = i < settings.runs.size() ? settings.runs[i] : PassRun::drawn;
-        terms.kept.push_back(run != PassRun::drawn);
+        terms.kept.push_back(run != PassRun::drawn || look.passes[i].per_source_frame);
         terms.left_out.push_back(run == PassRun::left_out);
     }
     return terms;
 }
 
 Result<Plan> FrameGraph::plan_for(const FrameSettings& settings) const {
-    PlanTerms conditions = terms(settings, m_look.passes.size());
+    PlanTerms conditions = terms(settings, m_look);
     conditions.read = m_read_inputs;
     return plan_targets(m_look, settings.viewport, settings.source, m_values, conditions);
 }
 
 // Which inputs the programs of the edited look read is not known yet.
 Result<Plan> FrameGraph::plan_for(const Look& edited) const {
-    PlanTerms conditions = terms(m_settings, edited.passes.size());
+    PlanTerms conditions = terms(m_settings, edited);
     if (pass_names(edited) != pass_names(m_look))
         conditions.seen.clear();
     return plan_targets(edited, m_settings.viewport, m_settings.source, m_values, conditions);

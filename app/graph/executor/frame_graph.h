@@ -69,7 +69,7 @@ public:
     bool is_overwritten(std::size_t pass) const;
 
 private:
-    PlanTerms terms(const FrameSettings& settings, std::size_t passes) const;
+    PlanTerms terms(const FrameSettings& settings, const Look& look) const;
 
     Look m_look;
     int m_largest_side;

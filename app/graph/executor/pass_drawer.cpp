@@ -20,6 +20,11 @@ void PassDrawer::set_frame(const Frame& frame) {
     m_frame.beam = {};
     m_frame.tints = {};
     m_frame.sound = nullptr;
+    m_source_frame = source_frame_of(m_frame);
+}
+
+const Frame& PassDrawer::frame_of(std::size_t index) const {
+    return m_graph.look().passes[index].per_source_frame ? m_source_frame : m_frame;
 }
 
 PassInfo PassDrawer::info_of_pass(std::size_t index) const {
@@ -31,10 +36,12 @@ PassInfo PassDrawer::info_of_pass(std::size_t index) const {
         source_extent_of(look, pass, plan, texture ? texture->extent() : m_graph.settings().source);
     const std::int64_t modulo =
         pass.frame_modulo > 0 ? pass.frame_modulo : std::numeric_limits<std::int64_t>::max();
-    const std::int64_t before = std::max<std::int64_t>(m_frame.number - 1, 0);
+    const Frame& frame = frame_of(index);
+    const std::int64_t before = std::max<std::int64_t>(frame.number - 1, 0);
     return {
-        static_cast<double>(m_frame.number % modulo),
+        static_cast<double>(frame.number % modulo),
         static_cast<double>(before % modulo),
+        static_cast<double>(before / frame.subframe.count % modulo),
         plan.targets[index].extent,
         m_graph.settings().viewport,
         source,
@@ -52,7 +59,7 @@ PassInfo PassDrawer::info_of_pass(std::size_t index) const {
 void PassDrawer::use(std::size_t index) const {
     const BoundPass& bound = m_programs[index];
     bound.program->use();
-    bound.built_ins.write(*bound.program, m_frame, info_of_pass(index));
+    bound.built_ins.write(*bound.program, frame_of(index), info_of_pass(index));
 }
 
 void PassDrawer::start_target(std::size_t index, bool keeps_picture) {
@@ -147,6 +154,6 @@ PassReport PassDrawer::report(std::size_t index, int samples) const {
         }
         report.samplers.push_back(std::move(sampler));
     }
-    report.built_ins = bound.built_ins.report(m_frame, info_of_pass(index), samples);
+    report.built_ins = bound.built_ins.report(frame_of(index), info_of_pass(index), samples);
     return report;
 }

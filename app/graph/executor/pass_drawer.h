@@ -40,6 +40,7 @@ public:
     PassReport report(std::size_t pass, int samples) const;
 
 private:
+    const Frame& frame_of(std::size_t pass) const;
     PassInfo info_of_pass(std::size_t pass) const;
     void draw_shape(std::size_t pass) const;
 
@@ -49,4 +50,5 @@ private:
     FrameTextures& m_textures;
     std::optional<PassThrough> m_pass_through;  // since the first bypass
     Frame m_frame;                              // the current or last one
+    Frame m_source_frame;                       // the same for passes per source frame
 };

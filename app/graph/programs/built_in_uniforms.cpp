@@ -65,9 +65,10 @@ Sixteen quad_to_clip(RowOrder rows) {
 }
 }  // namespace
 
-BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, const Frame& frame,
-                                                     const PassInfo& info) {
-    switch (bound.kind) {
+// Empty if the value does not depend on time.
+BuiltInUniforms::Numbers BuiltInUniforms::time_numbers(BuiltIn kind, const Frame& frame,
+                                                       const PassInfo& info) {
+    switch (kind) {
         case BuiltIn::time:
             return {{frame.time}, 1};
         case BuiltIn::time_delta:
@@ -78,6 +79,14 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
             return {{info.number}, 1};
         case BuiltIn::frame_index:
             return {{info.index_of_frame}, 1};
+        case BuiltIn::source_frame_index:
+            return {{info.source_index}, 1};
+        case BuiltIn::subframe:
+            return {{static_cast<double>(frame.subframe.index)}, 1};
+        case BuiltIn::subframe_number:
+            return {{static_cast<double>(frame.subframe.index + 1)}, 1};
+        case BuiltIn::subframes:
+            return {{static_cast<double>(frame.subframe.count)}, 1};
         case BuiltIn::microseconds:
             return {{std::round(frame.time_delta * 1e6)}, 1};
         case BuiltIn::time_before:
@@ -88,6 +97,14 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
             return {date_numbers(frame.date, 1), 4};
         case BuiltIn::date_from_0:
             return {date_numbers(frame.date, 0), 4};
+        default:
+            return {{}, 0};
+    }
+}
+
+BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, const Frame& frame,
+                                                     const PassInfo& info) {
+    switch (bound.kind) {
         case BuiltIn::target_size:
             return {pair(info.target), 2};
         case BuiltIn::output_size:
@@ -102,6 +119,12 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
             return {lines(info.raster.rows), 3};
         case BuiltIn::source_columns:
             return {lines(info.raster.columns), 3};
+        case BuiltIn::peak:
+            return {{frame.hdr ? frame.hdr->headroom() : 1.0}, 1};
+        case BuiltIn::hdr_mode:
+            return {{frame.hdr ? 2.0 : 0.0}, 1};
+        case BuiltIn::paper_white:
+            return {{frame.hdr ? frame.hdr->paper_white : 200.0}, 1};
         case BuiltIn::mouse:
             return {{frame.mouse[0], frame.mouse[1]}, 2};
         case BuiltIn::quad_to_clip:
@@ -121,9 +144,8 @@ BuiltInUniforms::Numbers BuiltInUniforms::numbers_of(const BoundBuiltIn& bound, 
         case BuiltIn::drawn_onto:
             return {{info.is_drawn_onto ? 1.0 : 0.0}, 1};
         default:  // write_samples() writes samples, ParameterUniforms the orbit
-            break;
+            return time_numbers(bound.kind, frame, info);
     }
-    return {{}, 0};
 }
 
 void BuiltInUniforms::write(const gpu::Program& program, const Frame& frame,

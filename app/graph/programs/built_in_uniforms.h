@@ -13,6 +13,7 @@
 struct PassInfo {
     double number = 0;          // of the frame, after the pass's modulo, from 1
     double index_of_frame = 0;  // the same, from 0
+    double source_index = 0;    // of the source frame, after the pass's modulo, from 0
     Extent target;
     Extent output;
     Extent source;
@@ -46,6 +47,7 @@ private:
         std::array<double, 16> numbers;
         std::size_t count;
     };
+    static Numbers time_numbers(BuiltIn kind, const Frame& frame, const PassInfo& info);
     static Numbers numbers_of(const BoundBuiltIn& bound, const Frame& frame, const PassInfo& info);
 
     std::vector<BoundBuiltIn> m_uniforms;  // of the uniforms that write() sets

@@ -3,6 +3,8 @@
 #include "model/devices/date.h"
 #include "model/devices/input_state.h"
 #include "model/look/sound_texture.h"
+#include "model/look/subframe.h"
+#include "model/picture/hdr.h"
 #include "model/picture/source_raster.h"
 #include "model/picture/source_spec.h"
 #include "model/plan/beam.h"
@@ -14,9 +16,11 @@
 
 /// The state that a frame of a look is drawn for: its time, beam, sound, mouse and keys.
 struct Frame {
-    double time = 0;                                 // s, at the frame's end
-    double time_delta = 0;                           // s
-    std::int64_t number = 0;                         // from 1
+    double time = 0;          // s, at the frame's end
+    double time_delta = 0;    // s
+    std::int64_t number = 0;  // from 1
+    Subframe subframe = {};
+    std::optional<HdrLight> hdr = {};                // of the display; nullopt: no HDR
     std::array<double, 2> mouse{};                   // px of the picture, from its bottom left
     double pixel_aspect = 1.0;                       // of the source: width to height of a pixel
     std::optional<SourceRaster> source_raster = {};  // nullopt: the source fills the picture
@@ -30,3 +34,7 @@ struct Frame {
     bool is_first = false;             // no history and no previous beam
     double sample_budget_seconds = 0;  // limit for the samples of an accumulating pass; 0: none
 };
+
+/// The frame as a pass that is drawn once per source frame gets it: it lasts as long as all of its
+/// sub-frames, which are assumed to be equally long.
+Frame source_frame_of(const Frame& frame);

@@ -2,14 +2,13 @@
 
 #include "base/elapsed.h"
 #include "lab/document/users_content.h"
+#include "lab/frame/applied_state.h"
 #include "lab/frame/content_problems.h"
 #include "lab/frame/replay_length.h"
 #include "lab/rendering/frame_limit.h"
 #include "lab/storage/local_date.h"
-#include "model/look/value_changes.h"
 
 #include <algorithm>
-#include <cassert>
 #include <utility>
 
 namespace {
@@ -21,36 +20,6 @@ bool reads_images_alike(const Look& one, const Look& other) {
     return one.images == other.images && one.source_encoding == other.source_encoding &&
            one.source_rows == other.source_rows && one.source_format == other.source_format &&
            std::ranges::equal(one.passes, other.passes, {}, &Pass::inputs, &Pass::inputs);
-}
-
-// Constants in texts are applied when they are compiled.
-std::vector<std::string> changed_uniforms(const Look& look, const Values& before,
-                                          const Values& now) {
-    std::vector<std::string> names = changed_parameters(look, before, now);
-    std::erase_if(names,
-                  [&](const std::string& name) { return find_parameter(look, name)->is_constant; });
-    return names;
-}
-
-// Copies only changes: usually one of many values.
-void copy_changes(std::optional<DocumentState>& applied, const DocumentState& state) {
-    if (!applied)
-        applied = state;
-    // Names every member, so that a new one cannot be omitted.
-    const auto& [values, signal, source, overrides, origin, stack, modulations, locks, files, tempo,
-                 cues] = state;
-    follow_values(applied->values, values);
-    applied->signal = signal;
-    applied->source = source;
-    applied->overrides = overrides;
-    applied->origin = origin;
-    applied->stack = stack;
-    applied->modulations = modulations;
-    applied->locks = locks;
-    applied->files = files;
-    applied->tempo = tempo;
-    applied->cues = cues;
-    assert(*applied == state);
 }
 }  // namespace
 
@@ -195,7 +164,7 @@ void FrameLoop::update_displayed() {
         return;
     m_work.renderer->reset();
     m_specialization.stop();
-    m_work.redraw.add({std::vector<bool>(executor.look().passes.size(), true), false});
+    m_work.redraw.add_all(executor.look().passes.size());
 }
 
 bool FrameLoop::has_unfinished_frame() const {
@@ -238,6 +207,7 @@ void FrameLoop::begin_frame(double wall_seconds) {
     if (m_comparison.update(wall_seconds))
         m_drawn_extent = {};  // sizes may depend on values
     update_source();
+    limit_subframes();
     draw_picture(wall_seconds);
     m_guard.update();
     if (!has_unfinished_frame())
@@ -366,6 +336,15 @@ void FrameLoop::resize_picture() {
         m_work.redraw.add_replay();
 }
 
+// A paused picture is a whole source frame.
+void FrameLoop::limit_subframes() {
+    const bool is_playing = m_work.player.transport().is_playing();
+    const int limit = is_playing && m_work.draws_subframes ? m_work.display.most_subframes() : 1;
+    const int before = std::exchange(m_work.renderer->executors().inputs().subframe_limit, limit);
+    if (before != limit && !is_playing)
+        m_work.redraw.add_all(m_work.renderer->executor().look().passes.size());
+}
+
 // On a slow machine the clock runs slower, so that frames do not get longer and longer.
 void FrameLoop::limit_frame(double wall_seconds) {
     if (m_work.player.transport().past().empty())
@@ -402,8 +381,9 @@ void FrameLoop::draw_picture(double wall_seconds) {
     if (frame) {
         m_work.redraw.clear();
         m_work.renderer->replay().cancel();
-        m_work.messages.succeeded(
-            m_work.media.source().show(frame->span.end, m_work.renderer->executors()));
+        if (m_work.renderer->executors().subframe_of(frame->number).is_first())
+            m_work.messages.succeeded(
+                m_work.media.source().show(frame->span.end, m_work.renderer->executors()));
         set_values(*frame);
         m_work.renderer->draw(*frame, m_work.player.signal().trace(frame->span));
         return;
@@ -413,8 +393,10 @@ void FrameLoop::draw_picture(double wall_seconds) {
     if (m_work.renderer->replay().is_running())
         m_work.renderer->replay().update(
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
-                m_work.messages.succeeded(
-                    m_work.media.source().show_past(past.span.end, m_work.renderer->executors()));
+                Executors& executors = m_work.renderer->executors();
+                if (executors.subframe_of(past.number).is_first())
+                    m_work.messages.succeeded(
+                        m_work.media.source().show_past(past.span.end, executors));
                 set_values(past);
             });
     else if (m_work.redraw.needs_replay() && !comes_next)
@@ -476,8 +458,7 @@ void FrameLoop::cancel_replay() {
         m_work.redraw.add_replay();  // of all frames; the latest ones are enough for a picture
     m_work.renderer->replay().cancel();
     if (!m_work.renderer->has_drawn())  // shows the current history instead of nothing
-        m_work.redraw.add(
-            {std::vector<bool>(m_work.renderer->executor().look().passes.size(), true), false});
+        m_work.redraw.add_all(m_work.renderer->executor().look().passes.size());
 }
 
 // Called after the picture is drawn.

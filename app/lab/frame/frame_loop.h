@@ -82,6 +82,7 @@ private:
     void show_source(double seconds);
     void draw_picture(double wall_seconds);
     void resize_picture();
+    void limit_subframes();
     void limit_frame(double wall_seconds);
     void start_replay();
     void redraw();

@@ -10,6 +10,7 @@
 #include "lab/media/render_size.h"
 #include "lab/messages/messages.h"
 #include "lab/playback/player.h"
+#include "lab/rendering/display_pace.h"
 #include "lab/rendering/pending_redraw.h"
 #include "lab/rendering/renderer.h"
 #include "lab/send/look_sender.h"
@@ -33,6 +34,8 @@ struct Workspace {
     PendingRedraw redraw = {};
     std::shared_ptr<const CuePlan> cues = {};  // that play; null: none
     std::optional<Tempo> clock_tempo = {};     // of a MIDI clock, instead of the document's
+    DisplayPace display = {};
+    bool draws_subframes = false;  // allowed by the user; otherwise the picture is steady
 
     explicit Workspace(Library opened) : library(std::move(opened)) {}
     Workspace(const Workspace&) = delete;

@@ -1,13 +1,15 @@
 #pragma once
 
 #include "graph/inspect/light_cells.h"
+#include "model/picture/subframe_cells.h"
 
 #include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
 
-/// Counts flashes of the picture. The cells of each frame are read back later.
+/// Counts flashes of the picture. The cells of each frame are read back later. Sub-frames count as
+/// the mean of their source frame.
 class FlashMeter {
 public:
     explicit FlashMeter(LightCells cells) : m_cells(std::move(cells)) {}
@@ -17,6 +19,7 @@ public:
         const gpu::Texture& picture;
         Encoding encoding;
         std::uint64_t number;
+        Subframe subframe = {};
     };
     /// Call it after a frame with the time of its display. A static picture is only measured until
     /// its flashes have expired. Never waits for the GPU.
@@ -32,10 +35,12 @@ public:
 private:
     struct Coming {
         double seconds = 0.0;
+        Subframe subframe;
         gpu::Download cells;
     };
     LightCells m_cells;
     std::deque<Coming> m_coming;
+    SubframeCells m_subframes;
     FlashCounter m_counter;
     Flashes m_flashes;
     std::optional<std::uint64_t> m_number;  // of the picture measured last

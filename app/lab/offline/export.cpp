@@ -133,7 +133,8 @@ FramePipeline::Stages watched_stages(const ExportJob& job) {
         return made;
     };
     const auto deliver = [&job](std::int64_t number, const FromFrame& made) {
-        job.flashes->add(made.cells, static_cast<double>(number + 1) / job.fps);
+        job.flashes->add(made.cells, static_cast<double>(number + 1) / job.fps,
+                         subframe_of(number + 1, job.subframes));
         return job.stages.deliver(number, made);
     };
     return {make, deliver, job.stages.steps_back};

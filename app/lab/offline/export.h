@@ -34,6 +34,7 @@ struct ExportJob {
     FilmChoice film = {};
     FramePipeline::Stages stages = {};
     FlashLog* flashes = nullptr;  // null: not counted
+    int subframes = 1;            // whose mean the flashes count as one frame
     /// Reports the number of drawn frames; false: cancel.
     std::function<bool(std::int64_t drawn)> should_continue = {};
 };

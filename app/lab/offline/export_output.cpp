@@ -123,6 +123,12 @@ bool counts_flashes(const Offline& offline, const ExportJob& job) {
     return job.pass + 1 == static_cast<int>(offline.executor().look().passes.size());
 }
 
+// The sub-frames of a source frame are seen as one frame if source frames follow fast enough.
+int joined_subframes(const ExportJob& job) {
+    constexpr double fast = 50.0;  // source frames per second
+    return job.fps >= fast * job.subframes ? job.subframes : 1;
+}
+
 // Also shows the last picture of a camera for its time.
 Result<void> finish(const OpenOutput& opened, double fps, const FlashLog& flashes,
                     Diagnostics& warnings) {
@@ -148,6 +154,7 @@ Result<bool> export_to(const std::string& output, Offline& offline, ExportJob jo
     FlashLog flashes;
     if (counts_flashes(offline, job) && !opened->camera)
         job.flashes = &flashes;
+    job.subframes = joined_subframes(job);
     auto done = export_frames(offline, job);
     if (!done || !*done)
         return done;
@@ -241,6 +248,7 @@ Result<bool> export_loop(const std::string& output, Offline& offline, const Expo
         return false;
     ExportJob period = job;
     period.loops = true;
+    period.subframes = joined_subframes(job);
     int difference = 0;
     for (int i = 0; i < max_periods; ++i) {
         auto opened = open_output(output, offline, period, warnings);

@@ -50,7 +50,9 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
     PassSwitches switches = known_switches(look, prepared.switches);
     switches.frozen.clear();
     const double start_seconds = prepared.start_seconds;
+    const int subframe_limit = prepared.draws_subframes ? max_subframes : 1;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
+    offline.m_executors.inputs().subframe_limit = subframe_limit;
     offline.take_values();  // first, because sizes can depend on them
     if (displayed)
         if (auto done = offline.show_to(offline.displayed_with_picture(*displayed)); !done)
@@ -296,11 +298,17 @@ Result<void> Offline::override_source(const Picture& picture) {
     return m_executors.set_source(picture);
 }
 
+void Offline::follow_source(const PlayedFrame& frame) {
+    if (!m_executors.subframe_of(frame.number).is_first())
+        return;
+    if (auto shown = show_source(frame.span.end); !shown)
+        m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
+}
+
 void Offline::advance() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
     apply_automation(frame.span.end);
-    if (auto shown = show_source(frame.span.end); !shown)
-        m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
+    follow_source(frame);
     modulate_values(frame);
     m_executors.draw(frame, beam_of(frame));
 }
@@ -315,9 +323,8 @@ Picture Offline::picture_after(int frames) {
 void Offline::advance_unseen() {
     const PlayedFrame frame = m_player->advance_fixed(m_fps);
     apply_automation(frame.span.end);
-    if (m_source_is_carried)
-        if (auto shown = show_source(frame.span.end); !shown)
-            m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
+    if (m_source_is_carried || m_executors.inputs().subframe_limit > 1)
+        follow_source(frame);
     modulate_values(frame);
     ::draw_unseen(m_executors, frame, beam_of(frame));
 }

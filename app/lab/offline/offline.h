@@ -81,6 +81,7 @@ private:
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
+    void follow_source(const PlayedFrame& frame);
     Result<void> resize_again();
     void modulate_values(const PlayedFrame& frame);
     bool is_black(int pass) const;

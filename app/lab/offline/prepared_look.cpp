@@ -236,6 +236,7 @@ Result<PreparedLook> prepare(const RenderRequest& request, const Library& librar
     }
     if (request.raises_precision)
         raise_precision(prepared.document);
+    prepared.draws_subframes = request.draws_subframes;
     return prepared;
 }
 

@@ -30,6 +30,7 @@ struct RenderRequest {
     std::string cues = {};                 // cue file; "": no cues
     double bpm = 0.0;                      // tempo; 0: the preset's, else the default
     bool raises_precision = false;         // see raise_precision()
+    bool draws_subframes = false;          // as in PreparedLook
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
@@ -48,6 +49,8 @@ struct PreparedLook {
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
     double start_seconds = 0.0;  // of the first frame on the look's clock
+    bool draws_subframes =
+        false;                   // each is a frame of the clock; otherwise source frames are whole
     PassSwitches switches = {};  // frozen passes are drawn, because their picture is not known
     // Content of the preset that was not used.
     std::optional<OutsideContent> outside = {};

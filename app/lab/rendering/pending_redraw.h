@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 /// The passes and frames to redraw in a paused picture.
 class PendingRedraw {
@@ -18,6 +19,8 @@ public:
         for (std::size_t i = 0; i < redraw.passes.size() && i < m_redraw->passes.size(); ++i)
             m_redraw->passes[i] = m_redraw->passes[i] || redraw.passes[i];
     }
+    /// All passes of a look with this number of passes.
+    void add_all(std::size_t passes) { add({std::vector<bool>(passes, true), false}); }
     /// Including earlier frames.
     void add_replay() { add({{}, true}); }
     /// Including all earlier frames of the player's past.

@@ -61,9 +61,9 @@ void MainView::count_flashes(const Subject& subject) {
     const Executor& executor = subject.renderer.executor();
     const int last = static_cast<int>(executor.look().passes.size()) - 1;
     const gpu::ContextScope scope(m_context->context.get());
-    m_context->flash_meter.update(
-        {executor.target(last), encoding_of(executor.look(), last), executor.textures().number()},
-        subject.seconds);
+    m_context->flash_meter.update({executor.target(last), encoding_of(executor.look(), last),
+                                   executor.textures().number(), executor.drawer().subframe()},
+                                  subject.seconds);
 }
 
 // Independent of the panels; the whole picture at the largest integer zoom that fits. Over another

@@ -9,8 +9,11 @@
 #include <cmath>
 #include <utility>
 
-Views::Views(MainView main_view, Pins pins, TexelInspector texels)
-    : m_main(std::move(main_view)), m_pins(std::move(pins)), m_texels(std::move(texels)) {}
+Views::Views(MainView main_view, Pins pins, Readouts readouts, TexelInspector texels)
+    : m_main(std::move(main_view)),
+      m_pins(std::move(pins)),
+      m_readouts(std::move(readouts)),
+      m_texels(std::move(texels)) {}
 
 Result<Views> Views::make() {
     auto main_view = MainView::make();
@@ -19,10 +22,13 @@ Result<Views> Views::make() {
     auto pins = Pins::make();
     if (!pins)
         return fail(pins.error());
+    auto readouts = Readouts::make();
+    if (!readouts)
+        return fail(readouts.error());
     auto texels = TexelInspector::make();
     if (!texels)
         return fail(texels.error());
-    return Views(std::move(*main_view), std::move(*pins), std::move(*texels));
+    return Views(std::move(*main_view), std::move(*pins), std::move(*readouts), std::move(*texels));
 }
 
 std::optional<gpu::Texture> Views::thumbnail(const Lab& lab, int pass, Extent extent) {
@@ -92,6 +98,7 @@ void Views::update(const Lab& lab, const WindowState& window) {
         set_context(nullptr);
         m_probed.reset();
         m_pins.stop();
+        m_readouts.stop();
         return m_texels.stop();
     }
     if (lab.renderer()->replay().is_running() || !lab.renderer()->has_whole_picture())
@@ -115,5 +122,6 @@ void Views::update(const Lab& lab, const WindowState& window) {
         m_pins.update(executor, window.probes.pins, now);
     else
         m_pins.stop();
+    m_readouts.update(executor, now);
     probe(executor, window.probes.pointer);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/inspect/pins.h"
+#include "lab/inspect/readouts.h"
 #include "lab/inspect/texel_inspector.h"
 #include "lab/views/inspector_view.h"
 #include "lab/views/main_view.h"
@@ -25,6 +26,7 @@ public:
     const StripView& strip() const { return m_strip; }
     /// The values of all passes at the pins; empty while the pins are hidden.
     const Pins& pins() const { return m_pins; }
+    const Readouts& readouts() const { return m_readouts; }
     /// Texel values and values along a line; empty while hidden.
     const TexelInspector& texels() const { return m_texels; }
     /// The stored values of the pixel at Probes::pointer.
@@ -39,7 +41,7 @@ public:
     bool is_pending() const { return m_strip.is_pending() || m_texels.is_pending(); }
 
 private:
-    Views(MainView main_view, Pins pins, TexelInspector texels);
+    Views(MainView main_view, Pins pins, Readouts readouts, TexelInspector texels);
     void set_context(std::shared_ptr<ContextViews> context);
     void probe(const Executor& executor, const std::optional<Probe>& probe);
 
@@ -48,6 +50,7 @@ private:
     InspectorView m_inspector;
     StripView m_strip;
     Pins m_pins;
+    Readouts m_readouts;
     TexelInspector m_texels;
     bool m_is_first = true;  // before the first update
     std::optional<std::array<float, 4>> m_probed;

@@ -190,6 +190,7 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
         {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
         {"morph_seconds", window.presets.morph_seconds},
         {"flashes", window.flashes.shows_meter ? 1.0 : 0.0},
+        {"flicker", static_cast<double>(window.flashes.flicker)},
         {"maximised", window.geometry.is_maximised ? 1.0 : 0.0}};
     if (window.geometry.position) {
         numbers["left"] = (*window.geometry.position)[0];
@@ -275,6 +276,8 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
         window.views.sizes.picture = {*view_width, *view_height};
     restore(numbers, "wipe_share", {0.0, 1.0}, window.views.wipe_share);
     restore(numbers, "flashes", window.flashes.shows_meter);
+    if (const auto flicker = whole(numbers, "flicker", 0.0, 2.0))
+        window.flashes.flicker = static_cast<Flicker>(*flicker);
     restore(numbers, "comfort", window.flashes.limit.is_on);
     restore(numbers, "comfort_rate", {FlashLimit::lowest, FlashLimit::highest},
             window.flashes.limit.max_per_second);

@@ -31,10 +31,14 @@ struct KeyboardFocus {
     Chord conflict;  // pressed for the action in the dialog's `subject`, but taken
 };
 
-/// The flash meter and the flash limiter.
+/// Whether the user lets looks draw sub-frames, with which the display flickers.
+enum class Flicker { not_asked, allowed, refused };
+
+/// The flash meter, the flash limiter and flicker.
 struct FlashDisplay {
     bool shows_meter = true;
     FlashLimit limit;
+    Flicker flicker = Flicker::not_asked;
 };
 
 /// What the user chose last; the latest first.

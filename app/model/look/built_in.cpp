@@ -13,7 +13,10 @@ const std::vector<BuiltInUniform>& own_built_ins() {
                                                  {"u_samples", BuiltIn::samples},
                                                  {"u_view", BuiltIn::view},
                                                  {"u_camera", BuiltIn::camera},
-                                                 {"u_drawn_onto", BuiltIn::drawn_onto}};
+                                                 {"u_drawn_onto", BuiltIn::drawn_onto},
+                                                 {"u_subframe", BuiltIn::subframe},
+                                                 {"u_subframes", BuiltIn::subframes},
+                                                 {"u_peak", BuiltIn::peak}};
     return all;
 }
 
@@ -23,6 +26,9 @@ bool tells_time(BuiltIn kind) {
         case BuiltIn::time_delta:
         case BuiltIn::frame:
         case BuiltIn::frame_index:
+        case BuiltIn::source_frame_index:
+        case BuiltIn::subframe:
+        case BuiltIn::subframe_number:
         case BuiltIn::microseconds:
         case BuiltIn::time_before:
         case BuiltIn::frame_rate:

@@ -17,20 +17,27 @@ enum class BuiltIn {
     source_size,   // of the picture that the look reads as the source
     source_lines,  // start, pitch, count: see RasterAxis
     source_columns,
-    mouse,          // from the bottom left of the picture
-    view,           // orbit: the object's rotation, a matrix
-    camera,         // orbit: the camera's matrix
-    drawn_onto,     // whether passes draw onto its target, or onto one that it reads
-    frame_index,    // from 0, after the pass's modulo
-    microseconds,   // since the previous frame
-    source_aspect,  // width / height as displayed
-    time_before,    // at the frame's start, s: 0 in the first frame
-    delta_before,   // since the previous frame, s: 0 in the first frame
-    date,           // year, month from 1, day, seconds since midnight
-    date_from_0,    // as date, but month from 0
-    quad_to_clip,   // matrix that maps the quad to the whole target, a picture's top at the top
-    frame_rate,     // frames per second, from time_delta
-    press,          // of the mouse: see Press::numbers
+    mouse,            // from the bottom left of the picture
+    view,             // orbit: the object's rotation, a matrix
+    camera,           // orbit: the camera's matrix
+    drawn_onto,       // whether passes draw onto its target, or onto one that it reads
+    frame_index,      // from 0, after the pass's modulo
+    microseconds,     // since the previous frame
+    source_aspect,    // width / height as displayed
+    time_before,      // at the frame's start, s: 0 in the first frame
+    delta_before,     // since the previous frame, s: 0 in the first frame
+    date,             // year, month from 1, day, seconds since midnight
+    date_from_0,      // as date, but month from 0
+    quad_to_clip,     // matrix that maps the quad to the whole target, a picture's top at the top
+    frame_rate,       // frames per second, from time_delta
+    press,            // of the mouse: see Press::numbers
+    subframe,         // from 0
+    subframe_number,  // from 1
+    subframes,        // per source frame
+    peak,             // the largest light that the display can show; 1 without HDR
+    hdr_mode,         // of libretro: 0 without HDR, 2 for light in units of 80 cd/m2
+    paper_white,      // of HDR, cd/m2
+    source_frame_index,  // of the source frame, from 0, after the pass's modulo
     // width, height, and 1 for the pixel aspect ratio:
     target_resolution,
     input_resolution,  // of the input `of`

@@ -59,6 +59,14 @@ struct Onto {
     bool operator==(const Onto&) const = default;
 };
 
+/// A number that the look measures: the first texel's red in the target of its pass.
+struct Readout {
+    std::string label;
+    std::string unit;
+
+    bool operator==(const Readout&) const = default;
+};
+
 /// One draw: a vertex and a fragment shader, inputs, one target.
 struct Pass {
     std::string name;
@@ -81,8 +89,10 @@ struct Pass {
     Count repeat = 1;         // draws per frame
     std::optional<Count> converge = std::nullopt;  // samples at which accumulation stops
     int frame_modulo = 0;                          // u_frame counts modulo this; 0: never
-    RowOrder rows = RowOrder::bottom_first;        // of its target
-    Location declared;                             // in look.json
+    bool per_source_frame = false;                 // drawn only in the first sub-frame
+    std::optional<Readout> readout = std::nullopt;
+    RowOrder rows = RowOrder::bottom_first;  // of its target
+    Location declared;                       // in look.json
     // For a pass in a stack:
     std::string scope;   // prefix of its look's parameter names: "crt/"
     std::string source;  // the pass that its look reads as the source; "": the source
@@ -142,7 +152,9 @@ struct Look {
     RowOrder source_rows = RowOrder::bottom_first;
     Format source_format = Format::rgba32f;
     Encoding output = Encoding::display;
+    bool is_scrgb_in_hdr = false;  // with HDR, the last pass writes light in units of 80 cd/m2
     int settle_frames = 1;
+    Count subframes = 1;  // frames per source picture, see subframes_of()
     bool has_orbit = false;
     std::vector<Pass> passes;
     std::vector<Image> images;

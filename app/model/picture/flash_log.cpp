@@ -84,8 +84,11 @@ std::vector<Light> cells_of(const RawPicture& picture) {
         picture.pixels);
 }
 
-void FlashLog::add(std::span<const Light> cells, double seconds) {
-    const Flashes now = m_counter.add(seconds, cells);
+void FlashLog::add(std::span<const Light> cells, double seconds, const Subframe& subframe) {
+    const auto whole = m_subframes.add(subframe, cells);
+    if (!whole)
+        return;
+    const Flashes now = m_counter.add(seconds, *whole);
     m_maximum = {std::max(m_maximum.general, now.general), std::max(m_maximum.red, now.red)};
     if (!now.is_beyond_limit())
         return;

@@ -3,6 +3,7 @@
 #include "model/look/picture.h"
 #include "model/picture/flash.h"
 #include "model/picture/raw_picture.h"
+#include "model/picture/subframe_cells.h"
 
 #include <optional>
 #include <span>
@@ -18,7 +19,8 @@ class FlashLog {
 public:
     /// Adds the next picture and its display time; times ascend.
     void add(const Picture& picture, double seconds) { add(cells_of(picture), seconds); }
-    void add(std::span<const Light> cells, double seconds);
+    /// Sub-frames count as the mean of their source frame.
+    void add(std::span<const Light> cells, double seconds, const Subframe& subframe = {});
 
     /// The maximum within any second.
     const Flashes& maximum() const { return m_maximum; }
@@ -27,6 +29,7 @@ public:
     std::optional<std::string> warning() const;
 
 private:
+    SubframeCells m_subframes;
     FlashCounter m_counter;
     Flashes m_maximum;
     std::optional<double> m_first;  // s, of pictures above the limit

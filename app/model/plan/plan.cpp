@@ -378,7 +378,7 @@ std::vector<bool> feedback_passes(const Look& look) {
             carried[i] = carried[i] || needed[i];
     };
     for (std::size_t i = 0; i < look.passes.size(); ++i) {
-        if (look.passes[i].accumulate)
+        if (look.passes[i].accumulate || look.passes[i].per_source_frame)
             add(static_cast<int>(i));
         for (const Input& input : look.passes[i].inputs)
             if (const auto read = find_pass(look, input.name);

@@ -63,9 +63,10 @@ struct Plan {
 
 /// The conditions of a plan besides look, sizes and values.
 struct PlanTerms {
-    int largest_side = 16384;         // of a target, px
-    std::vector<bool> seen = {};      // displayed passes; empty: all
-    std::vector<bool> kept = {};      // passes that are bypassed, frozen or left out; empty: none
+    int largest_side = 16384;     // of a target, px
+    std::vector<bool> seen = {};  // displayed passes; empty: all
+    // Passes that are bypassed, frozen, left out, or not drawn in each frame; empty: none.
+    std::vector<bool> kept = {};
     std::vector<bool> left_out = {};  // passes that need not exist; empty: none
     // No frame is partially redrawn, so a picture may be overwritten after its last read in the
     // frame.

@@ -9,9 +9,9 @@
 
 namespace {
 bool counts_work(const Look& look, const std::string& name) {
-    return std::ranges::any_of(look.passes, [&](const Pass& pass) {
-        return pass.repeat == Count(name) || pass.converge == Count(name);
-    });
+    return look.subframes == Count(name) || std::ranges::any_of(look.passes, [&](const Pass& pass) {
+               return pass.repeat == Count(name) || pass.converge == Count(name);
+           });
 }
 
 double mixed(double from, double to, double share) {

@@ -60,6 +60,17 @@ bool has_comfort(const Scene& scene) {
     return scene.window.flashes.limit.is_on;
 }
 
+void toggle_flicker(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) {
+        const bool is_allowed = window.flashes.flicker == Flicker::allowed;
+        window.flashes.flicker = is_allowed ? Flicker::refused : Flicker::allowed;
+    });
+}
+
+bool allows_flicker(const Scene& scene) {
+    return scene.window.flashes.flicker == Flicker::allowed;
+}
+
 template <int eighths>
 void scale_text(const Scene&, Edits& edits) {
     edits.arrange([](WindowState& window) {
@@ -121,6 +132,14 @@ std::vector<Action> view_actions::list() {
          toggle_comfort,
          nullptr,
          has_comfort},
+        {ActionId::allow_flicker,
+         Menu::view,
+         "Allow flicker",
+         {},
+         false,
+         toggle_flicker,
+         nullptr,
+         allows_flicker},
         {ActionId::larger_text, Menu::view, "Larger text", {'=', true}, true, scale_text<1>},
         {ActionId::smaller_text, Menu::view, "Smaller text", {'-', true}, false, scale_text<-1>},
     };

@@ -142,6 +142,7 @@ enum class ActionId {
     impulse,
     show_flashes,
     limit_flashes,
+    allow_flicker,
     palette,
     randomise,
     step_up,

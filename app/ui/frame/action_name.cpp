@@ -137,6 +137,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::impulse, "measure_impulse"},
     {ActionId::show_flashes, "flash_meter"},
     {ActionId::limit_flashes, "flash_limiter"},
+    {ActionId::allow_flicker, "allow_flicker"},
     {ActionId::palette, "find_command"},
     {ActionId::randomise, "randomise"},
     {ActionId::step_up, "step_up"},

@@ -1,6 +1,7 @@
 #include "ui/status/status_bar.h"
 
 #include "lab/frame/heavy_pass.h"
+#include "lab/rendering/display_pace.h"
 #include "ui/frame/action.h"
 #include "ui/status/export_chip.h"
 #include "ui/status/timings_panel.h"
@@ -22,6 +23,10 @@ std::string problems_text(const Scene& scene) {
                         : fmt::format("{} problems", count);
 }
 
+int drawn_subframes(const Scene& scene) {
+    return scene.lab.renderer ? scene.lab.renderer->executors().subframe_of(1).count : 1;
+}
+
 std::string pace_text(const Scene& scene) {
     const double pace = scene.pace.frames_per_second();
     if (scene.lab.renderer && scene.lab.renderer->replay().is_running())
@@ -30,7 +35,25 @@ std::string pace_text(const Scene& scene) {
         return "Paused";
     if (pace <= 0.0)
         return "Idle";
-    return fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
+    const std::string text = fmt::format("{:.{}f} fps", pace, pace < 9.95 ? 1 : 0);
+    const int subframes = drawn_subframes(scene);
+    return subframes > 1 ? fmt::format("{}, {} sub-frames", text, subframes) : text;
+}
+
+// Sub-frames need every refresh of the display.
+void draw_drops(const Scene& scene, Edits& edits) {
+    const int drops = scene.lab.display.drops();
+    if (drops == 0 || drawn_subframes(scene) < 2)
+        return;
+    ImGui::SameLine();
+    const ScopedColor color(ImGuiCol_Text, theme::warning);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(fmt::format("{} dropped", drops).c_str());
+    edits.mark("drops");
+    tooltip(
+        fmt::format("Refreshes of the {:.1f} Hz display without a new picture, in the last second. "
+                    "Sub-frames need all of them. Try a smaller render size.",
+                    scene.lab.display.refresh_rate()));
 }
 
 // How playback is reduced if the machine is too slow; "": it is fast enough.
@@ -122,6 +145,20 @@ void draw_cost(const Scene& scene, Edits& edits) {
     ImGui::GetWindowDrawList()->AddText(at, theme::packed(theme::problem), cost.time.c_str());
 }
 
+// What the look measures, as far as it fits.
+void draw_readouts(const Scene& scene) {
+    const ScopedFont font(scene.fonts.numbers);
+    for (const std::string& text : scene.views.readouts().texts()) {
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        if (ImGui::GetItemRectMax().x + width + 20.0f >
+            ImGui::GetWindowPos().x + ImGui::GetWindowWidth())
+            return;
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        dim_text(text);
+    }
+}
+
 std::string pointer_text(const Scene& scene) {
     if (!scene.window.probes.pointer || !scene.views.probed())
         return {};
@@ -149,8 +186,10 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     ImGui::SameLine();
     draw_cost(scene, edits);
     draw_lag(scene, edits);
+    draw_drops(scene, edits);
     draw_half_size_offer(scene, edits);
     draw_export_chip(scene, edits);
+    draw_readouts(scene);
     const std::string pointer = pointer_text(scene);
     if (pointer.empty())
         return;

@@ -13,6 +13,7 @@
 #include "lab/storage/injected_fault.h"
 #include "lab/storage/instance_lock.h"
 #include "lab/views/displayed_passes.h"
+#include "lab/views/flicker.h"
 #include "lab/views/picture_clipboard.h"
 #include "lab/window/desktop_file_dialog.h"
 #include "lab/window/key_store.h"
@@ -110,6 +111,7 @@ private:
     bool wait();  // whether an update is due
     bool has_lost_context() const;
     void update();
+    double refresh_rate();
     void follow_output();
     void update_lab(double wall_seconds);
     void apply(const Edits& edits);
@@ -163,7 +165,10 @@ void Application::update() {
     m_panels.pace().update(
         wall_seconds, m_lab.frames().has_unfinished_frame(),
         m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+    m_lab.work().display.add(wall_seconds, refresh_rate(),
+                             m_lab.is_moving() && !m_lab.frames().has_unfinished_frame());
     follow_output();
+    follow_flicker(m_lab.work(), m_state.flashes);
     update_lab(wall_seconds);
     m_picture.camera.update(m_state.output, m_lab.renderer(),
                             m_lab.frames().passes().picture_pass(), m_lab.messages());
@@ -178,6 +183,13 @@ void Application::update() {
     m_schedule.begin_panels();
     m_panels.update(m_lab, m_state, wall_seconds);
     apply(m_panels.draw(m_lab, m_state, m_schedule.frame_number()));
+}
+
+// Of the display that the window waits for.
+double Application::refresh_rate() {
+    const OutputWindow& output = m_panels.output();
+    return output.is_open() ? m_window.displays().refresh_rate(output.monitor())
+                            : m_window.refresh_rate();
 }
 
 void Application::follow_output() {

@@ -61,7 +61,15 @@ export function builtInNumbers(builtIn, frame, pass) {
         case 'time_delta': return [frame.delta];
         case 'frame_rate': return [frame.delta > 0 ? 1 / frame.delta : 0];
         case 'frame': return [countedFrame(frame.number, pass.modulo)];
-        case 'frame_index': return [countedFrame(Math.max(frame.number - 1, 0), pass.modulo)];
+        case 'frame_index':
+        case 'source_frame_index': return [countedFrame(Math.max(frame.number - 1, 0), pass.modulo)];
+        // Pages draw without HDR, and whole frames.
+        case 'peak': return [1];
+        case 'hdr_mode': return [0];
+        case 'paper_white': return [200];
+        case 'subframe': return [0];
+        case 'subframe_number':
+        case 'subframes': return [1];
         case 'microseconds': return [Math.round(frame.delta * 1e6)];
         case 'time_before': return [frame.time - frame.delta];
         case 'delta_before': return [frame.number > 1 ? frame.delta : 0];

@@ -195,7 +195,7 @@ TEST_CASE("built-in members are set, sizes included") {
         return *found;
     };
     CHECK(told("vertex_uniforms.MVP").kind == BuiltIn::quad_to_clip);
-    CHECK(told("fragment_constants.FrameCount").kind == BuiltIn::frame_index);
+    CHECK(told("fragment_constants.FrameCount").kind == BuiltIn::source_frame_index);
     CHECK(told("fragment_constants.SourceSize").kind == BuiltIn::input_extent);
     CHECK(told("fragment_constants.SourceSize").of->from == Input::From::source);
 }
@@ -322,6 +322,21 @@ TEST_CASE("the default filter is a parameter of the passes without a filter") {
     CHECK(linear.look->constants == values);
     CHECK_FALSE(
         find_parameter(folder.look(lines + "filter_linear1 = true\n"), "unspecified_filter"));
+}
+
+TEST_CASE("the number of sub-frames is a parameter if a pass reads them") {
+    std::string text = reading({"Source"}, "", "vec4(params.TotalSubFrames)");
+    const std::string_view last = "float dim;";
+    text.replace(text.find(last), last.size(), "uint TotalSubFrames;");
+    ChainFolder folder({reading({"Source"}), text});
+    const Look look = folder.look();
+    const Parameter* const count = find_parameter(look, "subframes");
+    REQUIRE(count);
+    CHECK(count->initial == Value(1.0));  // as in RetroArch
+    CHECK(look.subframes == Count("subframes"));
+    ChainFolder other({reading({"Source"})});
+    CHECK_FALSE(find_parameter(other.look(), "subframes"));
+    CHECK(other.look().subframes == Count(1));
 }
 
 TEST_CASE("an error in a chain names pass, file and line") {

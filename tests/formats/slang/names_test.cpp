@@ -58,5 +58,5 @@ TEST_CASE("unknown names have no meaning") {
                               "PassOutput99999999999", "original", "History1"})
         CHECK_FALSE(names.find(wrong));
     CHECK(find_slang_member("FrameCounter") == nullptr);
-    CHECK(find_slang_member("FrameCount")->kind == BuiltIn::frame_index);
+    CHECK(find_slang_member("FrameCount")->kind == BuiltIn::source_frame_index);
 }

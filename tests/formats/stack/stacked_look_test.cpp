@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 namespace {
 // Reads a picture, its own previous frame and an image; one of its sizes depends on a parameter.
 Look picture_look(const std::string& id, Encoding reads, Encoding writes) {
@@ -106,6 +108,25 @@ TEST_CASE("the last pass of a look is the source of the next one, in earlier fra
     CHECK(look.output == linear);
     CHECK(encoding_of(look, 0) == display);
     CHECK(look.settle_frames == 104);
+}
+
+TEST_CASE("a picture goes through the looks before sub-frames once per source frame") {
+    const auto once = [](const Look& look) {
+        std::vector<bool> passes;
+        for (const Pass& pass : look.passes)
+            passes.push_back(pass.per_source_frame);
+        return passes;
+    };
+    Look scan = picture_look("scan", linear, display);
+    scan.subframes = std::string("cells");
+    const Look crt = picture_look("crt", display, display);
+    const Look look = stacked({crt, scan, crt});  // with a conversion before the scan
+    CHECK(look.subframes == Count("scan/cells"));
+    CHECK(once(look) == std::vector<bool>{true, true, true, false, false, false, false});
+    const Look beam = stacked({signal_look("scope"), scan});
+    CHECK(beam.subframes == Count("scan/cells"));
+    CHECK(std::ranges::count(once(beam), true) == 0);
+    CHECK(stacked({crt, scan}, {"scan"}).subframes == Count(1));
 }
 
 TEST_CASE("encodings are converted between two looks only if they differ") {

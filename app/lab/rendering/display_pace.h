@@ -1,0 +1,36 @@
+#pragma once
+
+#include <deque>
+
+/// How often the display shows a new picture of the window, measured from the updates of the
+/// window, each of which waits for the display.
+class DisplayPace {
+public:
+    /// An update `wall_seconds` after the last one. `refresh_rate`: of the display as the system
+    /// reports it, Hz. `is_moving`: each refresh should show a new picture. Otherwise, and after a
+    /// second without an update, it measures anew.
+    void add(double wall_seconds, double refresh_rate, bool is_moving);
+
+    /// The measured refresh rate, Hz. The reported one until it is known, 0 before the first
+    /// update.
+    double refresh_rate() const;
+    /// New pictures per second, over the last second; 0 until it is known.
+    double pictures_per_second() const;
+    /// Refreshes in the last second that showed the previous picture again.
+    int drops() const;
+    /// The most sub-frames with which source pictures still follow at 50 Hz or more. Slower flicker
+    /// is visible, and more dangerous. 1 until the pace is known.
+    int most_subframes() const;
+
+private:
+    struct Update {
+        double seconds = 0.0;
+        int refreshes = 1;
+    };
+    void clear();
+
+    std::deque<Update> m_updates;  // of the last second
+    double m_seconds = 0.0;        // their sum
+    int m_refreshes = 0;           // their sum
+    double m_reported = 0.0;       // Hz
+};
