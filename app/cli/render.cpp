@@ -1,5 +1,6 @@
 #include "base/text.h"
 #include "cli/common.h"
+#include "cli/film_options.h"
 #include "cli/progress.h"
 #include "io/files/atomic_file.h"
 #include "io/pictures/frame_names.h"
@@ -39,17 +40,9 @@ struct RenderArguments {
     std::string cues;
     bool joins = false;
     double timeout = 0.0;  // s; 0: not given
-    FilmChoice film;
-    double quality = 0.0;  // 0: not given
+    FilmOptions film;
     bool loops = false;
     bool has_subframes = false;  // each sub-frame is a frame of the output
-
-    FilmChoice film_choice() const {
-        FilmChoice choice = film;
-        if (quality > 0.0)
-            choice.quality = quality;
-        return choice;
-    }
 };
 
 Result<int> chosen_pass(const RenderArguments& arguments, const Look& look) {
@@ -100,13 +93,10 @@ std::vector<std::string> output_endings() {
 void check_film_options(const RenderArguments& arguments, const FrameNames& names) {
     const std::string& output = arguments.output;
     const bool is_film = is_film_output(output);
-    const FilmChoice& film = arguments.film;
-    const bool has_choice = !film.codec.empty() || !film.sound.empty() || arguments.quality > 0.0;
-    if (has_choice && (!is_film || is_stream_output(output)))
-        throw UsageError("--codec, --audio-codec and --quality need a video file");
+    arguments.film.check(output, is_film && !is_stream_output(output));
     const bool can_have_alpha = is_film ? !is_stream_output(output)
                                         : names.is_sequence() && to_lower(output).ends_with(".png");
-    if (film.keeps_alpha && !can_have_alpha)
+    if (arguments.film.keeps_alpha() && !can_have_alpha)
         throw UsageError("--alpha needs a video file or numbered PNG files");
     if (is_virtual_camera(output) && !arguments.all_passes.empty() && arguments.frames == 0 &&
         arguments.seconds == 0.0)
@@ -128,9 +118,6 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
     if (arguments.loops)
         if (const auto fits = check_loop_rate(output, arguments.look.request().fps); !fits)
             throw UsageError(fits.error().front().message);
-    if (is_film && !is_stream_output(output))
-        if (const auto encoding = film_encoding(output, arguments.film_choice()); !encoding)
-            throw UsageError(encoding.error().front().message);
 }
 
 // Checks the output before anything is drawn.
@@ -302,7 +289,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
     ExportJob job{.part = *part,
                   .pass = *pass,
                   .fps = arguments.look.request().fps,
-                  .film = arguments.film_choice(),
+                  .film = arguments.film.choice(),
                   .subframes = drawn_subframes(arguments, offline)};
     auto done = arguments.loops ? draw_loop(arguments, std::move(job), offline)
                 : is_film_output(arguments.output) || names.is_sequence()
@@ -319,8 +306,9 @@ int render_film(const RenderArguments& arguments, RenderRequest request, const D
     request.automation = arguments.automation;
     request.cues = arguments.cues;
     request.draws_subframes = arguments.has_subframes;
-    request.raises_precision =
-        arguments.all_passes.empty() && is_deep_film(arguments.output, arguments.film_choice());
+    request.hdr = arguments.film.hdr();
+    request.raises_precision = (arguments.all_passes.empty() || arguments.film.hdr()) &&
+                               is_deep_film(arguments.output, arguments.film.choice());
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
@@ -405,40 +393,6 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
         request.joined.push_back(signals[i]);
     return render_film(arguments, std::move(request), data);
 }
-std::string codec_list() {
-    std::vector<std::string> texts;
-    for (const FilmCodec& codec : film_codecs())
-        if (codec.endings.front() != ".avif")
-            texts.push_back(fmt::format("{} ({})", codec.name, fmt::join(codec.endings, " ")));
-    return fmt::format("{}", fmt::join(texts, ", "));
-}
-
-std::string sound_codec_list() {
-    std::vector<std::string> texts;
-    for (const SoundCodec& codec : sound_codecs())
-        texts.push_back(fmt::format("{} ({})", codec.name, fmt::join(codec.endings, " ")));
-    return fmt::format("{}, {}", fmt::join(texts, ", "), no_sound);
-}
-
-void add_film_options(Options& options, RenderArguments& arguments) {
-    options.add("--codec NAME", arguments.film.codec,
-                fmt::format("Picture codec of a video: {} (default: by file type)", codec_list()));
-    options
-        .add("--quality N", arguments.quality,
-             "Quality of the picture codec; lower is better: 1 to 51 (h264, h265), 1 to 63 (av1, "
-             "vp9), 1 to 31 (prores)")
-        .between(0.001, 1000.0);
-    options.add(
-        "--audio-codec NAME", arguments.film.sound,
-        fmt::format("Sound codec of a video: {} (default: by file type)", sound_codec_list()));
-    options.add_flag("--alpha", arguments.film.keeps_alpha,
-                     "Keep transparency. A look without its own becomes transparent where it is "
-                     "black.");
-    options.add_flag(
-        "--loop", arguments.loops,
-        "Write exactly one period, after the look has settled. With --seconds, that is "
-        "the period.");
-}
 }  // namespace
 
 /// afterglow render LOOK -o OUT
@@ -470,7 +424,11 @@ Command add_render(CommandLine& program) {
              "of the video that is drawn, else 10)")
         .between(0.001, 86400.0)
         .excludes(frames);
-    add_film_options(options, *arguments);
+    arguments->film.add_to(options);
+    options.add_flag(
+        "--loop", arguments->loops,
+        "Write exactly one period, after the look has settled. With --seconds, that is "
+        "the period.");
     options.add_flag("--subframes", arguments->has_subframes,
                      "Write each sub-frame of the look as a frame; --fps counts them. Without it, "
                      "each frame is a whole source frame");

@@ -7,6 +7,7 @@
 
 uniform sampler2D sum;      // linear light; alpha: number of samples
 uniform sampler2D article;  // the same with the article's method
+uniform float u_peak;
 
 uniform float exposure = 1.0;    // @range 0.1 10  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1  @when !as_written
                                  // @help "Brightness of the whole picture, before tone mapping. Changing it keeps the samples."
@@ -28,8 +29,8 @@ vec3 mean_of(sampler2D sums) {
 
 void main() {
     // The article clamps and applies a plain gamma instead of the display's sRGB curve.
-    vec3 light = tone_mapped_per_channel(exposure * mean_of(sum), tone_map, white);
+    vec3 light = tone_mapped_per_channel_to(exposure * mean_of(sum), tone_map, white, u_peak);
     vec3 display = as_written ? pow(clamp(mean_of(article), 0.0, 1.0), vec3(1.0 / article_gamma))
-                              : srgb_encode(light);
+                              : srgb_encode_to(light, u_peak);
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), 0u) : display, 1.0);
 }

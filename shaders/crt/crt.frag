@@ -11,6 +11,7 @@ uniform vec2 u_resolution;
 uniform vec3 u_source_lines;
 uniform float u_time;
 uniform int u_frame;
+uniform float u_peak;
 
 uniform bool crt = true;  // @label "Enable CRT"  @group "CRT"
                           // @help "Off passes the picture through unchanged."
@@ -74,8 +75,8 @@ float scanlines() {
 vec3 tube_light(vec2 shift) {
     vec3 light = fringed(shift) * exposure;
     float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
-    light = mix(tone_mapped(light, tone_map, peak),
-                tone_mapped_keeping_hue(light, tone_map, peak), keep_hue);
+    light = mix(tone_mapped_to(light, tone_map, peak, u_peak),
+                tone_mapped_keeping_hue_to(light, tone_map, peak, u_peak), keep_hue);
     float mean = 1.0 - 0.5 * scanline_strength;
     return light * scanlines() / mix(1.0, mean, scanline_brightness);
 }
@@ -88,7 +89,8 @@ void main() {
         color = vec4(as_the_article_wrote(shift), 1.0);
     } else {
         vec3 light = tube_light(shift);
-        vec3 display = tone_map == tone_map_none ? srgb_encode_unbounded(light) : srgb_encode(light);
+        vec3 display = tone_map == tone_map_none ? srgb_encode_unbounded(light)
+                                                 : srgb_encode_to(light, u_peak);
         color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display,
                      1.0);
     }

@@ -23,6 +23,11 @@ vec3 srgb_encode_unbounded(vec3 linear) {
     return mix(curve, 12.92 * inside, lessThanEqual(inside, vec3(0.0031308)));
 }
 
+// The same curve up to `peak`, the largest light that the display can show. It is 1 without HDR.
+vec3 srgb_encode_to(vec3 linear, float peak) {
+    return srgb_encode_unbounded(min(linear, peak));
+}
+
 // Light of a tube for a video voltage 0..1: ITU-R BT.1886, Annex 1. `white` and `black` are the
 // light at 1 and at 0, in cd/m2 or relative. The curve's gamma is 2.4.
 vec3 bt1886_decode(vec3 voltage, float white, float black) {

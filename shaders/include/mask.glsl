@@ -105,6 +105,24 @@ vec3 mask_light(Mask mask, vec2 at, float pixel) {
     return mix(vec3(1.0), light, mask_visibility(mask.pitch, pixel));
 }
 
+const int panel_pixels = 0;  // whole pixels
+const int panel_rgb = 1;     // three subpixels from left to right
+const int panel_bgr = 2;
+const int panel_woled = 3;   // four: red, white, blue, green
+
+// Transmission for a display with subpixels side by side: each channel is taken at the place where
+// the display emits it. Its mean is still over a whole pixel, the distance of its subpixels.
+vec3 mask_light_on_panel(Mask mask, vec2 at, float pixel, int panel) {
+    if (panel == panel_pixels)
+        return mask_light(mask, at, pixel);
+    vec3 shift = panel == panel_rgb   ? vec3(-1.0, 0.0, 1.0) / 3.0
+                 : panel == panel_bgr ? vec3(1.0, 0.0, -1.0) / 3.0
+                                      : vec3(-3.0, 3.0, 1.0) / 8.0;
+    return vec3(mask_light(mask, at + vec2(shift.r * pixel, 0.0), pixel).r,
+                mask_light(mask, at + vec2(shift.g * pixel, 0.0), pixel).g,
+                mask_light(mask, at + vec2(shift.b * pixel, 0.0), pixel).b);
+}
+
 // The largest transmission of any channel for small pixels. 1 over it is the mean of the bare mask.
 float mask_peak(Mask mask) {
     float across = 3.0 / (1.0 - mask.border / (mask.kind == mask_cells ? 3.0 : 5.0));

@@ -1,5 +1,5 @@
-// Tone mapping: maps linear light without an upper limit to 0..1, still linear. Applied once per
-// picture, at the end.
+// Tone mapping: maps linear light without an upper limit to what the display shows, still linear.
+// That is 0..1, or with HDR 0..peak. Applied once per picture, at the end.
 #ifndef AFTERGLOW_TONEMAP
 #define AFTERGLOW_TONEMAP
 
@@ -102,6 +102,21 @@ vec3 tone_mapped(vec3 light, int curve, float white) {
     return tone_mapped_per_channel(light, curve, white);
 }
 
+// The white point relative to a display that shows light up to `peak`. 0 stays off. What the display
+// can show needs no compression.
+float white_for_peak(float white, float peak) {
+    return peak > 1.0 && white > 0.0 ? max(white / peak, 1.0) : white;
+}
+
+// The curves for a display that shows light up to `peak`, which is 1 without HDR.
+vec3 tone_mapped_per_channel_to(vec3 light, int curve, float white, float peak) {
+    return peak * tone_mapped_per_channel(light / peak, curve, white_for_peak(white, peak));
+}
+
+vec3 tone_mapped_to(vec3 light, int curve, float white, float peak) {
+    return peak * tone_mapped(light / peak, curve, white_for_peak(white, peak));
+}
+
 // Scales all three channels by the same factor, so that the brightest becomes `brightest_mapped`.
 // The hue is kept at any brightness.
 vec3 with_brightest(vec3 light, float brightest_mapped) {
@@ -113,6 +128,11 @@ vec3 with_brightest(vec3 light, float brightest_mapped) {
 
 vec3 tone_mapped_keeping_hue(vec3 light, int curve, float white) {
     return with_brightest(light, tone_mapped(vec3(brightest_channel(light)), curve, white).r);
+}
+
+vec3 tone_mapped_keeping_hue_to(vec3 light, int curve, float white, float peak) {
+    float brightest = brightest_channel(light);
+    return with_brightest(light, tone_mapped_to(vec3(brightest), curve, white, peak).r);
 }
 
 #endif

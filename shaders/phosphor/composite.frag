@@ -16,6 +16,7 @@ uniform sampler2D phosphor;
 uniform sampler2D bloom;
 uniform vec2 u_resolution;
 uniform int u_frame;
+uniform float u_peak;
 
 uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
                                       // @help "How much of the blurred light is added to the trace. 0 turns the bloom off."
@@ -75,9 +76,9 @@ vec3 shown(vec3 light) {
         return clamp(light, 0.0, 1.0);
     vec3 exposed = light * exposure;
     vec3 brightest = vec3(brightest_channel(exposed));
-    float most = tone_mapped_per_channel(brightest, tone_map, white).r;
-    return mix(tone_mapped_per_channel(exposed, tone_map, white), with_brightest(exposed, most),
-               keep_hue);
+    float most = tone_mapped_per_channel_to(brightest, tone_map, white, u_peak).r;
+    return mix(tone_mapped_per_channel_to(exposed, tone_map, white, u_peak),
+               with_brightest(exposed, most), keep_hue);
 }
 
 vec3 through_glass(vec3 light, vec2 place) {
@@ -111,6 +112,6 @@ void main() {
         return;
     }
     vec3 light = through_glass(fringed, place);
-    vec3 display = display_encode ? srgb_encode(light) : light;
+    vec3 display = display_encode ? srgb_encode_to(light, u_peak) : light;
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

@@ -3,6 +3,7 @@
 // light. Measures 64 x 36 places.
 
 uniform sampler2D picture;
+uniform float u_peak;
 
 uniform int scan = 0;
 uniform float brightness = 0.7;
@@ -18,7 +19,7 @@ void main() {
             vec2 place = (vec2(x, y) + 0.5) / vec2(places);
             vec3 light = max(textureLod(picture, place, 0.0).rgb, 0.0) * (scan < 2 ? brightness : 1.0);
             wanted += dot(light, vec3(1.0));
-            lost += dot(max(light - 1.0, 0.0), vec3(1.0));
+            lost += dot(max(light - u_peak, 0.0), vec3(1.0));
         }
     color = vec4(100.0 * lost / max(wanted, 1e-6), 0.0, 0.0, 1.0);
 }

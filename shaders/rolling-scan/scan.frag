@@ -10,6 +10,7 @@ uniform sampler2D previous;
 uniform int u_subframe;
 uniform int u_subframes;
 uniform int u_frame;
+uniform float u_peak;
 
 uniform int scan = 0;             // @items "Rolling scan" "Black frames" "Off"  @label "Scan"  @group "Scan"  @identity 2
                                   // @help "Rolling scan lights the rows one after the other, as the beam of a tube does. Black frames lights the whole picture in the first sub-frames. Off shows the steady picture."
@@ -37,10 +38,12 @@ float reached() {
 
 void main() {
     vec3 now = max(texture(picture, uv).rgb, 0.0);
+    vec3 before = max(texture(previous, uv).rgb, 0.0);
     vec3 light = now;
     if (scan < 2)
-        light = rolling_light(brightness * now, brightness * max(texture(previous, uv).rgb, 0.0),
-                              reached(), u_subframe, u_subframes, scan == 1 ? 0.0 : persistence);
-    vec3 display = srgb_encode(light);
+        light = u_peak * rolling_light(brightness * now / u_peak, brightness * before / u_peak,
+                                       reached(), u_subframe, u_subframes,
+                                       scan == 1 ? 0.0 : persistence);
+    vec3 display = srgb_encode_to(light, u_peak);
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

@@ -12,6 +12,7 @@ uniform sampler2D tube;
 uniform sampler2D bloom;
 uniform vec2 u_resolution;
 uniform int u_frame;
+uniform float u_peak;
 
 uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
                                        // @help "How much of the blurred light is added. It also fills the dark parts of the mask. 0 turns the bloom off."
@@ -40,7 +41,8 @@ void main() {
     vec2 place = barrel_radial(2.0 * uv - 1.0, curvature);
     float glass = glass_coverage(place, u_resolution / u_resolution.y, corner_radius);
     float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
-    vec3 shown = mix(border_color, tone_mapped(light * exposure, tone_map, peak), glass);
+    vec3 mapped = tone_mapped_to(light * exposure, tone_map, peak, u_peak);
+    vec3 shown = mix(border_color, mapped, glass);
     vec3 display = srgb_encode_unbounded(shown);  // beyond 1 only without a tone map
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

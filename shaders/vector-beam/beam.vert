@@ -13,6 +13,10 @@ uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Spot g
                                     // @help "How much a stronger current widens the spot, as electrons repel each other. At full current, the spot is 1 + growth times as large. 0 turns it off."
 uniform float growth_power = 0.5;   // @range 0.3 1  @limit 0.05 4  @label "Growth exponent"  @group "Beam"  @when !as_written && spot_growth > 0
                                     // @help "How the spot grows from no current to full current (1 × intensity). 1 is linear. 0.5 is the square root, so most of the growth comes early."
+uniform float gun_gamma = 1.0;      // @range 1 3  @limit 0.2 6  @label "Gun gamma"  @group "Beam"  @identity 1  @when !as_written
+                                    // @help "How the current follows the intensity of the signal: current = intensity ^ gamma. A real gun has 2 to 3, so an overdriven line is much brighter and wider. 1 is linear."
+uniform float phosphor_saturation = 0.0;  // @range 0 2  @limit 0 100  @label "Phosphor saturation"  @group "Beam"  @identity 0  @when !as_written
+                                          // @help "How much efficiency the phosphor loses with the current: light = current / (1 + saturation x current). At 1, full current gives half the light. 0 turns it off."
 uniform float quad_sigmas = 5.0;    // @range 2 8  @limit 1 16  @label "Beam cutoff"  @unit "σ"  @group "Beam"
                                     // @help "Distance from the beam at which its light is cut off. The article's 5 shows no edge. Below 4, bright lines end visibly."
 uniform float dwell = 1.0;          // @range 0 8  @limit 0 1000  @label "Dwell dots"  @group "Beam"  @identity 1  @when !as_written
@@ -46,6 +50,11 @@ float spot_at(float current) {
     return as_written ? px : px * (1.0 + spot_growth * pow(current, growth_power));
 }
 
+// Light of the phosphor relative to the drive, for a beam of this current.
+float overdrive(float drive, float beam) {
+    return beam / max(drive, 1e-9) / (1.0 + phosphor_saturation * beam);
+}
+
 // Factor for the light of a beam that is slower than dwell_speed.
 float dwell_gain(float way_px) {
     float speed = way_px / max(seconds * dwell_speed * u_resolution.y, 1e-12);
@@ -58,12 +67,14 @@ void main() {
     seconds = max(ages_seconds.x - ages_seconds.y, 0.0);
     ages = ages_seconds / decay_seconds();
     float current = 0.5 * abs(intensities.x + intensities.y) / max(seconds * full_current, 1e-9);
-    sigma = spot_at(min(intensity * current, 16.0));
+    float drive = intensity * current;
+    float beam = as_written ? drive : pow(max(drive, 1e-9), gun_gamma);  // full current is 1
+    sigma = spot_at(min(beam, 16.0));
     float unit = u_resolution.y / reference_height;
     hue = hue_of(tint);
     charges = intensity * unit * unit * strength_of(tint) * intensities;
     if (!as_written)
-        charges *= dwell_gain(distance(ends.xy, ends.zw));
+        charges *= dwell_gain(distance(ends.xy, ends.zw)) * overdrive(drive, beam);
 
     float reach = quad_sigmas * sigma + 0.71;
     vec2 corner = beam_segment_corner(ends.xy, ends.zw, reach, gl_VertexID);

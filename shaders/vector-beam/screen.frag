@@ -9,6 +9,7 @@
 uniform sampler2D light;
 uniform sampler2D glow;  // red: narrow, green: wide, blue and alpha: their hue
 uniform int u_frame;
+uniform float u_peak;
 
 uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Beam colour"  @group "Beam"
                                                  // @help "Colour of the phosphor's light."
@@ -36,8 +37,8 @@ out vec4 color;
 
 vec3 shown(vec3 light) {
     float peak = tone_map == tone_map_reinhard_to_white ? white : 0.0;
-    return mix(tone_mapped(light, tone_map, peak), tone_mapped_keeping_hue(light, tone_map, peak),
-               keep_hue);
+    return mix(tone_mapped_to(light, tone_map, peak, u_peak),
+               tone_mapped_keeping_hue_to(light, tone_map, peak, u_peak), keep_hue);
 }
 
 // The hue interpolated between four texels, weighted by their light, as dark texels have no hue.
@@ -63,6 +64,6 @@ void main() {
     vec4 around = texture(glow, uv);
     vec3 scattered = glow_amount * mix(around.x, around.y, glow_wide) * glow_color_at(around.ba);
     vec3 linear = exposure * beam_color * (direct + scattered * glow_color);
-    vec3 display = srgb_encode(shown(linear) + background);
+    vec3 display = srgb_encode_to(shown(linear) + background, u_peak);
     color = vec4(dither ? dithered(display, uvec2(gl_FragCoord.xy), uint(u_frame)) : display, 1.0);
 }

@@ -151,6 +151,88 @@ class Codecs(FilmTest):
         self.assertEqual((picture["width"], picture["height"]), (1080, 1920))
 
 
+def pq_signal(nits):
+    """ITU-R BT.2100, table 4."""
+    power = (nits / 10000.0) ** (2610.0 / 16384.0)
+    return ((3424.0 / 4096.0 + 2413.0 / 128.0 * power) / (1.0 + 2392.0 / 128.0 * power)) ** (2523.0 / 32.0)
+
+
+def hlg_signal(nits, peak):
+    """Grey. ITU-R BT.2100, table 5: OETF after the inverse OOTF."""
+    gamma = 1.2 + 0.42 * math.log10(peak / 1000.0)
+    scene = (nits / peak) ** (1.0 / gamma)
+    a, b, c = 0.17883277, 0.28466892, 0.55991073
+    return math.sqrt(3.0 * scene) if scene <= 1.0 / 12.0 else a * math.log(12.0 * scene - b) + c
+
+
+class Hdr(FilmTest):
+    PATCHES = (100.0, 203.0, 1000.0)  # cd/m2
+
+    def patches(self, **more):
+        """A look with three patches from left to right, for a paper white of 203 cd/m2."""
+        self.write("patches/look.json", json.dumps(
+            {"format": "afterglow-look", "version": 1, "name": "patches", "driven_by": "nothing", "output": "linear",
+             "passes": [{"name": "show", "fragment": "show.frag", "format": "rgba32f"}], **more}))
+        self.write("patches/show.frag", "#version 410 core\nuniform float u_peak;\nin vec2 uv;\nout vec4 color;\n"
+                   "void main() { float nits[] = float[](100.0, 203.0, 1000.0);\n"
+                   "color = vec4(vec3(min(nits[int(3.0 * uv.x)] / 203.0, u_peak)), 1.0); }\n")
+        return self.folder / "patches"
+
+    def codes(self, film):
+        """The 10-bit codes of luma and both chroma in the middle of each patch."""
+        raw = subprocess.run(["ffmpeg", "-v", "error", "-i", film, "-frames:v", "1", "-f", "rawvideo", "-pix_fmt",
+                              "yuv444p10le", "-"], check=True, capture_output=True).stdout
+        words = array.array("H", raw)
+        return [[words[plane * 96 * 64 + 32 * 96 + x] for plane in range(3)] for x in (16, 48, 80)]
+
+    def test_patches_have_the_codes_of_bt2100(self):
+        look = self.patches()
+        for name, hdr, transfer, signal in (("a.mp4", "hdr10", "smpte2084", pq_signal),
+                                            ("b.mp4", "hlg", "arib-std-b67", lambda nits: hlg_signal(nits, 1000.0)),
+                                            ("c.mov", "hdr10", "smpte2084", pq_signal)):
+            codec = ("--codec", "prores") if name.endswith(".mov") else ()
+            film = self.film(name, look, "--size", "96x64", "--frames", "1", "--hdr", hdr, *codec)
+            told = self.stream(film)
+            self.assertEqual([told.get(f"color_{of}") for of in ("space", "primaries", "transfer", "range")],
+                             ["bt2020nc", "bt2020", transfer, "tv"], name)
+            self.assertIn("p12le" if name.endswith(".mov") else "p10le", told["pix_fmt"])
+            for nits, (luma, blue, red) in zip(self.PATCHES, self.codes(film)):
+                self.assertAlmostEqual(luma, 64 + 876 * signal(nits), delta=2, msg=(name, nits))
+                self.assertAlmostEqual(blue, 512, delta=1)
+                self.assertAlmostEqual(red, 512, delta=1)
+
+    def test_paper_white_and_peak_are_settings_and_metadata(self):
+        film = self.film("film.mp4", self.patches(), "--size", "96x64", "--frames", "1", "--hdr", "hdr10",
+                         "--paper-white", "100", "--peak", "400")
+        expected = [64 + 876 * pq_signal(nits) for nits in (100.0 * 100.0 / 203.0, 100.0, 400.0)]
+        for (luma, _, _), code in zip(self.codes(film), expected):
+            self.assertAlmostEqual(luma, code, delta=2)
+        told = subprocess.run(["ffprobe", "-v", "error", "-show_frames", "-read_intervals", "%+#1", "-of", "json", film],
+                              check=True, capture_output=True, text=True).stdout
+        display = next(data for data in json.loads(told)["frames"][0]["side_data_list"] if "max_luminance" in data)
+        self.assertEqual(display["max_luminance"], "4000000/10000")
+
+    def test_a_look_is_told_the_peak_and_without_hdr_white(self):
+        look = self.look("peak", "color = vec4(vec3(0.1 * u_peak), 1.0);")
+        shader = look / "show.frag"
+        shader.write_text(shader.read_text().replace("uniform float u_time;", "uniform float u_peak;"))
+        size = ("--size", "96x64", "--frames", "1")
+        for options, display in (((), 0.1), (("--hdr", "hdr10", "--paper-white", "200", "--peak", "800"), 0.4)):
+            luma = self.codes(self.film("film.mp4", look, *size, "--codec", "h265", *options))[1][0]
+            light = 200.0 * ((display + 0.055) / 1.055) ** 2.4
+            self.assertAlmostEqual(luma, 64 + 876 * (pq_signal(light) if options else display), delta=2)
+
+    def test_what_has_no_hdr_is_wrong_usage(self):
+        look = self.patches()
+        for options, words in (
+                (("-o", "a.mp4", "--hdr", "hdr10", "--codec", "h264"), "has only 8 bits, but HDR needs 10"),
+                (("-o", "a.png", "--hdr", "hdr10"), "--hdr needs a video file"),
+                (("-o", "a.mov", "--hdr", "hlg", "--codec", "prores", "--alpha"), "HDR videos have no transparency"),
+                (("-o", "a.mp4", "--peak", "400"), "--paper-white and --peak need --hdr"),
+                (("-o", "a.mp4", "--hdr", "hdr10", "--peak", "100"), "--peak must not be below --paper-white")):
+            self.assert_refused(run("render", look, *options, cwd=self.folder), words, code=2)
+
+
 class Alpha(FilmTest):
     def test_a_look_without_alpha_is_transparent_where_it_is_black(self):
         # Left: black. Right: half red over nothing, so full red with half alpha.

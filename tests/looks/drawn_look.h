@@ -14,7 +14,9 @@
 /// beam.
 class DrawnLook {
 public:
-    DrawnLook(const std::filesystem::path& folder, Extent extent, const Values& values = {}) {
+    /// `source`: the size of its source; empty: that of the picture.
+    DrawnLook(const std::filesystem::path& folder, Extent extent, const Values& values = {},
+              Extent source = {}) {
         const std::filesystem::path tree(AFTERGLOW_SOURCE_DIR);
         auto context = gpu::create_headless_context();
         REQUIRE(context.has_value());
@@ -27,8 +29,9 @@ public:
         REQUIRE_MESSAGE(programs.has_value(), problems_of(programs));
         m_executors =
             std::make_unique<Executors>(Executor(std::move(*loaded.look), std::move(*programs)));
-        REQUIRE(m_executors->picture().resize(extent, extent).has_value());
-        m_executors->picture().set_values(values);
+        m_executors->picture().set_values(values);  // first, because sizes can depend on them
+        REQUIRE(
+            m_executors->picture().resize(extent, source.is_empty() ? extent : source).has_value());
     }
     ~DrawnLook() { m_context->make_current(); }
     DrawnLook(const DrawnLook&) = delete;
@@ -40,7 +43,7 @@ public:
     }
     /// The next frame is the first one: no light is left, and the beam has no previous point.
     void restart() {
-        m_number = 0;
+        m_transport.restart();
         m_executors->picture().clear_history();
     }
 
@@ -48,11 +51,12 @@ public:
         m_context->make_current();
         return *m_executors;
     }
+    /// Of the source frames that begin from now on.
+    void set_subframes(int count) { m_transport.set_subframes(count); }
     /// Draws a frame of 1/fps with these beam points.
     void draw(const Beam& beam = {}, double fps = 60.0) {
         m_context->make_current();  // another look's context may be current
-        ++m_number;
-        m_executors->draw({m_number, frame_span(m_number, fps)}, beam);
+        m_executors->draw(m_transport.advance_fixed(fps), beam);
     }
 
     Picture target(const char* pass) const {
@@ -64,7 +68,7 @@ public:
 private:
     std::unique_ptr<gpu::Context> m_context;
     std::unique_ptr<Executors> m_executors;
-    std::int64_t m_number = 0;
+    Transport m_transport;
 };
 
 /// The sum of a channel over all pixels.

@@ -54,7 +54,7 @@ public:
 
     /// The light of the next frame.
     Picture draw(int subframes) {
-        m_look.executors().inputs().subframe_limit = subframes;
+        m_look.set_subframes(subframes);
         m_look.draw();
         Picture drawn = m_look.target("scan");
         for (std::size_t i = 0; i < drawn.pixels.size(); ++i)

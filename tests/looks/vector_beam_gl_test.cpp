@@ -142,6 +142,30 @@ TEST_CASE("vector beam: the spot has the width s (1 + k c^q) at current c") {
     }
 }
 
+TEST_CASE("vector beam: an overdriven line has the current d^g and the light c / (1 + p c)") {
+    Monitor monitor;
+    const double gamma = 2.2;
+    const double saturation = 0.5;
+    for (const double drive : {0.25, 1.0, 3.0}) {
+        const double seconds = 1e-4;
+        const double charge = drive * seconds * 4096.0 * 60.0;
+        monitor.start({{"spot_sigma", Value(4.0)},
+                       {"intensity", Value(1.0)},
+                       {"spot_growth", Value(0.5)},
+                       {"growth_power", Value(0.5)},
+                       {"gun_gamma", Value(gamma)},
+                       {"phosphor_saturation", Value(saturation)}});
+        monitor.draw(stroke(0.6f, seconds, 0.0, static_cast<float>(charge)));
+        const double current = std::pow(drive, gamma);
+        const double light = charge * current / drive / (1.0 + saturation * current);
+        const double spot = 4.0 * unit * (1.0 + 0.5 * std::sqrt(current));
+        const Picture drawn = monitor.target("beam");
+        CAPTURE(drive);
+        CHECK(std::abs(sum_of(drawn, 1) / (light * unit * unit) - 1.0) < 0.002);
+        CHECK(std::abs(deviation_down(drawn, 1) / spot - 1.0) < 0.01);
+    }
+}
+
 TEST_CASE("vector beam: dwell affects a resting beam, and not a moving one") {
     Monitor monitor;
     const auto light = [&monitor](double dwell, float length) {

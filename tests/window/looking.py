@@ -290,6 +290,17 @@ class Looking(Person):
         program.choose("View", "Flash limiter")
         program.wait("the flash limiter is off", lambda s: not s["comfort"])
 
+    def test_an_hdr_preview_is_marked_and_has_its_light(self):
+        program = self.program
+        program.choose("View", "HDR preview")
+        program.wait("the preview is for the usual light", lambda s: s["hdr"] == [203, 1000])
+        program.click("hdr")
+        program.place("hdr_peak")
+        self.snapshot("hdr")
+        program.key("Escape")
+        program.choose("View", "HDR preview")
+        program.wait("the picture is as before", lambda s: s["hdr"] == [0, 0])
+
     def test_everything_fits_a_small_window(self):
         program = self.program
         width, height = 900, 600

@@ -166,6 +166,12 @@ bool reads_subframes(const Translation& shader) {
     });
 }
 
+// With HDR, such a shader writes light in units of 80 cd/m2 (scRGB).
+bool is_for_hdr(const TranslatedChain& chain) {
+    return std::ranges::any_of(chain.translations.back().members,
+                               [](const BlockMember& member) { return member.name == "HDRMode"; });
+}
+
 // Adds a parameter for the number of sub-frames, which presets leave to the host.
 void add_subframes(const TranslatedChain& chain, Look& look) {
     constexpr const char* name = "subframes";
@@ -213,6 +219,7 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const LoadOpt
         return fail(std::move(problems));
     add_filter(*chain, filter, *look);
     add_subframes(*chain, *look);
+    look->is_scrgb_in_hdr = is_for_hdr(*chain);
     look->id = foreign_look_id(file);
     look->name = file.stem().string();
     look->driven_by = Driver::picture;

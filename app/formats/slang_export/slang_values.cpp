@@ -7,14 +7,14 @@
 #include <algorithm>
 
 namespace {
-constexpr const char* block = "global";
+constexpr const char* block_name = "global";
 }  // namespace
 
 std::string SlangBlock::member(const char* type, const std::string& name) {
     const std::pair<std::string, std::string> wanted{type, name};
     if (std::ranges::find(m_members, wanted) == m_members.end())
         m_members.push_back(wanted);
-    return fmt::format("{}.{}", block, name);
+    return fmt::format("{}.{}", block_name, name);
 }
 
 /// What RetroArch gives to a pass. It has no clock; libretro cores run at about 60 frames per
@@ -101,7 +101,7 @@ std::string SlangBlock::declaration() const {
     std::string text = "layout(std140, set = 0, binding = 0) uniform UBO {\n    mat4 MVP;\n";
     for (const auto& [type, name] : m_members)
         text += fmt::format("    {} {};\n", type, name);
-    return text + fmt::format("}} {};\n", block);
+    return text + fmt::format("}} {};\n", block_name);
 }
 
 std::set<std::string, std::less<>> slang_reserved_names() {

@@ -117,6 +117,10 @@ private:
         const std::string scope = name_prefix(m_stack, part);
         m_source.clear();
         if (!m_look.passes.empty()) {
+            for (Pass& pass : m_look.passes)  // it writes display values for this look
+                std::erase_if(pass.built_ins, [](const BuiltInUniform& uniform) {
+                    return uniform.kind == BuiltIn::hdr_mode;
+                });
             keep_light(m_look.passes.back());
             m_source = add_conversion(look, scope);
             if (part <= m_whole_parts)
@@ -125,7 +129,7 @@ private:
         m_first_pass = static_cast<int>(m_look.passes.size());
         for (const Pass& pass : look.passes)
             m_look.passes.push_back(in_scope(pass, scope));
-        for (std::size_t i = static_cast<std::size_t>(m_first_pass);
+        for (auto i = static_cast<std::size_t>(m_first_pass);
              part < m_whole_parts && i < m_look.passes.size(); ++i)
             m_look.passes[i].per_source_frame = true;
         for (Image image : look.images) {
@@ -134,6 +138,7 @@ private:
             m_look.images.push_back(std::move(image));
         }
         m_look.passes.back().output = m_look.output = look.output;
+        m_look.is_scrgb_in_hdr = look.is_scrgb_in_hdr;
         add_specialization(look);
     }
 

@@ -63,7 +63,7 @@ public:
     /// The stored picture of a pass in the last complete frame.
     const gpu::Texture& picture(std::size_t pass) const;
     /// Of the current or last frame.
-    const Subframe& subframe() const { return m_passes.frame().subframe; }
+    Subframe subframe() const { return shown_subframe(m_passes.frame()); }
     /// Of the last draw or redraw.
     int draw_calls() const { return m_draw_calls; }
     /// The inputs and built-in uniforms of the pass in that draw.

@@ -20,6 +20,8 @@ void PassDrawer::set_frame(const Frame& frame) {
     m_frame.beam = {};
     m_frame.tints = {};
     m_frame.sound = nullptr;
+    if (m_frame.source_number == 0)
+        m_frame.source_number = source_frame_of(m_frame.number, m_frame.subframe.count);
     m_source_frame = source_frame_of(m_frame);
 }
 
@@ -41,7 +43,7 @@ PassInfo PassDrawer::info_of_pass(std::size_t index) const {
     return {
         static_cast<double>(frame.number % modulo),
         static_cast<double>(before % modulo),
-        static_cast<double>(before / frame.subframe.count % modulo),
+        static_cast<double>((frame.source_number - 1) % modulo),
         plan.targets[index].extent,
         m_graph.settings().viewport,
         source,

@@ -37,6 +37,7 @@ uniform bool marks_flaws;
 uniform bool marks_clipping;
 uniform bool is_false_color;
 uniform bool is_over_checker;
+uniform float headroom;
 )";
 
 // Most views use no options. Constants cost nothing, even if a driver executes every branch.
@@ -44,6 +45,7 @@ std::string nothing(bool is_encoded) {
     return fmt::format(R"(
 const vec2 levels = vec2(0.0, 1.0);
 const float gain = 1.0;
+const float headroom = 1.0;
 const bool marks_flaws = false, marks_clipping = false, is_false_color = false,
            is_over_checker = false;
 const bool is_encoded = {};
@@ -117,9 +119,21 @@ vec3 ramp(float level) {
     return level + amplitude * (turn * vec2(cos(angle), sin(angle)));
 }
 
+// Linear light 0..headroom in 0..1. Up to the knee it is unchanged. Above it follows the curve of
+// Reinhard et al., "Photographic Tone Reproduction for Digital Images", SIGGRAPH 2002, equation 4.
+vec3 compressed(vec3 light) {
+    const float knee = 0.75;
+    vec3 above = max(light - knee, 0.0) / (1.0 - knee);
+    float top = (headroom - knee) / (1.0 - knee);
+    vec3 bent = above * (1.0 + above / (top * top)) / (1.0 + above);
+    return min(min(light, knee) + (1.0 - knee) * bent, 1.0);
+}
+
 vec3 on_display(vec3 light) {
     if (is_false_color)
         return ramp(clamp(channels == 0 ? luminance(light) : light.r, 0.0, 1.0));
+    if (headroom > 1.0)
+        return encode(compressed(max(is_encoded ? decode(light) : light, 0.0)));
     vec3 visible = clamp(light, 0.0, 1.0);
     return is_encoded ? visible : encode(visible);
 }
@@ -213,9 +227,9 @@ Result<Viewer> Viewer::make() {
 const gpu::Program* Viewer::program_for(Format format, const ViewOptions& options,
                                         bool is_encoded) const {
     const bool is_plain = !info_of(format).is_integer && options.levels == Levels{} &&
-                          options.exposure_stops == 0.0 && !options.marks_flaws &&
-                          !options.marks_clipping && !options.is_false_color &&
-                          !options.is_over_checker;
+                          options.exposure_stops == 0.0 && options.headroom == 1.0 &&
+                          !options.marks_flaws && !options.marks_clipping &&
+                          !options.is_false_color && !options.is_over_checker;
     if (!is_plain)
         return m_programs->all.find(format);
     return is_encoded ? &m_programs->encoded : &m_programs->light;
@@ -255,6 +269,7 @@ void Viewer::draw(const gpu::Texture& from, const gpu::Canvas& to, const ViewOpt
     program.write("is_false_color", std::array{options.is_false_color ? 1.0 : 0.0});
     program.write("is_over_checker", std::array{options.is_over_checker ? 1.0 : 0.0});
     program.write("gain", std::array{std::exp2(options.exposure_stops)});
+    program.write("headroom", std::array{options.headroom});
     program.write("channels", std::array{static_cast<double>(channels)});
     program.write("is_encoded", std::array{is_encoded ? 1.0 : 0.0});
     program.use();

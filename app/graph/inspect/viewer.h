@@ -17,6 +17,7 @@
 struct ViewOptions {
     Levels levels = {};         // stored numbers that are displayed as black and white
     double exposure_stops = 0;  // light is multiplied by 2^this, after the levels
+    double headroom = 1.0;  // for HDR: light up to this is tone-mapped to the display; 1: is not
     Channels channels = Channels::color;
     Encoding encoding =
         Encoding::linear;  // of the texels; linear ones are sRGB-encoded for display

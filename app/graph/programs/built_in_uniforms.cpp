@@ -82,11 +82,11 @@ BuiltInUniforms::Numbers BuiltInUniforms::time_numbers(BuiltIn kind, const Frame
         case BuiltIn::source_frame_index:
             return {{info.source_index}, 1};
         case BuiltIn::subframe:
-            return {{static_cast<double>(frame.subframe.index)}, 1};
+            return {{static_cast<double>(shown_subframe(frame).index)}, 1};
         case BuiltIn::subframe_number:
-            return {{static_cast<double>(frame.subframe.index + 1)}, 1};
+            return {{static_cast<double>(shown_subframe(frame).index + 1)}, 1};
         case BuiltIn::subframes:
-            return {{static_cast<double>(frame.subframe.count)}, 1};
+            return {{static_cast<double>(shown_subframe(frame).count)}, 1};
         case BuiltIn::microseconds:
             return {{std::round(frame.time_delta * 1e6)}, 1};
         case BuiltIn::time_before:

@@ -5,7 +5,7 @@ Frame source_frame_of(const Frame& frame) {
     const auto [index, count] = frame.subframe;
     source.time = frame.time + (count - 1 - index) * frame.time_delta;
     source.time_delta = count * frame.time_delta;
-    source.number = source_frame_of(frame.number, count);
+    source.number = source.source_number;
     source.subframe = {};
     return source;
 }

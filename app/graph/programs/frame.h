@@ -20,6 +20,8 @@ struct Frame {
     double time_delta = 0;    // s
     std::int64_t number = 0;  // from 1
     Subframe subframe = {};
+    std::int64_t source_number = 0;  // of its source frame, from 1; 0: from number and subframe
+    bool is_whole = false;           // shaders draw the whole source frame instead of the sub-frame
     std::optional<HdrLight> hdr = {};                // of the display; nullopt: no HDR
     std::array<double, 2> mouse{};                   // px of the picture, from its bottom left
     double pixel_aspect = 1.0;                       // of the source: width to height of a pixel
@@ -34,6 +36,11 @@ struct Frame {
     bool is_first = false;             // no history and no previous beam
     double sample_budget_seconds = 0;  // limit for the samples of an accumulating pass; 0: none
 };
+
+/// The sub-frame that shaders draw.
+inline Subframe shown_subframe(const Frame& frame) {
+    return frame.is_whole ? Subframe{} : frame.subframe;
+}
 
 /// The frame as a pass that is drawn once per source frame gets it: it lasts as long as all of its
 /// sub-frames, which are assumed to be equally long.

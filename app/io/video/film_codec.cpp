@@ -124,21 +124,25 @@ const std::vector<FilmContainer>& film_containers() {
         {.ending = ".mp4",
          .muxer = {"-movflags", "+faststart", "-f", "mp4"},
          .codec = "h264",
+         .hdr_codec = "h265",
          .sound = "aac"},
         {.ending = ".mov",
          .muxer = {"-movflags", "+faststart", "-f", "mov"},
          .codec = "h264",
          .alpha_codec = "prores",
+         .hdr_codec = "h265",
          .sound = "pcm"},
         {.ending = ".mkv",
          .muxer = {"-f", "matroska"},
          .codec = "h264",
          .alpha_codec = "ffv1",
+         .hdr_codec = "h265",
          .sound = "flac"},
         {.ending = ".webm",
          .muxer = {"-f", "webm"},
          .codec = "vp9",
          .alpha_codec = "vp9",
+         .hdr_codec = "av1",
          .sound = "opus"},
         {.ending = ".gif", .muxer = {"-f", "gif"}, .codec = "gif"},
         {.ending = ".avif", .muxer = {"-f", "avif"}, .codec = "avif", .is_still = true},
@@ -203,8 +207,24 @@ Result<const Row*> row_for(const FilmContainer& container, const std::vector<Row
     return row;
 }
 
+// HDR needs 10 bits.
+Result<void> check_hdr(const FilmContainer& container, const FilmCodec& codec,
+                       const FilmChoice& choice) {
+    if (!choice.hdr)
+        return {};
+    if (codec.bits < 10)
+        return fail({{},
+                     0,
+                     fmt::format("{} in '{}' has only {} bits, but HDR needs 10. Use .mp4 with "
+                                 "H.265.",
+                                 codec.label, container.ending, codec.bits)});
+    return {};
+}
+
 Result<const FilmCodec*> codec_for(const FilmContainer& container, const FilmChoice& choice) {
     std::string name = choice.codec;
+    if (name.empty() && choice.hdr && !container.hdr_codec.empty())
+        name = container.hdr_codec;
     if (name.empty())
         name = choice.keeps_alpha && !container.alpha_codec.empty() ? container.alpha_codec
                                                                     : container.codec;
@@ -257,16 +277,20 @@ Result<FilmEncoding> film_encoding(const fs::path& file, const FilmChoice& choic
                      0,
                      fmt::format("video files must end in {}, got '{}'", joined(film_endings()),
                                  file.filename().string())});
+    if (choice.hdr && choice.keeps_alpha)
+        return fail({{}, 0, "HDR videos have no transparency. Leave out one of both."});
     const auto codec = codec_for(*container, choice);
     if (!codec)
         return fail(codec.error());
+    if (const auto fits = check_hdr(*container, **codec, choice); !fits)
+        return fail(fits.error());
     const auto sound = sound_for(*container, choice);
     if (!sound)
         return fail(sound.error());
     const auto quality = quality_for(**codec, choice.quality);
     if (!quality)
         return fail(quality.error());
-    return FilmEncoding{container, *codec, *sound, *quality, choice.keeps_alpha};
+    return FilmEncoding{container, *codec, *sound, *quality, choice.keeps_alpha, choice.hdr};
 }
 
 Result<void> check_film_extent(const FilmEncoding& encoding, Extent extent) {

@@ -2,6 +2,7 @@
 
 #include "base/diagnostic.h"
 #include "model/look/extent.h"
+#include "model/picture/hdr.h"
 
 #include <filesystem>
 #include <optional>
@@ -50,6 +51,7 @@ struct FilmContainer {
     std::vector<std::string> muxer;  // ffmpeg's arguments
     std::string codec;               // the default
     std::string alpha_codec = {};    // the default with alpha; "": it can't hold alpha
+    std::string hdr_codec = {};      // the default with HDR; "": as without
     std::string sound = {};          // the default; "": it can't hold sound
     bool is_still = false;           // one picture only
 };
@@ -61,12 +63,21 @@ const std::vector<FilmContainer>& film_containers();
 /// The name of the sound codec for a film without sound.
 inline constexpr const char* no_sound = "none";
 
+/// The signal of a film for HDR displays: BT.2020 colours, BT.2100.
+struct FilmHdr {
+    HdrTransfer transfer = HdrTransfer::pq;
+    HdrLight light = {};
+
+    bool operator==(const FilmHdr&) const = default;
+};
+
 /// What the user chose for a film; the rest is the default of its file type.
 struct FilmChoice {
     std::string codec = {};  // "": default
     std::string sound = {};  // "": default; no_sound: without
     std::optional<double> quality = std::nullopt;
     bool keeps_alpha = false;
+    std::optional<FilmHdr> hdr = std::nullopt;
 
     bool operator==(const FilmChoice&) const = default;
 };
@@ -78,6 +89,7 @@ struct FilmEncoding {
     const SoundCodec* sound = nullptr;  // null: no sound
     double quality = 0.0;
     bool keeps_alpha = false;
+    std::optional<FilmHdr> hdr = std::nullopt;
 
     /// Of the pictures that the encoder gets: 3 or 4, and 8 or 16.
     int channels() const { return keeps_alpha ? 4 : 3; }

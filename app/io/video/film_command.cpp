@@ -28,6 +28,41 @@ std::string evened(Extent extent) {
                        extent.height + below, right, below);
 }
 
+/// ffmpeg's names of the colours of a film.
+struct Colors {
+    const char* zscale_matrix = "709";  // as the filter "zscale" names it
+    const char* matrix = "bt709";
+    const char* primaries = "bt709";
+    const char* transfer = "bt709";
+};
+
+Colors colors_of(const FilmEncoding& encoding) {
+    if (!encoding.hdr)
+        return {};
+    const bool is_pq = encoding.hdr->transfer == HdrTransfer::pq;
+    return {"2020_ncl", "bt2020nc", "bt2020", is_pq ? "smpte2084" : "arib-std-b67"};
+}
+
+// The filter "scale" makes 16-bit pictures 0.3 % too bright when it reduces them to 10 bits.
+std::string conversion(const FilmEncoding& encoding, const Colors& colors) {
+    if (encoding.bits() == 8)
+        return "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
+               "full_chroma_int+full_chroma_inp";
+    return fmt::format("zscale=matrix={}:rangein=full:range=limited", colors.zscale_matrix);
+}
+
+// Static metadata of HDR10, SMPTE ST 2086: the colours are within BT.709, in units of 0.00002. The
+// peak is in units of 0.0001 cd/m2.
+Arguments mastering_arguments(const FilmEncoding& encoding) {
+    const bool is_hdr10 = encoding.hdr && encoding.hdr->transfer == HdrTransfer::pq;
+    if (!is_hdr10 || encoding.codec->name != "h265")
+        return {};
+    return {"-x265-params",
+            fmt::format("log-level=error:hdr10=1:repeat-headers=1:master-display=G(15000,30000)"
+                        "B(7500,3000)R(32000,16500)WP(15635,16450)L({:.0f},1)",
+                        encoding.hdr->light.peak * 10000.0)};
+}
+
 Arguments picture_arguments(const FilmEncoding& encoding, Extent extent) {
     const FilmCodec& codec = *encoding.codec;
     if (codec.name == "gif")  // one palette per picture, so none waits for the last picture
@@ -38,25 +73,26 @@ Arguments picture_arguments(const FilmEncoding& encoding, Extent extent) {
     if (codec.is_lossless)  // RGB, so nothing is converted
         return {"-vf", "format=" + pixels};
     const std::string sides = codec.needs_even_sides ? evened(extent) : std::string();
+    const Colors colors = colors_of(encoding);
     // Some encoders read the colours of the frames, others those of the stream.
     return {"-vf",
-            sides +
-                "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+"
-                "full_chroma_int+full_chroma_inp,format=" +
-                pixels +
-                ",setparams=range=tv:color_primaries=bt709:color_trc=bt709:colorspace=bt709",
+            fmt::format("{}{},format={},setparams=range=tv:color_primaries={}:color_trc={}:"
+                        "colorspace={}",
+                        sides, conversion(encoding, colors), pixels, colors.primaries,
+                        colors.transfer, colors.matrix),
             "-colorspace",
-            "bt709",
+            colors.matrix,
             "-color_primaries",
-            "bt709",
+            colors.primaries,
             "-color_trc",
-            "bt709",
+            colors.transfer,
             "-color_range",
             "tv"};
 }
 
 Arguments codec_arguments(const FilmEncoding& encoding) {
     Arguments arguments = encoding.codec->encoder;
+    add_arguments(arguments, mastering_arguments(encoding));  // replaces earlier parameters
     if (!encoding.codec->quality.option.empty())
         add_arguments(arguments, {encoding.codec->quality.option, format_number(encoding.quality)});
     if (encoding.keeps_alpha && encoding.codec->name == "vp9")  // the encoder demands it

@@ -43,7 +43,7 @@ void FrameLoop::end_look(const BuiltLook& built) {
 void FrameLoop::open(BuiltLook& built, const Opening& opening) {
     begin_look(built);
     m_guard.open();
-    const Look look = m_work.document->drawn_look();
+    const Look look = drawn_look();
     // The executor of the first draws is reused if no pass setting is overridden.
     if (built.executor && built.executor->look() == look)
         m_work.renderer = std::make_unique<Renderer>(std::move(*built.executor));
@@ -97,7 +97,7 @@ void FrameLoop::replace_constants(BuiltLook built) {
             changed.push_back(name);
     m_work.renderer->drop_frame();
     m_work.messages.succeeded(m_work.renderer->executors().picture().replace(
-        m_work.document->drawn_look(), m_loader.programs().generic()));
+        drawn_look(), m_loader.programs().generic()));
     m_work.renderer->reset();
     m_passes.apply();
     m_work.pictures.show_look_images(built.images, m_work.renderer->executors());
@@ -207,7 +207,8 @@ void FrameLoop::begin_frame(double wall_seconds) {
     if (m_comparison.update(wall_seconds))
         m_drawn_extent = {};  // sizes may depend on values
     update_source();
-    limit_subframes();
+    follow_hdr();
+    show_whole_if_paused();
     draw_picture(wall_seconds);
     m_guard.update();
     if (!has_unfinished_frame())
@@ -336,12 +337,37 @@ void FrameLoop::resize_picture() {
         m_work.redraw.add_replay();
 }
 
+Look FrameLoop::drawn_look() const {
+    Look look = m_work.document->drawn_look();
+    return m_work.renderer && m_work.renderer->executors().inputs().hdr
+               ? with_kept_light(std::move(look))
+               : look;
+}
+
+void FrameLoop::follow_hdr() {
+    const auto before = std::exchange(m_work.renderer->executors().inputs().hdr, m_work.hdr);
+    if (before == m_work.hdr)
+        return;
+    if (before.has_value() != m_work.hdr.has_value()) {
+        m_specialization.stop();
+        replace_drawn_look();
+    }
+    m_work.redraw.add_replay();
+}
+
+int FrameLoop::wanted_subframes() const {
+    const FrameGraph& graph = m_work.renderer->executor().graph();
+    const bool draws = m_work.player.transport().is_playing() && m_work.draws_subframes;
+    return draws ? std::min(subframes_of(graph.look(), graph.values()),
+                            m_work.display.most_subframes())
+                 : 1;
+}
+
 // A paused picture is a whole source frame.
-void FrameLoop::limit_subframes() {
-    const bool is_playing = m_work.player.transport().is_playing();
-    const int limit = is_playing && m_work.draws_subframes ? m_work.display.most_subframes() : 1;
-    const int before = std::exchange(m_work.renderer->executors().inputs().subframe_limit, limit);
-    if (before != limit && !is_playing)
+void FrameLoop::show_whole_if_paused() {
+    const bool is_paused = !m_work.player.transport().is_playing();
+    if (std::exchange(m_work.renderer->executors().inputs().shows_whole, is_paused) != is_paused &&
+        is_paused)
         m_work.redraw.add_all(m_work.renderer->executor().look().passes.size());
 }
 
@@ -377,11 +403,12 @@ void FrameLoop::draw_picture(double wall_seconds) {
     const bool comes_next = m_work.player.transport().is_playing() &&
                             !is_static;  // a frame, which includes all redraws
     const bool waits = is_static || m_work.renderer->replay().is_of_variant();
-    const auto frame = waits ? std::nullopt : m_work.player.advance(wall_seconds);
+    const auto frame =
+        waits ? std::nullopt : m_work.player.advance(wall_seconds, wanted_subframes());
     if (frame) {
         m_work.redraw.clear();
         m_work.renderer->replay().cancel();
-        if (m_work.renderer->executors().subframe_of(frame->number).is_first())
+        if (frame->subframe.is_first())
             m_work.messages.succeeded(
                 m_work.media.source().show(frame->span.end, m_work.renderer->executors()));
         set_values(*frame);
@@ -394,7 +421,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
         m_work.renderer->replay().update(
             m_work.player, replay_seconds, [this](const PlayedFrame& past) {
                 Executors& executors = m_work.renderer->executors();
-                if (executors.subframe_of(past.number).is_first())
+                if (past.subframe.is_first())
                     m_work.messages.succeeded(
                         m_work.media.source().show_past(past.span.end, executors));
                 set_values(past);
@@ -421,7 +448,7 @@ void FrameLoop::replace_drawn_look() {
     Renderer& renderer = *m_work.renderer;
     if (renderer.replay().is_of_variant())
         renderer.replay().cancel();
-    const Look look = m_work.document->drawn_look();
+    const Look look = drawn_look();
     m_work.messages.succeeded(renderer.executors().for_both(
         [&](Executor& executor) { return executor.replace(look, m_loader.programs().generic()); }));
     renderer.reset();

@@ -35,7 +35,8 @@ struct Workspace {
     std::shared_ptr<const CuePlan> cues = {};  // that play; null: none
     std::optional<Tempo> clock_tempo = {};     // of a MIDI clock, instead of the document's
     DisplayPace display = {};
-    bool draws_subframes = false;  // allowed by the user; otherwise the picture is steady
+    std::optional<HdrLight> hdr = {};  // that the picture is drawn for; nullopt: SDR
+    bool draws_subframes = false;      // allowed by the user; otherwise the picture is steady
 
     explicit Workspace(Library opened) : library(std::move(opened)) {}
     Workspace(const Workspace&) = delete;

@@ -89,6 +89,17 @@ FramePipeline::Stages film_stages(FilmFile& film, FrameAlpha alpha) {
             false};
 }
 
+FramePipeline::Stages hdr_film_stages(FilmFile& film, const StoredLight& stored) {
+    const auto frames = std::make_shared<const HdrFrames>(*film.encoding().hdr, stored);
+    const auto make = [&film, frames](const PipedFrame& frame) -> Result<FromFrame> {
+        if (const auto fits = check_size(frame, film.extent()); !fits)
+            return fail(fits.error());
+        return FromFrame{frames->bytes(frame.picture), {}};
+    };
+    return {make, [&film](std::int64_t, const FromFrame& made) { return film.add(made.bytes); },
+            false};
+}
+
 FramePipeline::Stages pipe_stages(int descriptor, Extent extent, const FrameRateFraction& rate) {
     const auto make = [extent](const PipedFrame& frame) -> Result<FromFrame> {
         if (const auto fits = check_size(frame, extent); !fits)

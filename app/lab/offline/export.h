@@ -4,6 +4,7 @@
 #include "io/video/film_file.h"
 #include "io/video/frame_bytes.h"
 #include "io/video/frame_pipeline.h"
+#include "io/video/hdr_frame.h"
 #include "io/virtual_camera/virtual_camera.h"
 #include "model/picture/flash_log.h"
 
@@ -43,6 +44,8 @@ struct ExportJob {
 /// none has.
 FramePipeline::Stages sequence_stages(const FrameNames& names, std::int64_t first,
                                       FrameAlpha alpha = FrameAlpha::none);
+/// Writes HDR frames of pictures with this light into `film`, which must outlive the stages.
+FramePipeline::Stages hdr_film_stages(FilmFile& film, const StoredLight& stored);
 /// Writes into `film`, which must outlive the stages.
 FramePipeline::Stages film_stages(FilmFile& film, FrameAlpha alpha);
 /// Writes y4m to an open file descriptor.

@@ -66,6 +66,16 @@ const Pass& pass_of(const Offline& offline, const ExportJob& job) {
     return offline.executor().look().passes[static_cast<std::size_t>(job.pass)];
 }
 
+// How the pass stores its light.
+StoredLight stored_light(const Offline& offline, const ExportJob& job, const HdrLight& light) {
+    constexpr double scrgb_unit = 80.0;  // cd/m2
+    const Look& look = offline.executor().look();
+    const bool is_picture = job.pass + 1 == static_cast<int>(look.passes.size());
+    if (is_picture && look.is_scrgb_in_hdr)
+        return {Encoding::linear, scrgb_unit};
+    return {encoding_of(look, job.pass), light.paper_white};
+}
+
 Result<OpenOutput> open_film(const std::string& output, const Offline& offline,
                              const ExportJob& job, Diagnostics& warnings) {
     const auto encoding = film_encoding(output, job.film);
@@ -84,7 +94,9 @@ Result<OpenOutput> open_film(const std::string& output, const Offline& offline,
         return fail(film.error());
     const FrameAlpha alpha =
         encoding->keeps_alpha ? alpha_of(pass_of(offline, job), true) : FrameAlpha::none;
-    FramePipeline::Stages stages = film_stages(**film, alpha);
+    FramePipeline::Stages stages =
+        encoding->hdr ? hdr_film_stages(**film, stored_light(offline, job, encoding->hdr->light))
+                      : film_stages(**film, alpha);
     return OpenOutput{std::move(*film), {}, std::move(stages)};
 }
 

@@ -73,6 +73,8 @@ ExportField field_of(const fs::path& file, const FilmChoice& choice) {
         return ExportField::sound;
     if (is_refused({.codec = choice.codec, .keeps_alpha = choice.keeps_alpha}))
         return ExportField::alpha;
+    if (is_refused({.codec = choice.codec, .keeps_alpha = choice.keeps_alpha, .hdr = choice.hdr}))
+        return ExportField::hdr;
     return ExportField::quality;
 }
 
@@ -90,6 +92,16 @@ FilmChoice read_film(const ExportForm& form, FormReader& reader) {
         choice.quality = reader.number(ExportField::quality, form.quality, {1.0, 100.0}, 0.0);
     if (choice.quality == 0.0)
         choice.quality.reset();
+    if (form.hdr == 0 || !is_film_name(typed_file(form.file, form.folder)))
+        return choice;
+    const HdrLight usual;
+    const HdrLight light{
+        reader.number(ExportField::hdr, form.paper_white,
+                      {hdr_paper_whites[0], hdr_paper_whites[1]}, usual.paper_white),
+        reader.number(ExportField::hdr, form.peak, {hdr_peaks[0], hdr_peaks[1]}, usual.peak)};
+    if (light.peak < light.paper_white)
+        reader.refuse(ExportField::hdr, "The peak must not be below paper white.");
+    choice.hdr = FilmHdr{form.hdr == 1 ? HdrTransfer::pq : HdrTransfer::hlg, light};
     return choice;
 }
 
@@ -174,6 +186,7 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
         plan.settings.start = reader.seconds(ExportField::start, form.start, {0.0, longest}, 0.0);
     plan.settings.seconds = reader.seconds(ExportField::length, form.length, {0.001, longest}, 0.0);
     plan.settings.film = read_film(form, reader);
+    plan.settings.draws_subframes = form.has_subframes && facts.has_subframes() && !form.loops;
     if (!form.loops && facts.sound_seconds > 0.0 && plan.settings.seconds <= 0.0 &&
         plan.settings.start >= facts.sound_seconds)
         reader.refuse(
@@ -184,6 +197,11 @@ ExportPlan planned_export(const ExportForm& form, const ExportFacts& facts) {
     check_file(form, plan, facts, reader);
     estimate(plan, facts);
     return plan;
+}
+
+const std::vector<std::string>& hdr_choices() {
+    static const std::vector<std::string> choices{"None", "HDR10", "HLG"};
+    return choices;
 }
 
 const std::vector<ExportKind>& export_kinds() {
@@ -227,8 +245,8 @@ std::vector<ExportChoice> choices_of(const std::vector<const Row*>& rows, const 
 }
 }  // namespace
 
-std::vector<ExportChoice> codec_choices(const fs::path& file, bool keeps_alpha) {
-    auto encoding = film_encoding(file, {.keeps_alpha = keeps_alpha});
+std::vector<ExportChoice> codec_choices(const fs::path& file, const FilmChoice& choice) {
+    auto encoding = film_encoding(file, {.keeps_alpha = choice.keeps_alpha, .hdr = choice.hdr});
     if (!encoding)
         encoding = film_encoding(file, {});
     const auto codecs = codecs_for(file);

@@ -6,6 +6,7 @@
 #include "lab/offline/still_export.h"
 #include "lab/window/export_form.h"
 #include "model/devices/date.h"
+#include "model/look/subframe.h"
 
 #include <cstdint>
 #include <string>
@@ -23,10 +24,11 @@ struct ExportFacts {
 
     /// Whether the look processes a video. Without another length, the export has the video's.
     bool draws_video() const { return !source_video(document).empty(); }
+    bool has_subframes() const { return subframes_of(document.look(), document.values()) > 1; }
 };
 
 /// A field of the form, for its error.
-enum class ExportField { file, size, start, length, fps, quality, codec, sound, alpha };
+enum class ExportField { file, size, start, length, fps, quality, codec, sound, alpha, hdr };
 
 struct FieldProblem {
     ExportField field;
@@ -65,10 +67,14 @@ struct ExportChoice {
     std::string label;
 };
 /// The codecs that a file can hold, the default first; empty: there is nothing to choose.
-std::vector<ExportChoice> codec_choices(const std::filesystem::path& file, bool keeps_alpha);
+std::vector<ExportChoice> codec_choices(const std::filesystem::path& file,
+                                        const FilmChoice& choice);
 std::vector<ExportChoice> sound_choices(const std::filesystem::path& file);
 /// "18 (CRF: 1 best, 51 smallest)"; "": the codec has no quality setting.
 std::string quality_hint(const ExportSettings& settings);
+
+/// What the list of HDR signals offers; the first is none.
+const std::vector<std::string>& hdr_choices();
 
 /// The form of a document that is exported for the first time: the name is its default name. A
 /// sound that is drawn as XY stays lossless, in .mov.

@@ -99,8 +99,11 @@ Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
         raise_precision(changed);
     if (!settings.size.is_empty())
         size = settings.size;
-    auto offline =
-        Offline::create({.document = std::move(changed), .cues = cued.plan()}, size, settings.fps);
+    PreparedLook prepared{.document = std::move(changed), .cues = cued.plan()};
+    if (settings.film.hdr)
+        prepared.hdr = settings.film.hdr->light;
+    prepared.draws_subframes = settings.draws_subframes;
+    auto offline = Offline::create(std::move(prepared), size, settings.fps);
     if (!offline)
         return fail(offline.error());
     const auto part = settings.loops ? loop_to_export(*offline, size, settings, work)
@@ -111,6 +114,8 @@ Result<ExportResult> export_document(const CuedDocument& cued, Extent size,
                   .pass = static_cast<int>(document.look().passes.size()) - 1,
                   .fps = settings.fps,
                   .film = settings.film};
+    if (settings.draws_subframes)
+        job.subframes = subframes_of(document.look(), document.values());
     job.should_continue = [&work, end = part->end](std::int64_t drawn) {
         work.share = std::min(1.0, static_cast<double>(drawn) / static_cast<double>(end));
         return !work.is_cancelled;

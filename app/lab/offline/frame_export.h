@@ -23,7 +23,8 @@ struct ExportSettings {
     double start = 0.0;    // s
     double seconds = 0.0;  // 0: the duration of the sound, else the default
     FilmChoice film = {};
-    bool loops = false;  // one period; `seconds` is its length, 0: find it
+    bool draws_subframes = false;  // each is a frame
+    bool loops = false;            // one period; `seconds` is its length, 0: find it
 
     bool operator==(const ExportSettings&) const = default;
 };

@@ -34,7 +34,7 @@ Offline::Offline(std::unique_ptr<gpu::Context> context, PreparedLook prepared, P
       m_size(size),
       m_fps(fps),
       m_script{AutomationReader(std::move(prepared.automation)), std::move(prepared.cues),
-               std::move(prepared.joined)} {}
+               std::move(prepared.joined), 0.0, prepared.draws_subframes} {}
 
 Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) {
     auto context = gpu::create_headless_context();
@@ -50,9 +50,9 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
     PassSwitches switches = known_switches(look, prepared.switches);
     switches.frozen.clear();
     const double start_seconds = prepared.start_seconds;
-    const int subframe_limit = prepared.draws_subframes ? max_subframes : 1;
+    const auto hdr = prepared.hdr;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
-    offline.m_executors.inputs().subframe_limit = subframe_limit;
+    offline.m_executors.inputs().hdr = hdr;
     offline.take_values();  // first, because sizes can depend on them
     if (displayed)
         if (auto done = offline.show_to(offline.displayed_with_picture(*displayed)); !done)
@@ -299,14 +299,20 @@ Result<void> Offline::override_source(const Picture& picture) {
 }
 
 void Offline::follow_source(const PlayedFrame& frame) {
-    if (!m_executors.subframe_of(frame.number).is_first())
+    if (!frame.subframe.is_first())
         return;
     if (auto shown = show_source(frame.span.end); !shown)
         m_problems.insert(m_problems.end(), shown.error().begin(), shown.error().end());
 }
 
+PlayedFrame Offline::next_frame() {
+    const FrameGraph& graph = executor().graph();
+    return m_player->advance_fixed(
+        m_fps, m_script.draws_subframes ? subframes_of(graph.look(), graph.values()) : 1);
+}
+
 void Offline::advance() {
-    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    const PlayedFrame frame = next_frame();
     apply_automation(frame.span.end);
     follow_source(frame);
     modulate_values(frame);
@@ -321,9 +327,9 @@ Picture Offline::picture_after(int frames) {
 }
 
 void Offline::advance_unseen() {
-    const PlayedFrame frame = m_player->advance_fixed(m_fps);
+    const PlayedFrame frame = next_frame();
     apply_automation(frame.span.end);
-    if (m_source_is_carried || m_executors.inputs().subframe_limit > 1)
+    if (m_source_is_carried || m_script.draws_subframes)
         follow_source(frame);
     modulate_values(frame);
     ::draw_unseen(m_executors, frame, beam_of(frame));

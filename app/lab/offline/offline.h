@@ -81,6 +81,7 @@ private:
     Result<void> load_signal();
     Result<void> load_pictures();
     Result<void> show_source(double seconds);
+    PlayedFrame next_frame();
     void follow_source(const PlayedFrame& frame);
     Result<void> resize_again();
     void modulate_values(const PlayedFrame& frame);
@@ -106,6 +107,7 @@ private:
         CuePlan cues;
         std::shared_ptr<const Sound> joined;  // until it is the player's; null: the signal's file
         double position = 0.0;                // of the last frame, for the cues
+        bool draws_subframes = false;
     } m_script;
     std::optional<Programs> m_generic;  // the generic programs while specialised ones are used
     bool m_source_is_carried = false;   // unseen frames also depend on it

@@ -237,6 +237,7 @@ Result<PreparedLook> prepare(const RenderRequest& request, const Library& librar
     if (request.raises_precision)
         raise_precision(prepared.document);
     prepared.draws_subframes = request.draws_subframes;
+    prepared.hdr = request.hdr;
     return prepared;
 }
 

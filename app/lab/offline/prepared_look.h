@@ -6,6 +6,7 @@
 #include "lab/library/open.h"
 #include "lab/media/preset_content.h"
 #include "model/devices/sound.h"
+#include "model/picture/hdr.h"
 #include "model/plan/pass_switches.h"
 #include "model/tuning/automation.h"
 #include "model/tuning/cue_plan.h"
@@ -31,6 +32,7 @@ struct RenderRequest {
     double bpm = 0.0;                      // tempo; 0: the preset's, else the default
     bool raises_precision = false;         // see raise_precision()
     bool draws_subframes = false;          // as in PreparedLook
+    std::optional<HdrLight> hdr = {};      // as in PreparedLook
     Extent size{1280, 720};
     double fps = 60.0;
     PassProgress* progress = nullptr;  // of reading and linking; null: not reported
@@ -48,9 +50,10 @@ struct PreparedLook {
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
-    double start_seconds = 0.0;  // of the first frame on the look's clock
-    bool draws_subframes =
-        false;                   // each is a frame of the clock; otherwise source frames are whole
+    double start_seconds = 0.0;        // of the first frame on the look's clock
+    std::optional<HdrLight> hdr = {};  // of the display that pictures are for; nullopt: SDR
+    // Each sub-frame is a frame of the clock. Otherwise source frames are whole.
+    bool draws_subframes = false;
     PassSwitches switches = {};  // frozen passes are drawn, because their picture is not known
     // Content of the preset that was not used.
     std::optional<OutsideContent> outside = {};

@@ -108,7 +108,13 @@ void Player::go_back_to(std::int64_t frame) {
         seek(m_transport.time());
 }
 
-std::optional<PlayedFrame> Player::advance(double wall_seconds) {
+PlayedFrame Player::advance_fixed(double fps, int subframes) {
+    m_transport.set_subframes(subframes);
+    return m_transport.advance_fixed(fps);
+}
+
+std::optional<PlayedFrame> Player::advance(double wall_seconds, int subframes) {
+    m_transport.set_subframes(subframes);
     auto frame = advance_clock(wall_seconds);
     m_devices.advance_beam(m_transport);
     return frame;

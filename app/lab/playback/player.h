@@ -49,10 +49,11 @@ public:
     void set_longest_frame(double seconds) { m_transport.set_longest_frame(seconds); }
 
     /// The frame for `wall_seconds` since the last call; nullopt: paused, or the signal has ended.
-    /// While a sound plays or live input is drawn, its device is the clock.
-    std::optional<PlayedFrame> advance(double wall_seconds);
+    /// While a sound plays or live input is drawn, its device is the clock. `subframes`: of each
+    /// source frame that begins.
+    std::optional<PlayedFrame> advance(double wall_seconds, int subframes = 1);
     /// The next frame of a fixed frame rate, for offline drawing.
-    PlayedFrame advance_fixed(double fps) { return m_transport.advance_fixed(fps); }
+    PlayedFrame advance_fixed(double fps, int subframes = 1);
 
 private:
     Result<void> start(Spec complete, SignalFile sound);

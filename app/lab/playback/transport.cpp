@@ -17,6 +17,8 @@ void Transport::set_longest_frame(double seconds) {
 
 void Transport::restart() {
     m_frame = 0;
+    m_subframe = {};
+    m_source_frame = 0;
     m_past.clear();
     seek(0.0);
 }
@@ -33,8 +35,10 @@ void Transport::fill_past(std::size_t frames) {
     m_frame = since_start - count;
     for (std::int64_t left = count; left > 0; --left) {
         const auto ago = static_cast<double>(left) * step_seconds;
-        m_past.push_back({++m_frame, {m_time - ago, m_time - ago + step_seconds}});
+        m_past.push_back({++m_frame, {m_time - ago, m_time - ago + step_seconds}, {}, m_frame});
     }
+    m_subframe = {};
+    m_source_frame = m_frame;
 }
 
 bool Transport::go_back_to(std::int64_t frame) {
@@ -43,12 +47,18 @@ bool Transport::go_back_to(std::int64_t frame) {
     while (m_past.back().number > frame)
         m_past.pop_back();
     m_frame = frame;
+    m_subframe = m_past.back().subframe;
+    m_source_frame = m_past.back().source_number;
     seek(m_past.back().span.end);
     return true;
 }
 
 PlayedFrame Transport::add_frame(double end) {
-    const PlayedFrame frame{++m_frame, {m_time, end}};
+    const bool continues = m_subframe.index + 1 < m_subframe.count;
+    m_subframe =
+        continues ? Subframe{m_subframe.index + 1, m_subframe.count} : Subframe{0, m_subframes};
+    m_source_frame += continues ? 0 : 1;
+    const PlayedFrame frame{++m_frame, {m_time, end}, m_subframe, m_source_frame};
     m_time = end;
     m_past.push_back(frame);
     if (m_past.size() > frames_remembered)
@@ -59,6 +69,7 @@ PlayedFrame Transport::add_frame(double end) {
 std::optional<PlayedFrame> Transport::take_step() {
     if (!std::exchange(m_is_stepping, false))
         return std::nullopt;
+    m_subframe = {};
     return add_frame(m_time + step_seconds);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/look/subframe.h"
 #include "signals/signal/clock.h"
 
 #include <cstddef>
@@ -11,6 +12,8 @@
 struct PlayedFrame {
     std::int64_t number = 0;  // from 1 after a restart
     TimeSpan span;
+    Subframe subframe = {};
+    std::int64_t source_number = 0;  // of its source frame, from 1; 0: as `number`
 };
 
 /// Time since the last frame.
@@ -34,6 +37,8 @@ public:
     /// was longer. 1: in real time. A single delayed frame does not count.
     double shown_share() const { return m_shown_share; }
 
+    /// The sub-frames of each source frame that begins from now on.
+    void set_subframes(int count) { m_subframes = count; }
     void set_playing(bool is_playing) { m_is_playing = is_playing; }
     void set_speed(double speed);  // 0.01 to 4
     /// The longest time that one frame can cover, 1/240 to 1/4 s.
@@ -48,7 +53,8 @@ public:
     /// Seeks to the end of a past frame; false: it is not stored.
     bool go_back_to(std::int64_t frame);
 
-    /// The requested frame of 1/60 s, once per step(); nullopt: not requested.
+    /// The requested frame of 1/60 s, which begins a source frame, once per step(); nullopt: not
+    /// requested.
     std::optional<PlayedFrame> take_step();
     /// The frame for the elapsed time, limited to the longest frame; nullopt: no time has elapsed.
     std::optional<PlayedFrame> advance(const Elapsed& elapsed);
@@ -68,6 +74,9 @@ private:
     double m_speed = 1.0;
     double m_time = 0.0;
     std::int64_t m_frame = 0;
+    int m_subframes = 1;
+    Subframe m_subframe = {};  // of the last frame
+    std::int64_t m_source_frame = 0;
     std::deque<PlayedFrame> m_past;
     double m_longest_frame = longest_frame_limit;
     double m_shown_share = 1.0;

@@ -24,6 +24,7 @@ Result<PreviewRenderer> PreviewRenderer::make(const PreviewSubject& subject, con
     Executors executors(
         Executor(subject.document.drawn_look(), subject.shown.executor().programs().generic()));
     FrameInputs& inputs = executors.inputs();
+    inputs.shows_whole = true;
     inputs.beam_fit = beam_fit_of(subject.document.state().signal);
     inputs.sound = subject.player.signal().sound_texels();
     inputs.date = local_date();

@@ -61,15 +61,8 @@ void Executors::set_image(const std::string& name,
         m_variant->set_image(name, texture);
 }
 
-Subframe Executors::subframe_of(std::int64_t frame) const {
-    const FrameGraph& graph = m_picture.graph();
-    const int wanted = subframes_of(graph.look(), graph.values());
-    return ::subframe_of(frame, std::min(wanted, m_inputs.subframe_limit));
-}
-
 Frame Executors::next_frame(const PlayedFrame& played, const Beam& beam) const {
     Frame frame = frame_of(m_inputs, played, beam);
-    frame.subframe = subframe_of(played.number);
     if (m_variant)
         frame.sample_budget_seconds /= 2.0;
     return frame;

@@ -45,9 +45,6 @@ public:
     /// The same, with a texture from image_texture().
     void set_image(const std::string& name, const std::shared_ptr<const gpu::Texture>& texture);
 
-    /// The sub-frame of a frame with the current values. Only the first one of a source frame may
-    /// set another source.
-    Subframe subframe_of(std::int64_t frame) const;
     /// Draws a frame, or begins to: see Executor.
     void draw(const PlayedFrame& played, const Beam& beam,
               const std::vector<bool>* passes = nullptr, Slices slices = Slices::none);

@@ -11,6 +11,9 @@ Frame frame_of(const FrameInputs& inputs, const PlayedFrame& played, const Beam&
     frame.pixel_aspect = inputs.pixel_aspect;
     frame.source_raster = inputs.source_raster;
     frame.sample_budget_seconds = inputs.sample_budget_seconds;
+    frame.subframe = played.subframe;
+    frame.source_number = played.source_number;
+    frame.is_whole = inputs.shows_whole;
     frame.hdr = inputs.hdr;
     frame.beam = beam;
     frame.beam_fit = inputs.beam_fit;

@@ -18,7 +18,7 @@ struct FrameInputs {
     // The time per frame for samples of accumulating passes; 0: no limit. The rest is left to the
     // next frames.
     double sample_budget_seconds = 0.0;
-    int subframe_limit = 1;            // of sub-frames per source frame; 1: whole frames
+    bool shows_whole = false;          // whole source frames, also where sub-frames are drawn
     std::optional<HdrLight> hdr = {};  // of the display; nullopt: no HDR
     bool is_black = false;  // the picture is shown and exported as black; its passes are drawn
 };

@@ -7,7 +7,20 @@
 
 namespace {
 constexpr Levels all_black{1e30, 2e30};  // above all stored numbers
+
+// HDR light is tone-mapped for this display. The picture of scRGB has light in units of 80 cd/m2.
+ViewOptions with_hdr(ViewOptions options, const Executors& executors) {
+    const auto& hdr = executors.inputs().hdr;
+    if (!hdr)
+        return options;
+    options.headroom = hdr->headroom();
+    if (executors.picture().look().is_scrgb_in_hdr) {
+        options.encoding = Encoding::linear;
+        options.exposure_stops = std::log2(80.0 / hdr->paper_white);
+    }
+    return options;
 }
+}  // namespace
 
 Result<MainView> MainView::make() {
     auto compared = ComparedPictures::make();
@@ -83,7 +96,8 @@ void MainView::draw_output(const Subject& subject) {
                .whole = executor.target(last).extent(),
                .view = {.fit = window.output.is_overlay ? PictureView::Fit::whole
                                                         : PictureView::Fit::integer},
-               .options = {.encoding = encoding_of(executor.look(), shown)}});
+               .options = with_hdr({.encoding = encoding_of(executor.look(), shown)},
+                                   subject.renderer.executors())});
 }
 
 // Applies the flash limiter to all displayed pictures.
@@ -116,9 +130,10 @@ DisplayedTexture MainView::displayed(const Subject& subject) const {
             shown,
             executor.target(last).extent(),
             subject.window.views.picture,
-            {.levels = is_black ? all_black : Levels{},
-             .encoding = encoding_of(executor.look(), shown),
-             .is_over_checker = pass.has_alpha && !is_black}};
+            with_hdr({.levels = is_black ? all_black : Levels{},
+                      .encoding = encoding_of(executor.look(), shown),
+                      .is_over_checker = pass.has_alpha && !is_black},
+                     subject.renderer.executors())};
 }
 
 // Updates the reference of the texture. A picture from a file can only be compared with the

@@ -18,7 +18,11 @@ struct ExportForm {
     std::string codec = "";
     std::string sound = "";
     bool keeps_alpha = false;
+    std::size_t hdr = 0;      // index in hdr_choices()
+    std::string paper_white;  // cd/m2
+    std::string peak;         // cd/m2
     bool loops = false;
+    bool has_subframes = false;  // each sub-frame is a frame
 
     bool operator==(const ExportForm&) const = default;
 };

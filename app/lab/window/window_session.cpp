@@ -190,6 +190,9 @@ std::map<std::string, double> serialized_window(const WindowState& window) {
         {"presets_own_content", window.presets.shows_own_content ? 1.0 : 0.0},
         {"morph_seconds", window.presets.morph_seconds},
         {"flashes", window.flashes.shows_meter ? 1.0 : 0.0},
+        {"hdr", window.hdr.is_on ? 1.0 : 0.0},
+        {"hdr_paper_white", window.hdr.light.paper_white},
+        {"hdr_peak", window.hdr.light.peak},
         {"flicker", static_cast<double>(window.flashes.flicker)},
         {"maximised", window.geometry.is_maximised ? 1.0 : 0.0}};
     if (window.geometry.position) {
@@ -276,6 +279,11 @@ WindowState restored_window(const std::map<std::string, double>& numbers,
         window.views.sizes.picture = {*view_width, *view_height};
     restore(numbers, "wipe_share", {0.0, 1.0}, window.views.wipe_share);
     restore(numbers, "flashes", window.flashes.shows_meter);
+    restore(numbers, "hdr", window.hdr.is_on);
+    restore(numbers, "hdr_paper_white", {hdr_paper_whites[0], hdr_paper_whites[1]},
+            window.hdr.light.paper_white);
+    restore(numbers, "hdr_peak", {hdr_peaks[0], hdr_peaks[1]}, window.hdr.light.peak);
+    window.hdr.light.peak = std::max(window.hdr.light.peak, window.hdr.light.paper_white);
     if (const auto flicker = whole(numbers, "flicker", 0.0, 2.0))
         window.flashes.flicker = static_cast<Flicker>(*flicker);
     restore(numbers, "comfort", window.flashes.limit.is_on);

@@ -15,6 +15,7 @@
 #include "lab/window/window_geometry.h"
 #include "lab/window/window_layout.h"
 #include "model/picture/flash_limit.h"
+#include "model/picture/hdr.h"
 
 #include <filesystem>
 #include <string>
@@ -39,6 +40,15 @@ struct FlashDisplay {
     bool shows_meter = true;
     FlashLimit limit;
     Flicker flicker = Flicker::not_asked;
+    bool has_asked = false;  // since the start
+};
+
+/// The picture as an HDR display would show it, tone-mapped for this one.
+struct HdrPreview {
+    bool is_on = false;
+    HdrLight light;
+
+    std::optional<HdrLight> drawn() const { return is_on ? std::optional(light) : std::nullopt; }
 };
 
 /// What the user chose last; the latest first.
@@ -82,6 +92,7 @@ struct WindowState {
     WindowLayout layout;
     KeyboardFocus keyboard;
     FlashDisplay flashes;
+    HdrPreview hdr;
     ViewState views;
     Probes probes;
     ParameterListing parameters;

@@ -17,25 +17,36 @@ constexpr double hlg_a = 0.17883277;
 constexpr double hlg_b = 1.0 - 4.0 * hlg_a;
 const double hlg_c = 0.5 - hlg_a * std::log(4.0 * hlg_a);
 
-double hlg_oetf(double scene) {
-    return scene <= 1.0 / 12.0 ? std::sqrt(3.0 * scene)
-                               : hlg_a * std::log(12.0 * scene - hlg_b) + hlg_c;
-}
-
 double hlg_inverse_oetf(double signal) {
     return signal <= 0.5 ? signal * signal / 3.0
                          : (std::exp((signal - hlg_c) / hlg_a) + hlg_b) / 12.0;
 }
 
-// Of the system, note 5f.
+// Of the system, note 5f, with its extension for other peaks.
 double hlg_gamma(double peak) {
-    return 1.2 + 0.42 * std::log10(peak / 1000.0);
+    const bool is_usual = peak >= 400.0 && peak <= 2000.0;
+    return is_usual ? 1.2 + 0.42 * std::log10(peak / 1000.0)
+                    : 1.2 * std::pow(1.111, std::log2(peak / 1000.0));
 }
+
+}  // namespace
 
 double bt2020_luminance(const Rgb& light) {
     return 0.2627 * light[0] + 0.6780 * light[1] + 0.0593 * light[2];
 }
-}  // namespace
+
+double hlg_oetf(double scene) {
+    const double inside = std::clamp(scene, 0.0, 1.0);
+    return inside <= 1.0 / 12.0 ? std::sqrt(3.0 * inside)
+                                : hlg_a * std::log(12.0 * inside - hlg_b) + hlg_c;
+}
+
+double hlg_scene_gain(double luminance, double peak) {
+    if (luminance <= 0.0)
+        return 0.0;
+    const double gamma = hlg_gamma(peak);
+    return std::pow(luminance / peak, (1.0 - gamma) / gamma) / peak;
+}
 
 double pq_encode(double nits) {
     const double power = std::pow(std::clamp(nits / pq_peak, 0.0, 1.0), m1);
@@ -48,19 +59,15 @@ double pq_decode(double signal) {
 }
 
 Rgb hlg_encode(const Rgb& nits, double peak) {
-    const double luminance = bt2020_luminance(nits) / peak;
-    if (luminance <= 0.0)
-        return {};
-    const double gamma = hlg_gamma(peak);
-    const double gain = std::pow(luminance, (1.0 - gamma) / gamma) / peak;
-    Rgb signal;
+    const double gain = hlg_scene_gain(bt2020_luminance(nits), peak);
+    Rgb signal{};
     for (std::size_t i = 0; i < 3; ++i)
-        signal[i] = hlg_oetf(std::clamp(nits[i] * gain, 0.0, 1.0));
+        signal[i] = hlg_oetf(nits[i] * gain);
     return signal;
 }
 
 Rgb hlg_decode(const Rgb& signal, double peak) {
-    Rgb scene;
+    Rgb scene{};
     for (std::size_t i = 0; i < 3; ++i)
         scene[i] = hlg_inverse_oetf(std::clamp(signal[i], 0.0, 1.0));
     const double luminance = bt2020_luminance(scene);

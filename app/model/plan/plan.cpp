@@ -34,6 +34,13 @@ Look with_overrides(Look look, const PassOverrides& overrides) {
     return look;
 }
 
+Look with_kept_light(Look look) {
+    Format& format = look.passes.back().format;
+    if (format == Format::rgba8 || format == Format::rgb10_a2)
+        format = Format::rgba16f;
+    return look;
+}
+
 namespace {
 struct Measures {
     Extent viewport;

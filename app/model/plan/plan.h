@@ -23,6 +23,9 @@ using PassOverrides = std::map<std::string, PassOverride>;
 /// The look with overridden passes.
 Look with_overrides(Look look, const PassOverrides& overrides);
 
+/// The look with a picture that keeps light above 1: its last pass has floats instead of 8 bits.
+Look with_kept_light(Look look);
+
 /// The target of one pass.
 struct PlannedTarget {
     Extent extent;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace {
 bool counts_work(const Look& look, const std::string& name) {
@@ -51,7 +52,7 @@ private:
     Value item(Value current) {
         const auto index = static_cast<std::size_t>(
             m_numbers.choose(static_cast<double>(m_parameter.items.size())));
-        return is_changed() ? Value(m_parameter.items[index].value) : current;
+        return is_changed() ? Value(m_parameter.items[index].value) : std::move(current);
     }
 
     double number(Range range, double current) {

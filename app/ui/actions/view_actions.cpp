@@ -1,6 +1,7 @@
 #include "ui/actions/view_actions.h"
 
 #include "gpu/input_event.h"
+#include "lab/views/flicker.h"
 #include "ui/actions/panel_actions.h"
 #include "ui/frame/edits.h"
 #include "ui/frame/scene.h"
@@ -60,7 +61,10 @@ bool has_comfort(const Scene& scene) {
     return scene.window.flashes.limit.is_on;
 }
 
-void toggle_flicker(const Scene&, Edits& edits) {
+// The first time, with the warning.
+void toggle_flicker(const Scene& scene, Edits& edits) {
+    if (scene.window.flashes.flicker == Flicker::not_asked)
+        return edits.change([](Messages& messages) { ask_about_flicker(messages); });
     edits.arrange([](WindowState& window) {
         const bool is_allowed = window.flashes.flicker == Flicker::allowed;
         window.flashes.flicker = is_allowed ? Flicker::refused : Flicker::allowed;
@@ -69,6 +73,14 @@ void toggle_flicker(const Scene&, Edits& edits) {
 
 bool allows_flicker(const Scene& scene) {
     return scene.window.flashes.flicker == Flicker::allowed;
+}
+
+void toggle_hdr(const Scene&, Edits& edits) {
+    edits.arrange([](WindowState& window) { window.hdr.is_on = !window.hdr.is_on; });
+}
+
+bool has_hdr(const Scene& scene) {
+    return scene.window.hdr.is_on;
 }
 
 template <int eighths>
@@ -132,6 +144,7 @@ std::vector<Action> view_actions::list() {
          toggle_comfort,
          nullptr,
          has_comfort},
+        {ActionId::preview_hdr, Menu::view, "HDR preview", {}, false, toggle_hdr, nullptr, has_hdr},
         {ActionId::allow_flicker,
          Menu::view,
          "Allow flicker",

@@ -43,6 +43,8 @@ public:
         draw_codec();
         draw_sound();
         draw_alpha();
+        draw_hdr();
+        draw_subframes();
     }
 
 private:
@@ -173,8 +175,9 @@ private:
     void draw_codec() {
         dialog_row("Codec");
         const std::string before = m_form.codec;
-        m_form.codec = chosen_of(
-            "export_codec", codec_choices(m_plan.settings.file, m_form.keeps_alpha), m_form.codec);
+        m_form.codec =
+            chosen_of("export_codec", codec_choices(m_plan.settings.file, m_plan.settings.film),
+                      m_form.codec);
         if (m_form.codec != before)
             m_form.quality.clear();
         problem(ExportField::codec);
@@ -203,6 +206,36 @@ private:
         m_edits.mark("export_alpha");
         tooltip("A look without transparency becomes transparent where it is black.");
         problem(ExportField::alpha);
+    }
+
+    void draw_hdr() {
+        const ScopedDisabled disabled(!is_film_name(m_plan.settings.file));
+        dialog_row("HDR");
+        m_form.hdr = dialog_list("export_hdr", hdr_choices(), m_form.hdr, number_width(), m_edits);
+        if (m_form.hdr > 0) {
+            dialog_row("Paper white");
+            draw_nits("export_paper_white", HdrLight{}.paper_white, m_form.paper_white);
+            dialog_row("Peak");
+            draw_nits("export_peak", HdrLight{}.peak, m_form.peak);
+        }
+        problem(ExportField::hdr);
+    }
+
+    void draw_nits(const char* id, double usual, std::string& text) {
+        text = dialog_text(id, text, fmt::format("{:.0f}", usual), number_width(), m_edits);
+        ImGui::SameLine();
+        dim_text("nits");
+    }
+
+    void draw_subframes() {
+        if (!m_facts.has_subframes())
+            return;
+        const ScopedDisabled disabled(m_form.loops);
+        dialog_row("Sub-frames");
+        ImGui::Checkbox("Each one a frame", &m_form.has_subframes);
+        m_edits.mark("export_subframes");
+        tooltip(
+            "Without it, each frame is a whole source frame. The frame rate counts sub-frames.");
     }
 
     const ExportPlan& m_plan;

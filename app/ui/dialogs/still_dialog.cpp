@@ -69,7 +69,8 @@ void draw_size(StillForm& form, Extent render_size, const Look& look, Edits& edi
 
 // A slow look whose frame is unfinished has no whole picture to save.
 bool is_drawn_again(const StillForm& form, const Scene& scene) {
-    return form.size != "1x" || !scene.lab.renderer || !scene.lab.renderer->has_whole_picture();
+    return scene.window.hdr.is_on || form.size != "1x" || !scene.lab.renderer ||
+           !scene.lab.renderer->has_whole_picture();
 }
 
 void save(const StillSettings& settings, bool is_drawn_again, Edits& edits) {

@@ -143,6 +143,7 @@ enum class ActionId {
     show_flashes,
     limit_flashes,
     allow_flicker,
+    preview_hdr,
     palette,
     randomise,
     step_up,

@@ -138,6 +138,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::show_flashes, "flash_meter"},
     {ActionId::limit_flashes, "flash_limiter"},
     {ActionId::allow_flicker, "allow_flicker"},
+    {ActionId::preview_hdr, "hdr_preview"},
     {ActionId::palette, "find_command"},
     {ActionId::randomise, "randomise"},
     {ActionId::step_up, "step_up"},

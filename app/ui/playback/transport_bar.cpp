@@ -3,6 +3,7 @@
 #include "lab/document/automation.h"
 #include "ui/frame/action.h"
 #include "ui/picture/flash_button.h"
+#include "ui/picture/hdr_button.h"
 #include "ui/picture/picture_menus.h"
 #include "ui/picture/slot_buttons.h"
 #include "ui/playback/sound_controls.h"
@@ -123,6 +124,11 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
         flashes = 0.0f;  // a narrow pane
     if (flashes > 0.0f)
         menus += flashes + gap;
+    float hdr = hdr_button_width(scene);
+    if (end_of_last() + 2.0f * gap + hdr + menus > right)
+        hdr = 0.0f;
+    if (hdr > 0.0f)
+        menus += hdr + gap;
     const float speed = ImGui::GetFontSize() * 11.0f;
     if (end_of_last() + speed + menus < right) {
         ImGui::SameLine(0.0f, ImGui::GetStyle().ItemSpacing.x * 2.0f);
@@ -131,6 +137,11 @@ void draw_transport_bar(const Scene& scene, Edits& edits) {
     const float end = end_of_last();
     draw_info(scene, right - menus - end - ImGui::GetFontSize());
     same_line_right(menus);
+    if (hdr > 0.0f) {
+        const float cursor = ImGui::GetCursorPosX();
+        draw_hdr_button(scene, edits);
+        ImGui::SameLine(cursor + hdr + gap);
+    }
     if (flashes > 0.0f) {
         const float cursor = ImGui::GetCursorPosX();
         draw_flash_button(scene, edits);

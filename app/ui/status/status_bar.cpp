@@ -24,7 +24,10 @@ std::string problems_text(const Scene& scene) {
 }
 
 int drawn_subframes(const Scene& scene) {
-    return scene.lab.renderer ? scene.lab.renderer->executors().subframe_of(1).count : 1;
+    const Transport& transport = scene.lab.player.transport();
+    return transport.is_playing() && !transport.past().empty()
+               ? transport.past().back().subframe.count
+               : 1;
 }
 
 std::string pace_text(const Scene& scene) {

@@ -165,10 +165,12 @@ void Application::update() {
     m_panels.pace().update(
         wall_seconds, m_lab.frames().has_unfinished_frame(),
         m_lab.is_moving() && m_state.frame_rate.wants_30(m_window.refresh_rate()));
+    const bool waits = m_state.frame_rate.waits_for_display || m_panels.output().is_open();
     m_lab.work().display.add(wall_seconds, refresh_rate(),
-                             m_lab.is_moving() && !m_lab.frames().has_unfinished_frame());
+                             waits && m_lab.is_moving() && !m_lab.frames().has_unfinished_frame());
     follow_output();
     follow_flicker(m_lab.work(), m_state.flashes);
+    m_lab.work().hdr = m_state.hdr.drawn();
     update_lab(wall_seconds);
     m_picture.camera.update(m_state.output, m_lab.renderer(),
                             m_lab.frames().passes().picture_pass(), m_lab.messages());

@@ -189,8 +189,10 @@ std::string non_finite_text(const NanGuard& guard) {
 // The number of flashes, and whether the flash limiter is on.
 std::string flashes_text(const Scene& scene) {
     const Flashes flashes = scene.views.main().flashes();
-    return fmt::format(R"(,"flashes":[{},{}],"comfort":{})", flashes.general, flashes.red,
-                       scene.window.flashes.limit.is_on);
+    const auto hdr = scene.window.hdr.drawn();
+    return fmt::format(R"(,"flashes":[{},{}],"comfort":{},"hdr":[{},{}])", flashes.general,
+                       flashes.red, scene.window.flashes.limit.is_on, hdr ? hdr->paper_white : 0.0,
+                       hdr ? hdr->peak : 0.0);
 }
 
 std::string switches_text(const PassSwitches& switches) {

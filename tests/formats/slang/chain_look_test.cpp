@@ -339,6 +339,16 @@ TEST_CASE("the number of sub-frames is a parameter if a pass reads them") {
     CHECK(other.look().subframes == Count(1));
 }
 
+TEST_CASE("a last pass that reads HDRMode writes scRGB with HDR") {
+    std::string text = reading({"Source"}, "", "vec4(params.HDRMode)");
+    const std::string_view last = "float dim;";
+    text.replace(text.find(last), last.size(), "uint HDRMode;");
+    ChainFolder folder({reading({"Source"}), text});
+    CHECK(folder.look().is_scrgb_in_hdr);
+    ChainFolder earlier({text, reading({"Source"})});
+    CHECK_FALSE(earlier.look().is_scrgb_in_hdr);
+}
+
 TEST_CASE("an error in a chain names pass, file and line") {
     ChainFolder folder({reading({}), reading({}, "", "nope")});
     const LoadedLook broken = folder.load("alias1 = Middle\n");

@@ -26,11 +26,14 @@ TEST_CASE("PQ signals match the percentages of BT.2408, table 1 and annex 1") {
 }
 
 TEST_CASE("HLG signals match BT.2408, table 1: grey 18 %, reference white and peak") {
-    for (const auto& [nits, percent] : {std::pair{26.0, 38.0}, {203.0, 75.0}, {1000.0, 100.0}}) {
-        const Rgb signal = hlg_encode({nits, nits, nits}, 1000.0);
-        CAPTURE(nits);
-        for (const double one : signal)
-            CHECK(is_near(100.0 * one, percent, 0.5));
+    struct Row {
+        double nits;
+        double percent;
+    };
+    for (const Row& row : {Row{26.0, 38.0}, Row{203.0, 75.0}, Row{1000.0, 100.0}}) {
+        CAPTURE(row.nits);
+        for (const double one : hlg_encode({row.nits, row.nits, row.nits}, 1000.0))
+            CHECK(is_near(100.0 * one, row.percent, 0.5));
     }
     // A display gives back the light, also of colours and other peaks.
     for (const double peak : {400.0, 1000.0, 2000.0})
