@@ -27,3 +27,10 @@ TEST_CASE("crt+rolling-scan: the sub-frames of each preset match its golden pict
     look.fewest_presets = 1;
     check_presets(look);
 }
+
+TEST_CASE("composite-video+raster-beam: each preset matches its golden picture") {
+    GoldenLook look = stack("composite-video+raster-beam", 2);
+    look.preset_cell = {480, 360};
+    look.fewest_presets = 1;
+    check_presets(look);
+}
