@@ -5,6 +5,7 @@
 #include "lab/frame/applied_state.h"
 #include "lab/frame/content_problems.h"
 #include "lab/frame/replay_length.h"
+#include "lab/frame/wanted_subframes.h"
 #include "lab/rendering/frame_limit.h"
 #include "lab/storage/local_date.h"
 
@@ -355,14 +356,6 @@ void FrameLoop::follow_hdr() {
     m_work.redraw.add_replay();
 }
 
-int FrameLoop::wanted_subframes() const {
-    const FrameGraph& graph = m_work.renderer->executor().graph();
-    const bool draws = m_work.player.transport().is_playing() && m_work.draws_subframes;
-    return draws ? std::min(subframes_of(graph.look(), graph.values()),
-                            m_work.display.most_subframes())
-                 : 1;
-}
-
 // A paused picture is a whole source frame.
 void FrameLoop::show_whole_if_paused() {
     const bool is_paused = !m_work.player.transport().is_playing();
@@ -404,7 +397,7 @@ void FrameLoop::draw_picture(double wall_seconds) {
                             !is_static;  // a frame, which includes all redraws
     const bool waits = is_static || m_work.renderer->replay().is_of_variant();
     const auto frame =
-        waits ? std::nullopt : m_work.player.advance(wall_seconds, wanted_subframes());
+        waits ? std::nullopt : m_work.player.advance(wall_seconds, wanted_subframes(m_work));
     if (frame) {
         m_work.redraw.clear();
         m_work.renderer->replay().cancel();

@@ -82,7 +82,6 @@ private:
     void show_source(double seconds);
     void draw_picture(double wall_seconds);
     void resize_picture();
-    int wanted_subframes() const;
     void show_whole_if_paused();
     void follow_hdr();
     Look drawn_look() const;
