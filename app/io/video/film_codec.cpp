@@ -228,7 +228,7 @@ Result<const FilmCodec*> codec_for(const FilmContainer& container, const FilmCho
     if (name.empty())
         name = choice.keeps_alpha && !container.alpha_codec.empty() ? container.alpha_codec
                                                                     : container.codec;
-    const auto codec = row_for(container, film_codecs(), name, "codec");
+    auto codec = row_for(container, film_codecs(), name, "codec");
     if (!codec || !choice.keeps_alpha || !(*codec)->alpha_pixels.empty())
         return codec;
     std::vector<std::string> able;
