@@ -94,13 +94,15 @@ class Program:
 
     def place(self, widget):
         """The rectangle of a widget, once it is constant after all input is processed."""
-        for prefix, rows in (("preset:", "preset_rows"), ("look:", "look_rows")):
-            if widget.startswith(prefix):
-                self.scroll_to(widget, rows)
+        rows = {"preset": "preset_rows", "look": "look_rows"}.get(widget.split(":")[0]) if ":" in widget else None
+        if rows:
+            self.scroll_to(widget, rows)
         seen = {"place": None, "since": 0, "turn": 0, "time": 0.0}
 
         def is_still(state):
             place, turn = state["widgets"].get(widget), state["turn"]
+            if rows and place is None:
+                self.scroll_to(widget, rows)  # the list scrolled by itself, to what has just been opened
             if turn != seen["turn"]:
                 seen.update(turn=turn, time=time.monotonic())
             if place != seen["place"] or state["is_behind"] or place is None:
