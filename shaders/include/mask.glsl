@@ -19,6 +19,13 @@ struct Mask {
     float stagger;     // upward offset of every other column of cells or slots, in cell heights
 };
 
+// |v|^power for an even power, from the square of v.
+vec3 even_power(vec3 square, float power) {
+    if (power == 2.0)
+        return square;
+    return power == 4.0 ? square * square : pow(square, vec3(0.5 * power));
+}
+
 // Integral from 0 to x of a row of bumps 1 wide, one per `period`. A bump is 1 - border |v|^power
 // over its width, v = -1..1, scaled to the integral 1.
 vec3 bumps_up_to(vec3 x, float period, float border, float power) {
@@ -26,7 +33,7 @@ vec3 bumps_up_to(vec3 x, float period, float border, float power) {
     vec3 along = clamp(x - whole * period, 0.0, 1.0);
     vec3 v = 2.0 * along - 1.0;
     float ends = power + 1.0;
-    vec3 part = along - 0.5 * border / ends * (sign(v) * pow(abs(v), vec3(ends)) + 1.0);
+    vec3 part = along - 0.5 * border / ends * (v * even_power(v * v, power) + 1.0);
     return whole + part / (1.0 - border / ends);
 }
 
@@ -38,17 +45,18 @@ vec3 bumps_over(vec3 x, float width, float period, float border, float power) {
 }
 
 // Stripes of the three channels side by side. y is divided into cells. Every other column of cells
-// is `stagger` of a cell higher.
-vec3 striped_mask(Mask mask, vec2 at, float pixel, vec2 power, float stagger) {
+// is `stagger` of a cell higher. `across` is the horizontal position of each channel, `up` the vertical
+// one of all.
+vec3 striped_mask(Mask mask, vec3 across, float up, float pixel, vec2 power, float stagger) {
     const vec3 channel = vec3(0.0, 1.0, 2.0);
-    float x = 3.0 * at.x / mask.pitch;
+    vec3 x = 3.0 * across / mask.pitch;
     float width = 3.0 * pixel / mask.pitch;
+    if (power.y == 0.0)  // all columns are alike
+        return 3.0 * bumps_over(x - channel, width, 3.0, mask.border, power.x);
     vec3 even = bumps_over(x - channel, width, 6.0, mask.border, power.x);
     vec3 odd = bumps_over(x - channel - 3.0, width, 6.0, mask.border, power.x);
-    if (power.y == 0.0)
-        return 3.0 * (even + odd);
     float height = mask.pitch * mask.cell_height;
-    vec3 rows = bumps_over(vec3(at.y / height, at.y / height + stagger, 0.0), pixel / height, 1.0,
+    vec3 rows = bumps_over(vec3(up / height, up / height + stagger, 0.0), pixel / height, 1.0,
                            mask.border, power.y);
     return 3.0 * (even * rows.x + odd * rows.y);
 }
@@ -73,11 +81,10 @@ float dot_diameter(Mask mask) {
 
 // Round dots in a hexagonal lattice. A dot is the product of a horizontal and a vertical profile,
 // so that its mean over a pixel is exact.
-vec3 dotted_mask(Mask mask, vec2 at, float pixel) {
-    vec2 place = at / mask.pitch;
+vec3 dotted_mask(Mask mask, vec3 across_px, float up_px, float pixel) {
     float width = pixel / mask.pitch;
-    vec3 across = place.x - vec3(0.0, 0.5, 0.0);
-    vec3 up = place.y - hexagon_row * vec3(0.0, 1.0, 2.0) / 3.0;
+    vec3 across = across_px / mask.pitch - vec3(0.0, 0.5, 0.0);
+    vec3 up = up_px / mask.pitch - hexagon_row * vec3(0.0, 1.0, 2.0) / 3.0;
     float diameter = dot_diameter(mask);
     float rows = 2.0 * hexagon_row;
     vec3 even = dots_over(across, width, 1.0, diameter) * dots_over(up, width, rows, diameter);
@@ -91,18 +98,24 @@ float mask_visibility(float pitch, float pixel) {
     return clamp(pitch / pixel - 2.0, 0.0, 1.0);
 }
 
-// Transmission at `at`. `pixel` is the width of the picture's pixel there.
-vec3 mask_light(Mask mask, vec2 at, float pixel) {
+// Transmission where each channel has its own horizontal position. `pixel` is the width of the
+// picture's pixel there.
+vec3 mask_light_across(Mask mask, vec3 across, float up, float pixel) {
     vec3 light;
     if (mask.kind == mask_cells)
-        light = striped_mask(mask, at, pixel, vec2(2.0), mask.stagger);
+        light = striped_mask(mask, across, up, pixel, vec2(2.0), mask.stagger);
     else if (mask.kind == mask_grille)
-        light = striped_mask(mask, at, pixel, vec2(4.0, 0.0), 0.0);
+        light = striped_mask(mask, across, up, pixel, vec2(4.0, 0.0), 0.0);
     else if (mask.kind == mask_slot)
-        light = striped_mask(mask, at, pixel, vec2(4.0, 12.0), mask.stagger);
+        light = striped_mask(mask, across, up, pixel, vec2(4.0, 12.0), mask.stagger);
     else
-        light = dotted_mask(mask, at, pixel);
+        light = dotted_mask(mask, across, up, pixel);
     return mix(vec3(1.0), light, mask_visibility(mask.pitch, pixel));
+}
+
+// Transmission at `at`.
+vec3 mask_light(Mask mask, vec2 at, float pixel) {
+    return mask_light_across(mask, vec3(at.x), at.y, pixel);
 }
 
 const int panel_pixels = 0;  // whole pixels
@@ -113,14 +126,14 @@ const int panel_woled = 3;   // four: red, white, blue, green
 // Transmission for a display with subpixels side by side: each channel is taken at the place where
 // the display emits it. Its mean is still over a whole pixel, the distance of its subpixels.
 vec3 mask_light_on_panel(Mask mask, vec2 at, float pixel, int panel) {
-    if (panel == panel_pixels)
-        return mask_light(mask, at, pixel);
-    vec3 shift = panel == panel_rgb   ? vec3(-1.0, 0.0, 1.0) / 3.0
-                 : panel == panel_bgr ? vec3(1.0, 0.0, -1.0) / 3.0
-                                      : vec3(-3.0, 3.0, 1.0) / 8.0;
-    return vec3(mask_light(mask, at + vec2(shift.r * pixel, 0.0), pixel).r,
-                mask_light(mask, at + vec2(shift.g * pixel, 0.0), pixel).g,
-                mask_light(mask, at + vec2(shift.b * pixel, 0.0), pixel).b);
+    vec3 shift = vec3(0.0);
+    if (panel == panel_rgb)
+        shift = vec3(-1.0, 0.0, 1.0) / 3.0;
+    else if (panel == panel_bgr)
+        shift = vec3(1.0, 0.0, -1.0) / 3.0;
+    else if (panel == panel_woled)
+        shift = vec3(-3.0, 3.0, 1.0) / 8.0;
+    return mask_light_across(mask, at.x + pixel * shift, at.y, pixel);
 }
 
 // The largest transmission of any channel for small pixels. 1 over it is the mean of the bare mask.

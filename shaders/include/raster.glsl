@@ -30,9 +30,10 @@ vec3 spot_size(vec3 current, float smallest, float growth) {
 // of 1. It is averaged over a pixel: the pixel's variance adds to that of the spot. The sum over
 // pixels stays within 0.8 % of the exact one, because the deviation is at least half a pixel.
 vec3 spot_light(vec3 away, vec3 deviation, float pixel) {
-    vec3 wide = max(sqrt(deviation * deviation + pixel * pixel / 12.0), vec3(0.5 * pixel));
-    vec3 part = away / wide;
-    return exp(-0.5 * part * part) / (2.506628275 * wide);
+    float square = pixel * pixel;
+    vec3 narrow = inversesqrt(max(deviation * deviation + square / 12.0, vec3(0.25 * square)));
+    vec3 part = away * narrow;
+    return 0.3989422804 * narrow * exp(-0.5 * part * part);
 }
 
 #endif

@@ -43,37 +43,54 @@ in vec2 uv;
 out vec4 color;
 
 const float largest_size = 0.75;  // of the spot, in lines of a field
+const float deviations = 3.0;     // of the spot, that are drawn to each side: 99.7 % of its light
 
-vec3 row_light(float x, vec3 rows) {
+// The lines of the field around a pixel. Red and blue are taken from whole lines away, and the rest
+// of their offset is a distance. Lengths are in lines of the field.
+struct Lines {
+    vec3 light;
+    vec3 total;  // of the spots of all lines
+    vec3 whole;  // lines between a gun's line and that of green
+    vec3 away;   // from each gun's line 0 to the pixel
+    float x;     // of the pixel in the raster, 0..1
+    float unit;  // a line of 240
+    float pixel;
+};
+
+void add_line(inout Lines lines, float row) {
     float count = float(textureSize(line, 0).y);
-    return vec3(texture(line, vec2(x, (rows.r + 0.5) / count)).r,
-                texture(line, vec2(x, (rows.g + 0.5) / count)).g,
-                texture(line, vec2(x, (rows.b + 0.5) / count)).b);
+    vec3 rows = (row + lines.whole + 0.5) / count;
+    vec3 current = texture(line, vec2(lines.x, rows.g)).rgb;
+    if (red_offset.y != 0.0)
+        current.r = texture(line, vec2(lines.x, rows.r)).r;
+    if (blue_offset.y != 0.0)
+        current.b = texture(line, vec2(lines.x, rows.b)).b;
+    vec3 size = min(lines.unit * spot_size(current, spot, spot_growth), largest_size);
+    vec3 part = spot_light(lines.away - row, size, lines.pixel);
+    lines.light += current * part;
+    lines.total += part;
 }
 
-// The light of the lines around a place of the raster, 0..1 from its bottom left. Each gun has the
-// five lines nearest to where it draws.
+// The light at a place of the raster, 0..1 from its bottom left.
 vec3 line_light(vec2 place) {
     Raster drawn = raster();
-    float unit = 1.0 / (240.0 * drawn.pitch);  // a line of 240, in lines of this field
+    float unit = 1.0 / (240.0 * drawn.pitch);
     float pixel = (1.0 - overscan.y) / (u_resolution.y * drawn.pitch);
-    vec2 middle = 2.0 * place - 1.0;
-    vec3 up = unit * vec3(red_at(middle).y, 0.0, blue_at(middle).y);
-    vec3 at = (1.0 - place.y - drawn.first) / drawn.pitch + up;
-    vec3 nearest = floor(at + 0.5);
-    vec3 light = vec3(0.0);
-    vec3 total = vec3(0.0);
-    for (int i = -2; i <= 2; ++i) {
-        vec3 rows = nearest + float(i);
-        vec3 current = row_light(place.x, rows);
-        vec3 size = min(unit * spot_size(current, spot, spot_growth), largest_size);
-        vec3 part = spot_light(at - rows, size, pixel);
-        vec3 is_drawn = step(0.0, rows) * step(rows, vec3(drawn.lines - 1.0));
-        light += is_drawn * current * part;
-        total += part;
-    }
+    vec3 whole = floor(unit * vec3(red_offset.y, 0.0, blue_offset.y) + 0.5);
+    vec3 up = unit * vec3(red_at(2.0 * place - 1.0).y, 0.0, blue_at(2.0 * place - 1.0).y) - whole;
+    float at = (1.0 - place.y - drawn.first) / drawn.pitch;
+    float nearest = floor(at + 0.5);
+    Lines lines = Lines(vec3(0.0), vec3(0.0), whole, at + up, place.x, unit, pixel);
+    float widest = max(min(unit * spot_size(vec3(1.0), spot, spot_growth).g, largest_size), 0.5 * pixel);
+    float drift = abs(convergence_edge) * unit + 0.5 * float(whole != vec3(0.0));
+    int reach = int(ceil(deviations * widest + drift - 0.5));
+    int i = -reach;
+    do {
+        add_line(lines, nearest + float(i));
+        ++i;
+    } while (i <= reach);
     // In a picture that is lower than the raster, pixels reach beyond these lines.
-    light /= mix(vec3(1.0), total, smoothstep(0.6, 1.0, pixel));
+    vec3 light = lines.light / mix(vec3(1.0), lines.total, smoothstep(0.6, 1.0, pixel));
     bool is_outside = place.x < 0.0 || place.x > 1.0;
     return is_outside ? vec3(0.0) : light;
 }

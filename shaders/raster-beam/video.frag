@@ -10,19 +10,25 @@ uniform vec2 u_output_resolution;
 
 out vec4 color;
 
-const int samples = 4;  // per signal sample, and per line of a raster that is not the source's
+const int most_samples = 4;  // per signal sample, and per line
 
 // The mean of the picture over a sample of the signal.
 vec3 mean_at(float x, float y, float height) {
-    int rows = raster_lines == 0 && u_source_lines.z <= most_source_lines ? 1 : samples;
+    // A line is within a row of the picture, or covers several.
+    int rows = int(clamp(ceil(2.0 * height * float(textureSize(picture, 0).y)), 1.0, float(most_samples)));
+    if (raster_lines == 0 && u_source_lines.z <= most_source_lines)
+        rows = 1;
     vec3 sum = vec3(0.0);
-    for (int row = 0; row < rows; ++row)
-        for (int i = 0; i < samples; ++i) {
-            float across = x + ((float(i) + 0.5) / float(samples) - 0.5) / u_resolution.x;
-            float down = y + ((float(row) + 0.5) / float(rows) - 0.5) * height;
+    int row = 0;
+    do {
+        float down = y + ((float(row) + 0.5) / float(rows) - 0.5) * height;
+        for (int i = 0; i < most_samples; ++i) {
+            float across = x + ((float(i) + 0.5) / float(most_samples) - 0.5) / u_resolution.x;
             sum += texture(picture, vec2(across, 1.0 - down)).rgb;
         }
-    return sum / float(rows * samples);
+        ++row;
+    } while (row < rows);
+    return sum / float(rows * most_samples);
 }
 
 void main() {
