@@ -39,7 +39,7 @@ std::string about() {
 }
 
 int print_losses(const ExportTarget& target, const PreparedLook& prepared) {
-    const auto losses = target.losses(prepared);
+    const auto losses = losses_of(target, prepared);
     if (!losses)
         return report(losses.error());
     for (const std::string& loss : *losses)

@@ -97,6 +97,16 @@ class WebExportTest(ProgramTest):
         self.assert_done(answer)
         self.assertIn("nothing is lost", answer.stdout)
 
+    def test_dry_run_names_lost_subframes(self):
+        for target in ("web", "portable", "isf", "reshade"):
+            with self.subTest(target):
+                answer = run("export", "rolling-scan", "--to", target, "--dry-run")
+                self.assert_done(answer)
+                self.assertIn("Sub-frames. Each frame shows the mean light of a source frame.", answer.stdout)
+        answer = run("export", "rolling-scan", "--to", "slang", "--dry-run")
+        self.assert_done(answer)
+        self.assertIn("nothing is lost", answer.stdout)
+
     def fake_browser(self, script):
         folder = self.folder / "bin"
         folder.mkdir(exist_ok=True)

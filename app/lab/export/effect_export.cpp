@@ -265,7 +265,7 @@ ExportTarget target_of(std::string_view name, std::string_view label, std::strin
 }  // namespace
 
 std::vector<ExportTarget> effect_targets() {
-    return {
+    std::vector<ExportTarget> targets{
         target_of<slang_format>(
             "slang", "RetroArch preset",
             "a .slangp preset with its shaders, for RetroArch and other programs with libretro "
@@ -294,4 +294,6 @@ std::vector<ExportTarget> effect_targets() {
              "licences and authors"},
             "Afterglow can't draw effects of ReShade"),
     };
+    targets.front().has_subframes = true;
+    return targets;
 }

@@ -3,6 +3,7 @@
 #include "lab/export/effect_export.h"
 #include "lab/export/portable_export.h"
 #include "lab/export/web_export.h"
+#include "model/look/subframe.h"
 
 #include <fmt/format.h>
 
@@ -56,6 +57,15 @@ Result<const ExportTarget*> find_export_target(const std::string& name) {
     for (const ExportTarget& target : targets)
         names += (names.empty() ? "" : ", ") + target.name;
     return fail({{}, 0, fmt::format("can't export to '{}'. Choose from: {}.", name, names)});
+}
+
+Result<std::vector<std::string>> losses_of(const ExportTarget& target,
+                                           const PreparedLook& prepared) {
+    auto losses = target.losses(prepared);
+    const Document& document = prepared.document;
+    if (losses && !target.has_subframes && subframes_of(document.look(), document.values()) > 1)
+        losses->emplace_back("Sub-frames. Each frame shows the mean light of a source frame.");
+    return losses;
 }
 
 Result<ExportedLook> export_look(const ExportTarget& target, const ExportRequest& request) {

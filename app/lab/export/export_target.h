@@ -29,8 +29,8 @@ struct ExportTarget {
     std::string extension;           // ".html"; "" for a folder
     std::string help;                // what it writes: "a folder with ..."
     std::vector<std::string> keeps;  // what it can carry, a phrase per item
-    /// What would be lost, a sentence per item; empty: nothing. The error is the reason why the
-    /// look can't be exported.
+    bool has_subframes = false;      // false: it draws whole frames
+    /// What this format loses, see losses_of().
     Result<std::vector<std::string>> (*losses)(const PreparedLook& prepared);
     /// Writes all or nothing. Errors name the file.
     Result<ExportedLook> (*write)(const ExportRequest& request);
@@ -46,6 +46,11 @@ const std::vector<ExportTarget>& export_targets();
 
 /// Fails with the names of all targets.
 Result<const ExportTarget*> find_export_target(const std::string& name);
+
+/// What would be lost, a sentence per item; empty: nothing. The error is the reason why the look
+/// can't be exported.
+Result<std::vector<std::string>> losses_of(const ExportTarget& target,
+                                           const PreparedLook& prepared);
 
 /// Writes and checks.
 Result<ExportedLook> export_look(const ExportTarget& target, const ExportRequest& request);

@@ -8,8 +8,8 @@
 namespace fs = std::filesystem;
 
 void LookExporter::find_losses(const Document& document, std::size_t target) {
-    m_losses.start([document, losses = export_targets()[target].losses](JobProgress&) {
-        return losses(PreparedLook{.document = document});
+    m_losses.start([document, &chosen = export_targets()[target]](JobProgress&) {
+        return losses_of(chosen, PreparedLook{.document = document});
     });
 }
 
