@@ -5,7 +5,7 @@
 namespace {
 const GoldenLook composite_video{
     .id = "composite-video",
-    .frames = {1, 2},
+    .frames = {2},
     .cell = {160, 120},
     .preset_cell = {320, 240},
     .always = {{"dither", "false"}},
