@@ -45,8 +45,8 @@ vec3 bumps_over(vec3 x, float width, float period, float border, float power) {
 }
 
 // Stripes of the three channels side by side. y is divided into cells. Every other column of cells
-// is `stagger` of a cell higher. `across` is the horizontal position of each channel, `up` the vertical
-// one of all.
+// is `stagger` of a cell higher. `across` is the horizontal position of each channel, `up` the
+// vertical one of all.
 vec3 striped_mask(Mask mask, vec3 across, float up, float pixel, vec2 power, float stagger) {
     const vec3 channel = vec3(0.0, 1.0, 2.0);
     vec3 x = 3.0 * across / mask.pitch;

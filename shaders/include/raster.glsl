@@ -20,10 +20,10 @@ Raster raster_of(vec3 place, float field) {
                   2.0 * place.y);
 }
 
-// Standard deviation of the spot at a beam current of 0..1. It grows with the square root of the
-// current, as space charge does in the models of crt-royale and of display handbooks.
+// Standard deviation of the spot. It grows with the square root of the beam current, as space charge
+// does in the models of crt-royale and of display handbooks, up to a current of 1.
 vec3 spot_size(vec3 current, float smallest, float growth) {
-    return smallest * (1.0 + growth * sqrt(max(current, 0.0)));
+    return smallest * (1.0 + growth * sqrt(clamp(current, 0.0, 1.0)));
 }
 
 // Light of a spot at a distance from its middle, relative to its light spread evenly over a length

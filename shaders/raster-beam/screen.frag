@@ -76,13 +76,15 @@ vec3 line_light(vec2 place) {
     Raster drawn = raster();
     float unit = 1.0 / (240.0 * drawn.pitch);
     float pixel = (1.0 - overscan.y) / (u_resolution.y * drawn.pitch);
-    vec3 whole = floor(unit * vec3(red_offset.y, 0.0, blue_offset.y) + 0.5);
+    vec3 offset = unit * vec3(red_offset.y, 0.0, blue_offset.y);
+    vec3 whole = floor(offset + 0.5);
+    vec3 rest = abs(offset - whole);
     vec3 up = unit * vec3(red_at(2.0 * place - 1.0).y, 0.0, blue_at(2.0 * place - 1.0).y) - whole;
     float at = (1.0 - place.y - drawn.first) / drawn.pitch;
     float nearest = floor(at + 0.5);
     Lines lines = Lines(vec3(0.0), vec3(0.0), whole, at + up, place.x, unit, pixel);
     float widest = max(min(unit * spot_size(vec3(1.0), spot, spot_growth).g, largest_size), 0.5 * pixel);
-    float drift = abs(convergence_edge) * unit + 0.5 * float(whole != vec3(0.0));
+    float drift = abs(convergence_edge) * unit + max(rest.r, rest.b);
     int reach = int(ceil(deviations * widest + drift - 0.5));
     int i = -reach;
     do {

@@ -188,19 +188,25 @@ TEST_CASE("guns are offset to the right and up, and drift apart at the edges") {
     CHECK(row(apart, 0).centre - row(apart, 2).centre > 2.0);
 }
 
-TEST_CASE("a gun that draws some lines away keeps its light, also at 480 lines") {
-    const Picture grey = picture_of({8, 480}, {0.4f, 0.4f, 0.4f});
-    Tube tube({16, 960}, grey,
-              {{"interlace", Value(0.0)},
-               {"red_offset", Value({0.0, 2.0})},
-               {"blue_offset", Value({0.0, -2.0})}});
-    const Picture drawn = tube.draw();
-    for (std::size_t c = 0; c < 3; ++c) {
-        double sum = 0.0;
-        for (int y = 160; y < 800; ++y)
-            sum += value_at(drawn, 8, y, c);
-        CHECK(std::abs(sum / 640.0 / 0.4 - 1.0) < 0.01);
-    }
+TEST_CASE("a gun that draws lines away keeps its light, also in parts of a line and overdriven") {
+    for (const double offset : {2.0, 0.45, 0.2})
+        for (const float light : {0.4f, 6.0f}) {
+            Tube tube({16, 960}, picture_of({8, 240}, {light, light, light}),
+                      {{"interlace", Value(0.0)},
+                       {"red_offset", Value({0.0, offset})},
+                       {"blue_offset", Value({0.0, -offset})},
+                       {"spot", Value(0.12)},
+                       {"spot_growth", Value(1.5)}});
+            const Picture drawn = tube.draw();
+            CAPTURE(offset);
+            CAPTURE(light);
+            for (std::size_t c = 0; c < 3; ++c) {
+                double sum = 0.0;
+                for (int y = 160; y < 800; ++y)
+                    sum += value_at(drawn, 8, y, c);
+                CHECK(std::abs(sum / 640.0 / static_cast<double>(light) - 1.0) < 0.01);
+            }
+        }
 }
 
 TEST_CASE("a picture that is lower than the raster keeps its light") {
