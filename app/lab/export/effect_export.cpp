@@ -30,6 +30,7 @@ struct EffectFormat {
     std::string_view folder;  // "_shaders", after the name of the main file; "": no other files
     Result<EffectOutput> (*write)(const EffectRequest& request);
     Result<void> (*read)(const fs::path& file);
+    bool has_subframes = false;  // as in ExportTarget
 };
 
 // Opened as a look, which compiles the shaders.
@@ -53,8 +54,8 @@ Result<void> read_reshade(const fs::path& file) {
     return text ? Result<void>() : fail(text.error());
 }
 
-constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders", slang_files,
-                                    read_look};
+constexpr EffectFormat slang_format{"a RetroArch preset", ".slangp", "_shaders",
+                                    slang_files,          read_look, true};
 constexpr EffectFormat isf_format{"an ISF file", ".fs", "_pictures", isf_files, read_look};
 constexpr EffectFormat mpv_format{"an mpv shader", ".glsl", "", mpv_files, read_mpv};
 constexpr EffectFormat reshade_format{"a ReShade effect", ".fx", "_reshade", reshade_files,
@@ -256,6 +257,7 @@ ExportTarget target_of(std::string_view name, std::string_view label, std::strin
             .extension = format.extension,
             .help = std::string(help),
             .keeps = keeps,
+            .has_subframes = format.has_subframes,
             .losses = [](const PreparedLook& prepared) { return losses_in(prepared, format); },
             .write = [](const ExportRequest& request) { return export_effect(request, format); },
             .check = [](const ExportRequest& request) { return format.read(request.path); },
@@ -265,7 +267,7 @@ ExportTarget target_of(std::string_view name, std::string_view label, std::strin
 }  // namespace
 
 std::vector<ExportTarget> effect_targets() {
-    std::vector<ExportTarget> targets{
+    return {
         target_of<slang_format>(
             "slang", "RetroArch preset",
             "a .slangp preset with its shaders, for RetroArch and other programs with libretro "
@@ -294,6 +296,4 @@ std::vector<ExportTarget> effect_targets() {
              "licences and authors"},
             "Afterglow can't draw effects of ReShade"),
     };
-    targets.front().has_subframes = true;
-    return targets;
 }
