@@ -25,7 +25,7 @@ constexpr std::array verbs{
     Verb{"bench", add_bench},         Verb{"sheet", add_sheet},     Verb{"sweep", add_sweep},
     Verb{"signal", add_signal},       Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
     Verb{"export", add_export},       Verb{"golden", add_golden},   Verb{"pack", add_pack},
-    Verb{"thumbnail", add_thumbnail}, Verb{"gallery", add_gallery},
+    Verb{"thumbnail", add_thumbnail}, Verb{"gallery", add_gallery}, Verb{"match", add_match},
 };
 
 std::string about() {

@@ -66,11 +66,11 @@ void LookOptions::add_to(Options& options, Take take) {
         .add("--tempo BPM", m_request.bpm,
              "Tempo of modulations in beats (default: the preset's, else 120)")
         .between(min_bpm, max_bpm);
-    options
-        .add("--size WxH", m_size,
-             "Render size in pixels, or 720p, 1080p, 1440p, 2160p, square (1080x1080) or portrait "
-             "(1080x1920)")
-        .show_default();
+    Option size = options.add("--size WxH", m_size,
+                              "Render size in pixels, or 720p, 1080p, 1440p, 2160p, square "
+                              "(1080x1080) or portrait (1080x1920)");
+    if (!m_size.empty())
+        size.show_default();
     if (take != Take::values)
         options.add("--fps N", m_request.fps, "Frames per second of the fixed clock")
             .show_default()
@@ -79,7 +79,7 @@ void LookOptions::add_to(Options& options, Take take) {
 
 RenderRequest LookOptions::request() const {
     RenderRequest request = m_request;
-    request.size = parse_size(m_size);
+    request.size = m_size.empty() ? Extent{} : parse_size(m_size);
     if (m_signals.size() > 1 && !m_takes_several)
         throw UsageError("--signal: only 'render' takes several sounds");
     if (!m_signals.empty())

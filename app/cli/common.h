@@ -31,6 +31,7 @@ public:
     /// The options that a command takes; `drawing` adds --fps, and `several` takes several sounds.
     enum class Take { values, drawing, several };
 
+    /// `size`: the default; "": none, and request() has an empty size.
     explicit LookOptions(std::string size = "1280x720") : m_size(std::move(size)) {}
 
     void add_to(Options& options, Take take);
@@ -75,6 +76,7 @@ Command add_check(CommandLine& program);
 Command add_describe(CommandLine& program);
 Command add_export(CommandLine& program);
 Command add_gallery(CommandLine& program);
+Command add_match(CommandLine& program);
 Command add_golden(CommandLine& program);
 Command add_pack(CommandLine& program);
 Command add_thumbnail(CommandLine& program);

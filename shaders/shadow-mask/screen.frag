@@ -14,7 +14,7 @@ uniform vec2 u_resolution;
 uniform int u_frame;
 uniform float u_peak;
 
-uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
+uniform float bloom_intensity = 0.35;  // @range 0 2  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0  @photo amount
                                        // @help "How much of the blurred light is added. It also fills the dark parts of the mask. 0 turns the bloom off."
 uniform float exposure = 1.0;          // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @identity 1  @when !as_written
                                        // @help "Brightness before tone mapping. Doubling it doubles the light."

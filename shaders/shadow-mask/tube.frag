@@ -14,13 +14,13 @@ uniform vec3 u_source_columns;
 uniform float u_time;
 uniform float u_time_delta;
 
-uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"  @when !as_written && (mask_strength > 0 || sampling != "Continuous")
+uniform int mask_type = 0;          // @items "Staggered cells" "Aperture grille" "Slot mask" "Dot triads"  @label "Type"  @group "Mask"  @when !as_written && (mask_strength > 0 || sampling != "Continuous")  @photo type
                                     // @help "Staggered cells are the article's. An aperture grille has vertical stripes. A slot mask cuts the stripes with bridges. Dot triads are typical of computer monitors."
 uniform int mask_unit = 0;          // @items "Pixels" "Triads across"  @label "Pitch unit"  @group "Mask"  @when as_written || mask_strength > 0 || sampling != "Continuous"
                                     // @help "How the pitch is set: in pixels, or as the number of red, green and blue triads across the picture, independent of the render size."
-uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Pitch"  @unit "px per period"  @group "Mask"  @period "$mask_unit == 0 ? ($mask_snap == 1 ? max(round($mask_size), 1) : $mask_size) : 0"  @when mask_unit == "Pixels" && (as_written || mask_strength > 0 || sampling != "Continuous")
+uniform float mask_size = 6.0;      // @range 2 32  @limit 0.5 256  @label "Pitch"  @unit "px per period"  @group "Mask"  @period "$mask_unit == 0 ? ($mask_snap == 1 ? max(round($mask_size), 1) : $mask_size) : 0"  @when mask_unit == "Pixels" && (as_written || mask_strength > 0 || sampling != "Continuous")  @photo pitch
                                     // @help "Distance from one red stripe or dot to the next. Below 3 px the mask fades. Below 2 px it is an even grey, as no display could show it."
-uniform float mask_triads = 320.0;  // @range 60 1200  @limit 1 20000  @scale log  @label "Triads"  @unit "across"  @group "Mask"  @period "$mask_unit == 0 ? 0 : $mask_snap == 1 ? max(round($WIDTH / $mask_triads), 1) : $WIDTH / $mask_triads"  @when mask_unit == "Triads across" && (as_written || mask_strength > 0 || sampling != "Continuous")
+uniform float mask_triads = 320.0;  // @range 60 1200  @limit 1 20000  @scale log  @label "Triads"  @unit "across"  @group "Mask"  @period "$mask_unit == 0 ? 0 : $mask_snap == 1 ? max(round($WIDTH / $mask_triads), 1) : $WIDTH / $mask_triads"  @when mask_unit == "Triads across" && (as_written || mask_strength > 0 || sampling != "Continuous")  @photo pitch
                                     // @help "Number of triads across the picture. A 21-inch television had 500 to 800, an arcade monitor 300 to 400. Only used when Pitch unit is Triads across."
 uniform bool mask_snap = false;     // @label "Snap to whole pixels"  @group "Mask"  @when as_written || mask_strength > 0 || sampling != "Continuous"
                                     // @help "Rounds the pitch to a whole number of pixels, so that all cells look alike."
@@ -30,20 +30,20 @@ uniform float mask_stagger = 0.5;   // @range 0 0.5  @limit 0 1  @label "Stagger
                                     // @help "Vertical offset of every other column of cells or slots. 0.5 breaks up rows as real tubes do, 0 aligns them."
 uniform float mask_border = 0.8;    // @range 0 1  @limit 0 1  @label "Border darkness"  @group "Mask"  @when as_written || mask_strength > 0
                                     // @help "How dark the mask is between stripes. 0 removes the borders. In dot triads, higher values make the dots smaller."
-uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0  @when !as_written
+uniform float mask_strength = 1.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Mask"  @identity 0  @when !as_written  @photo amount
                                     // @help "0 turns the mask off. At 1, each stripe shows only its own colour."
 uniform float brightness_kept = 1.0;  // @range 0 1  @limit 0 1  @label "Brightness compensation"  @group "Mask"  @when !as_written && (mask_strength > 0 || scanline_strength > 0)
                                       // @help "1 brightens stripes and scanlines until the mean is unchanged. Light above white is clipped. 0 only removes light. The article's factor 3 makes up for the stripes but not for their borders, which keep 54 % at a border darkness of 0.8."
 uniform int subpixel_order = 0;     // @items "RGB" "BGR"  @items_was "Red, green, blue" "Blue, green, red"  @label "Subpixel order"  @group "Mask"  @when !as_written && mask_strength > 0 && monochrome < 1
                                     // @help "Order of the colours in a cell, from left to right."
-uniform int sampling = 1;           // @items "Cell centre" "Cell average" "Continuous"  @items_was "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Sampling"  @group "Mask"  @when !as_written
+uniform int sampling = 1;           // @items "Cell centre" "Cell average" "Continuous"  @items_was "Middle of the cell" "Mean of the cell" "Unbroken"  @label "Sampling"  @group "Mask"  @when !as_written  @photo start 2
                                     // @help "Cell centre and Cell average give each cell one colour of the picture. Continuous shows the unbroken picture behind the mask. Real tubes do the same, as their beams don't light one cell at a time."
 
-uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red offset"  @unit "px"  @group "Convergence"  @identity 0
+uniform vec2 red_offset = vec2(-2.0, 0.0);   // @range -8 8  @limit -64 64  @label "Red offset"  @unit "px"  @group "Convergence"  @identity 0  @photo start 0
                                              // @help "Where red is sampled, to the right and up. 0 leaves it in place."
-uniform vec2 green_offset = vec2(2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Green offset"  @unit "px"  @group "Convergence"  @identity 0
+uniform vec2 green_offset = vec2(2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Green offset"  @unit "px"  @group "Convergence"  @identity 0  @photo start 0
                                              // @help "Where green is sampled, to the right and up. An offset against red and blue gives green and magenta fringes."
-uniform vec2 blue_offset = vec2(-2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Blue offset"  @unit "px"  @group "Convergence"  @identity 0
+uniform vec2 blue_offset = vec2(-2.0, 0.0);  // @range -8 8  @limit -64 64  @label "Blue offset"  @unit "px"  @group "Convergence"  @identity 0  @photo start 0
                                              // @help "Where blue is sampled, to the right and up. 0 leaves it in place."
 
 uniform float monochrome = 0.0;              // @range 0 1  @limit 0 1  @label "Monochrome"  @group "Tint"  @identity 0  @when !as_written
@@ -51,13 +51,13 @@ uniform float monochrome = 0.0;              // @range 0 1  @limit 0 1  @label "
 uniform vec3 tint = vec3(1.0);               // @color  @label "Tint"  @group "Tint"  @identity 1  @when !as_written
                                              // @help "Colour of the phosphor. The light is multiplied by it. White leaves it unchanged."
 
-uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0  @when !as_written
+uniform float scanline_strength = 0.0;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Scanlines"  @identity 0  @when !as_written  @photo amount
                                         // @help "Depth of the scanlines: the fraction of the light that is lost between them. 0 turns them off."
 uniform int scanline_unit = 0;          // @items "Pixels" "Source lines"  @label "Period unit"  @group "Scanlines"  @when !as_written && scanline_strength > 0
                                         // @help "Unit of the scanline period. With Source lines, each line of the source gets its own scanline, wherever the source is placed in the picture. Vertical scanlines follow its columns."
-uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px per period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"  @when !as_written && scanline_strength > 0 && scanline_unit == "Pixels"
+uniform float scanline_period = 4.0;    // @range 2 16  @limit 1 1000  @label "Period"  @unit "px per period"  @group "Scanlines"  @period "$scanline_unit == 0 ? $scanline_period : 0"  @when !as_written && scanline_strength > 0 && scanline_unit == "Pixels"  @photo lines
                                         // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."
-uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $picture_size * $scanline_lines * ($scanline_axis == 0 ? $LINE : $COLUMN) * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * (($scanline_axis == 0 ? $LINES : $COLUMNS) > 288) * (($scanline_axis == 0 ? $LINES : $COLUMNS) <= 576))"  @when !as_written && scanline_strength > 0 && scanline_unit == "Source lines"
+uniform float scanline_lines = 1.0;     // @range 0.5 4  @limit 0.25 64  @label "Lines per scanline"  @group "Scanlines"  @period "$scanline_unit == 0 ? 0 : $picture_size * $scanline_lines * ($scanline_axis == 0 ? $LINE : $COLUMN) * (1 + ($scanline_interlace == 2) + ($scanline_interlace == 1) * (($scanline_axis == 0 ? $LINES : $COLUMNS) > 288) * (($scanline_axis == 0 ? $LINES : $COLUMNS) <= 576))"  @when !as_written && scanline_strength > 0 && scanline_unit == "Source lines"  @photo lines
                                         // @help "Number of source lines that each scanline covers. Only used when Period unit is Source lines."
 uniform int scanline_interlace = 1;     // @items "Off" "Auto" "On"  @label "Interlacing"  @group "Scanlines"  @when !as_written && scanline_strength > 0 && scanline_unit == "Source lines"
                                         // @help "Draws even and odd source lines in alternating fields, 60 fields per second. Auto does this for sources of 289 to 576 lines. Only used when Period unit is Source lines."
@@ -66,10 +66,10 @@ uniform int scanline_axis = 0;          // @items "Horizontal" "Vertical"  @item
 
 uniform float vignette = 0.4;        // @range 0.05 2  @limit 0.01 10  @label "Exponent"  @group "Vignette"  @when as_written || vignette_depth > 0
                                      // @help "Shape of the dark edges. A small exponent darkens only the rim, a large one reaches far into the picture."
-uniform float vignette_depth = 0.6;  // @range 0 1  @limit 0 1  @label "Depth"  @group "Vignette"  @identity 0  @when !as_written
+uniform float vignette_depth = 0.6;  // @range 0 1  @limit 0 1  @label "Depth"  @group "Vignette"  @identity 0  @when !as_written  @photo start 0
                                      // @help "How much light is lost at the very edges. 0 turns the vignette off. 1 is the article's, with black edges."
 
-uniform float pulse_intensity = 0.03;  // @range 0 0.05  @limit 0 0.05  @label "Intensity"  @group "Pulse"  @identity 0
+uniform float pulse_intensity = 0.03;  // @range 0 0.05  @limit 0 0.05  @label "Intensity"  @group "Pulse"  @identity 0  @photo start 0
                                        // @help "Strength of the brightness waves that move across the screen. 0 turns them off. The range is small, as strong waves above three per second can harm photosensitive viewers."
 uniform float pulse_width = 60.0;      // @range 10 400  @limit 1 10000  @label "Wave width"  @unit "px/rad"  @group "Pulse"  @when pulse_intensity > 0
                                        // @help "Width of one radian of the wave. A whole wave is 6.28 times as long."

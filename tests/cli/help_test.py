@@ -19,7 +19,7 @@ class Help(ProgramTest):
 
     def test_each_help_fits_80_columns_and_ends_with_its_own_examples(self):
         commands = self.commands()
-        self.assertEqual(len(commands), 17, commands)
+        self.assertEqual(len(commands), 18, commands)
         for command in ((), *((name,) for name in commands)):
             with self.subTest(command):
                 done = run(*command, "--help")
@@ -36,6 +36,13 @@ class Help(ProgramTest):
         for name in ("before.png", "after.png", "screenshot.png"):
             shutil.copy(self.folder / "picture.png", self.folder / name)
         self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "before.exr"))
+        bars = self.folder / "bars.png"
+        self.assert_done(run("render", "crt", "--set", "crt=off", "--source", "pattern:harbour", "--size", "240x180", "-o", bars))
+        photo = {"mask_type": "Aperture grille", "mask_strength": "0.7", "sampling": "Continuous", "exposure": "0.25",
+                 "vignette_depth": "0", "red_offset": "0,0", "green_offset": "0,0",
+                 "blue_offset": "0,0"}
+        sets = [word for name, value in photo.items() for word in ("--set", f"{name}={value}")]
+        self.assert_done(run("render", "shadow-mask", *sets, "--source", bars, "--size", "240x180", "-o", self.folder / "set.png"))
         shutil.copy(self.folder / "before.exr", self.folder / "after.exr")
         self.assert_done(run("signal", "text:HI", "--seconds", "0.1", "-o", self.folder / "song.flac"))
         self.write("show.txt", "0 blackout on\n0.05 blackout off\n")

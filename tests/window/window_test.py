@@ -20,6 +20,7 @@ from keeping import Keeping
 from keyboard import Keyboard
 from listing import Listing
 from looking import Looking
+from matching import Matching
 from moving import Moving
 from owning import Owning
 from person import Person

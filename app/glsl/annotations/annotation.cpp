@@ -277,6 +277,41 @@ void apply_hidden(const Site& site) {
     site.parameter.is_hidden = true;
 }
 
+// "start NUMBER": a value for all components.
+void apply_photo_start(const Site& site) {
+    const auto number =
+        site.hint.words.size() == 2 ? parse_number(site.hint.words[1]) : std::nullopt;
+    if (!number)
+        return site.error("@photo start takes one number, such as @photo start 0");
+    const auto size = static_cast<std::size_t>(site.parameter.type.size());
+    site.parameter.photo_role = PhotoRole::start;
+    site.parameter.photo_start = Value(std::vector<double>(size, *number));
+}
+
+void apply_photo(const Site& site) {
+    constexpr std::array<std::pair<std::string_view, PhotoRole>, 8> roles{
+        {{"shape", PhotoRole::shape},
+         {"pitch", PhotoRole::pitch},
+         {"lines", PhotoRole::lines},
+         {"type", PhotoRole::type},
+         {"amount", PhotoRole::amount},
+         {"width", PhotoRole::width},
+         {"decay", PhotoRole::decay},
+         {"tube", PhotoRole::tube}}};
+    if (!site.hint.words.empty() && site.hint.words.front() == "start")
+        return apply_photo_start(site);
+    for (const auto& [word, role] : roles)
+        if (site.hint.words == std::vector<std::string>{std::string(word)})
+            site.parameter.photo_role = role;
+    const PhotoRole role = site.parameter.photo_role;
+    if (role == PhotoRole::none)
+        return site.error(
+            "@photo must be shape, pitch, lines, type, amount, width, decay, tube or start");
+    const bool is_list = role == PhotoRole::type || role == PhotoRole::tube;
+    if (is_list != !site.parameter.items.empty())
+        site.error("@photo type and tube are only for lists, and lists have no other one");
+}
+
 struct Rule {
     std::string_view key;
     void (*apply)(const Site&);
@@ -305,6 +340,7 @@ constexpr Rule rules[] = {
     {"@hidden", apply_hidden, true},
     {"@when", apply_when, true},
     {"@random", apply_random},
+    {"@photo", apply_photo},
 };
 
 void report(const Hint* hint, std::string message, Diagnostics& errors) {

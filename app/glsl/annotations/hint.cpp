@@ -11,9 +11,10 @@
 namespace {
 const std::vector<std::string>& known_keys() {
     static const std::vector<std::string> keys{
-        "@range", "@limit",     "@scale",      "@label",       "@unit",   "@group", "@help",
-        "@items", "@items_was", "@items_note", "@items_color", "@color",  "@point", "@angle",
-        "@parts", "@identity",  "@was",        "@hidden",      "@period", "@when",  "@random"};
+        "@range",  "@limit", "@scale",     "@label",      "@unit",        "@group",
+        "@help",   "@items", "@items_was", "@items_note", "@items_color", "@color",
+        "@point",  "@angle", "@parts",     "@identity",   "@was",         "@hidden",
+        "@period", "@when",  "@random",    "@photo"};
     return keys;
 }
 

@@ -106,6 +106,7 @@ void BackgroundJobs::update() {
         show_rate_pair((*compared)->worst_index());
     m_impulse.update();
     m_look_export.update();
+    m_matcher.update();
     for (ExportQueue* queue : {&m_exports, &m_stills})
         for (const QueuedExport& ended : queue->update())
             report(ended);

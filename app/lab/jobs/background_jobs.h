@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lab/export/look_exporter.h"
+#include "lab/match/photo_matcher.h"
 #include "lab/media/render_size.h"
 #include "lab/messages/messages.h"
 #include "lab/offline/export_queue.h"
@@ -11,7 +12,7 @@
 #include "lab/storage/background_work.h"
 
 /// Jobs that draw a copy of the document in the background: comparison of frame rates, impulse
-/// response, export of frames and pictures.
+/// response, export of frames and pictures, matching a photo.
 class BackgroundJobs {
 public:
     BackgroundJobs(const OpenDocument& document, const RenderSize& size, const Roots& roots,
@@ -49,10 +50,14 @@ public:
     LookExporter& look_export() { return m_look_export; }
     const LookExporter& look_export() const { return m_look_export; }
 
+    /// Matches the document to a photo.
+    PhotoMatcher& matcher() { return m_matcher; }
+    const PhotoMatcher& matcher() const { return m_matcher; }
+
     void update();
     bool is_running() const {
-        return m_look_export.is_running() || m_rates.is_running() || m_impulse.is_running() ||
-               is_exporting();
+        return m_matcher.is_running() || m_look_export.is_running() || m_rates.is_running() ||
+               m_impulse.is_running() || is_exporting();
     }
 
 private:
@@ -67,5 +72,6 @@ private:
     BackgroundWork<ImpulseResponse> m_impulse;
     ExportQueue m_exports;
     LookExporter m_look_export;
+    PhotoMatcher m_matcher{m_document};
     ExportQueue m_stills;  // pictures that are drawn already
 };

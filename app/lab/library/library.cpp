@@ -108,7 +108,7 @@ std::vector<PresetEntry> Library::presets(std::string_view look) const {
     std::vector<PresetEntry> presets;
     for (const fs::path& root : m_roots.all())
         for (const fs::path& file : sorted_entries(root / "presets" / look))
-            if (file.extension() == ".json")
+            if (file.extension() == ".json" && file.stem().extension() != ".camera")
                 presets.push_back(
                     {std::string(look), file.stem(), file, is_shipped(file), file.stem()});
     std::ranges::stable_sort(presets, {}, [](const PresetEntry& preset) {

@@ -16,6 +16,9 @@ struct Dialog {
         open_file,
         choose_file,  // for the parameter or signal in `subject`
         choose_reference,
+        match_photo,
+        choose_photo,  // to match
+        choose_shown,  // the picture that a photo shows
         live_source,
         save_picture,
         save_pass,  // of the pass in `subject`

@@ -32,6 +32,11 @@ Extensions reference_pictures() {
     return {".png", ".exr", ".jpg", ".jpeg", ".hdr", ".tif", ".tiff", ".bmp", ".webp"};
 }
 
+Extensions photos() {
+    return {".jpg", ".jpeg", ".png", ".tif", ".tiff", ".heic", ".heif", ".webp",
+            ".dng", ".nef",  ".cr2", ".cr3", ".arw",  ".raf",  ".orf"};
+}
+
 // The first extension is added to names without one.
 const std::array file_dialogs{
     FileDialogKind{.kind = DialogKind::open_file,
@@ -50,6 +55,18 @@ const std::array file_dialogs{
                    .first_folder = UserFolder::pictures,
                    .content = "Pictures",
                    .extensions = reference_pictures},
+    FileDialogKind{.kind = DialogKind::choose_photo,
+                   .title = "Choose a photo of a tube",
+                   .folder_key = "photo",
+                   .first_folder = UserFolder::pictures,
+                   .content = "Photos",
+                   .extensions = photos},
+    FileDialogKind{.kind = DialogKind::choose_shown,
+                   .title = "Choose the picture that the photo shows",
+                   .folder_key = "input",
+                   .first_folder = UserFolder::pictures,
+                   .content = "Pictures",
+                   .extensions = [] { return Extensions(picture_extensions()); }},
     FileDialogKind{.kind = DialogKind::load_drawing,
                    .title = "Load drawing",
                    .folder_key = "drawing",

@@ -65,6 +65,12 @@ struct Item {
 /// The part of a look's orbit that a parameter sets; see model/look/orbit.h.
 enum class OrbitPart { none, turn, azimuth, elevation, distance };
 
+/// How a photo of a tube shows a parameter, see `afterglow match`. shape: in the mean light of
+/// places. pitch, lines: as a period across or down. type: one of a list. amount: in the contrast
+/// of details. width: in the profile of lines. decay, tube: only in a video, as a time and as a
+/// list. start: not at all, but a tube has another value than the look's default.
+enum class PhotoRole { none, shape, pitch, lines, type, amount, width, decay, tube, start };
+
 /// A uniform of a pass that a parameter sets.
 struct Binding {
     int pass = 0;  // index into Look::passes
@@ -99,6 +105,8 @@ struct Parameter {
     bool is_constant = false;              // not a uniform: a new value rebuilds the look
     Encoding encoding = Encoding::linear;  // of a colour in shaders; its value is linear
     OrbitPart orbit = OrbitPart::none;     // not none: its value becomes part of a matrix
+    PhotoRole photo_role = PhotoRole::none;
+    std::optional<Value> photo_start;  // with PhotoRole::start
     std::vector<Binding> bindings;
     Location declared;
 

@@ -119,6 +119,10 @@ void choose_reference(const Scene&, Edits& edits) {
     edits.show({.kind = Dialog::Kind::choose_reference});
 }
 
+void match_photo(const Scene&, Edits& edits) {
+    edits.show({.kind = Dialog::Kind::match_photo});
+}
+
 Action action(ActionId id, const char* label, Chord chord, void (*act)(const Scene&, Edits&),
               bool (*is_on)(const Scene&)) {
     return {id, Menu::compare, label, chord, false, act, file_actions::has_document, is_on};
@@ -155,10 +159,11 @@ std::vector<Action> seeing_actions() {
         action(Id::with_article, "Compare with original article", {f5 + 3, true},
                compare_with_article, is_article_other),
         action(Id::with_file, "Compare with image file…", {f5 + 4, true}, choose_reference,
-               is_file_other)};
+               is_file_other),
+        action(Id::match_photo, "Match a photo…", {}, match_photo, nullptr)};
     actions[0].on_release = end_flash;
     actions[5].is_enabled = can_fit_gain;
-    actions[6].is_first = actions[7].is_first = true;
+    actions[6].is_first = actions[7].is_first = actions[9].is_first = true;
     return actions;
 }
 }  // namespace

@@ -13,6 +13,7 @@
 #include "ui/dialogs/keys_dialog.h"
 #include "ui/dialogs/live_dialog.h"
 #include "ui/dialogs/look_export_dialog.h"
+#include "ui/dialogs/match_dialog.h"
 #include "ui/dialogs/name_field.h"
 #include "ui/dialogs/new_look_dialog.h"
 #include "ui/dialogs/palette_dialog.h"
@@ -144,6 +145,7 @@ constexpr std::array dialog_rows{
     DialogRow{Dialog::Kind::palette, draw_palette_dialog},
     DialogRow{Dialog::Kind::compare_preset, draw_compare_dialog},
     DialogRow{Dialog::Kind::remote, draw_remote_dialog},
+    DialogRow{Dialog::Kind::match_photo, draw_match_dialog},
     DialogRow{Dialog::Kind::impulse, draw_impulse_dialog},
     DialogRow{Dialog::Kind::rates, draw_rates_dialog},
     DialogRow{Dialog::Kind::keys, draw_keys_dialog},

@@ -35,6 +35,12 @@ void finish_file_dialog(const fs::path& file, const Scene& scene, Edits& edits) 
         case Kind::choose_reference:
             return finish_dialog(
                 edits, [file](ComparisonView& comparison) { comparison.compare_with_file(file); });
+        case Kind::choose_photo:
+            edits.change([file](BackgroundJobs& jobs) { jobs.matcher().open_photo(file); });
+            return edits.show({.kind = Kind::match_photo});
+        case Kind::choose_shown:
+            edits.change([file](LookCommands& looks) { looks.open_file(file); });
+            return edits.show({.kind = Kind::match_photo});
         case Kind::load_drawing:
             return finish_dialog(edits, [file](DrawingTool& drawing) { drawing.load(file); });
         case Kind::save_drawing:

@@ -71,6 +71,7 @@ enum class ActionId {
     fit_gain,
     with_article,
     with_file,
+    match_photo,
     store_a,
     store_b,
     store_c,

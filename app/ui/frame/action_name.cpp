@@ -71,6 +71,7 @@ constexpr auto names = std::to_array<Named>({
     {ActionId::fit_gain, "auto_gain"},
     {ActionId::with_article, "compare_with_article"},
     {ActionId::with_file, "compare_with_file"},
+    {ActionId::match_photo, "match_photo"},
     {ActionId::store_a, "store_slot_a"},
     {ActionId::store_b, "store_slot_b"},
     {ActionId::store_c, "store_slot_c"},

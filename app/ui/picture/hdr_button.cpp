@@ -13,7 +13,7 @@
 #include <algorithm>
 
 namespace {
-constexpr const char* popup = "hdr";
+constexpr const char* hdr_popup = "hdr";
 
 std::string label_of(double peak) {
     return fmt::format("HDR {:.0f} nits", peak);
@@ -63,11 +63,11 @@ void draw_hdr_button(const Scene& scene, Edits& edits) {
     {
         const ScopedColor color(ImGuiCol_Text, theme::accent);
         if (quiet_button(label_of(scene.window.hdr.light.peak) + "###hdr"))
-            ImGui::OpenPopup(popup);
+            ImGui::OpenPopup(hdr_popup);
         edits.mark("hdr");
     }
     tooltip("HDR preview, tone-mapped for this display. Click for paper white and peak.");
-    if (!ImGui::BeginPopup(popup))
+    if (!ImGui::BeginPopup(hdr_popup))
         return;
     draw_settings(scene, edits);
     ImGui::EndPopup();

@@ -3,6 +3,7 @@
 #include "gpu/objects/draw.h"
 #include "lab/lab.h"
 #include "lab/views/pending_fits.h"
+#include "ui/dialogs/match_dialog.h"
 #include "ui/frame/scene.h"
 #include "ui/widgets/theme.h"
 #include "ui/window/state_file.h"
@@ -85,7 +86,7 @@ Edits PanelDisplay::draw(Lab& lab, const WindowState& state, long frame_number) 
     });
     draw_window(scene, edits);
     for (const std::filesystem::path& file : m_window.events().take_dropped_files())
-        edits.open_file(file);
+        open_dropped(file, scene, edits);
     m_toolkit.end();
     if (std::string complaint = m_toolkit.take_complaint(); !complaint.empty())
         lab.messages().say(std::move(complaint), true);

@@ -35,7 +35,7 @@ TEST_CASE("each dialog for files has rules, and a saved file has an extension") 
         if (kind->is_saving)
             CHECK(check_file_name("a", rules_of(*kind).names()).is_valid);
     }
-    CHECK(titles.size() == 11);
+    CHECK(titles.size() == 13);
     CHECK(file_dialog_kind(Kind::none) == nullptr);
     CHECK(file_dialog_kind(Kind::keys) == nullptr);
 }

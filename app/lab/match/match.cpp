@@ -1,0 +1,362 @@
+#include "lab/match/match.h"
+
+#include "lab/match/pattern_search.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+constexpr Compared only_points{false, true};
+constexpr Compared all{true, true};
+
+void append(std::vector<Unknown>& to, const std::vector<Unknown>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+}
+
+double farthest(const Corners& some, const Corners& others) {
+    double distance = 0.0;
+    for (std::size_t i = 0; i < some.size(); ++i)
+        distance = std::max(distance, glm::length(some[i] - others[i]));
+    return distance;
+}
+
+// As `--corners` takes them.
+std::string corner_list(const Corners& corners) {
+    std::vector<std::string> numbers;
+    for (const glm::dvec2& corner : corners) {
+        numbers.push_back(fmt::format("{:.0f}", corner.x));
+        numbers.push_back(fmt::format("{:.0f}", corner.y));
+    }
+    return fmt::format("{}", fmt::join(numbers, ","));
+}
+
+class Stages {
+public:
+    Stages(PhotoFit& fit, const MatchRequest& request)
+        : m_fit(fit), m_search(fit), m_request(request), m_state(request.start) {}
+
+    Result<Matched> run() {
+        for (const auto stage :
+             {&Stages::find_exposure, &Stages::find_shape, &Stages::check_corner_positions,
+              &Stages::find_widths, &Stages::find_type, &Stages::compare_types, &Stages::find_lines,
+              &Stages::compare_types, &Stages::find_all})
+            if (auto done = (this->*stage)(); !done)
+                return is_stopped() ? Result<Matched>(stopped()) : fail(done.error());
+        return finished();
+    }
+
+private:
+    const MatchedParameters& parameters() const { return m_request.parameters; }
+
+    const Parameter* pitch() const {
+        return parameters().pitch.empty() ? nullptr : parameters().pitch.front();
+    }
+
+    void report(std::string stage, double residual) {
+        m_residual = residual;
+        if (!m_request.on_progress)
+            return;
+        MatchProgress progress{std::move(stage), m_state, std::sqrt(residual), {}};
+        if (m_request.draws_pictures)
+            if (auto pictures = match_pictures(m_fit, m_state))
+                progress.pictures = std::move(*pictures);
+        m_request.on_progress(progress);
+    }
+
+    bool is_stopped() const { return m_fit.work().is_cancelled && m_residual.has_value(); }
+
+    Matched stopped() const {
+        Matched matched{
+            m_state, {}, std::sqrt(m_residual.value_or(0.0)), m_fit.renderer().count(), false};
+        for (const Unknown& unknown : all_unknowns())
+            if (unknown.part == Unknown::Part::look) {
+                const double value = unknown.of(m_state);
+                matched.numbers.push_back({unknown.parameter, unknown.index, value, value, value,
+                                           "the match was stopped"});
+            }
+        return matched;
+    }
+
+    // The colour matrix and the vignette.
+    Result<void> find_exposure() {
+        auto residual = fit_exposure(m_state, 4);
+        if (!residual)
+            return fail(residual.error());
+        report("Exposure", *residual);
+        return {};
+    }
+
+    Result<double> fit_exposure(MatchState& state, int steps) {
+        std::vector<Unknown> unknowns = exposure_unknowns();
+        unknowns.pop_back();  // gamma
+        return m_fit.minimise(state, unknowns, only_points, steps);
+    }
+
+    Result<void> find_shape() {
+        for (const Unknown& unknown : unknowns_of(parameters().shape))
+            if (auto done = scan(unknown, only_points, "Shape"); !done)
+                return done;
+        const auto residual = fit_shape(m_state, m_request.corner_deviation);
+        if (!residual)
+            return fail(residual.error());
+        report("Shape and camera", *residual);
+        return {};
+    }
+
+    // The profile of lines and edges.
+    Result<void> find_widths() {
+        for (const Unknown& unknown : unknowns_of(parameters().widths))
+            if (auto done = scan(unknown, all, "Width"); !done)
+                return done;
+        return {};
+    }
+
+    // The best of some values, with the exposure that fits each.
+    Result<void> scan(const Unknown& unknown, Compared compared, const char* stage) {
+        constexpr int count = 9;
+        double best = std::numeric_limits<double>::infinity();
+        MatchState best_state = m_state;
+        for (int i = 0; i < count; ++i) {
+            MatchState state = m_state;
+            unknown.set(state, unknown.low + (unknown.high - unknown.low) * i / (count - 1));
+            if (const auto fitted = fit_exposure(state, 2); !fitted)
+                return fail(fitted.error());
+            const auto cost = m_fit.cost(state, compared);
+            if (!cost)
+                return fail(cost.error());
+            if (*cost < best) {
+                best = *cost;
+                best_state = state;
+            }
+        }
+        m_state = best_state;
+        report(stage, best);
+        return {};
+    }
+
+    // Shape, geometry and exposure by mean light.
+    Result<double> fit_shape(MatchState& state, double corner_deviation) {
+        std::vector<Unknown> unknowns = shape_unknowns(0.01);
+        append(unknowns, geometry_unknowns(m_request.start.camera, corner_deviation));
+        append(unknowns, exposure_unknowns());
+        return m_fit.minimise(state, unknowns, only_points, 25, 1e-5);
+    }
+
+    // Fails if the photo does not show the source, or shows it at other corners.
+    Result<void> check_corner_positions() {
+        constexpr double least_explained = 0.8;
+        constexpr double likely_errors = 5.0;
+        constexpr double wide = 25.0;
+        constexpr double much_better = 0.5;
+        constexpr double fits_well = 0.998;
+        const auto near_share = m_fit.explained_share(m_state);
+        if (!near_share)
+            return fail(near_share.error());
+        if (*near_share > fits_well)
+            return {};
+        MatchState other = m_state;
+        const auto residual = fit_shape(other, wide * m_request.corner_deviation);
+        if (!residual)
+            return fail(residual.error());
+        const auto share = m_fit.explained_share(other);
+        if (!share)
+            return fail(share.error());
+        if (*share < least_explained)
+            return fail({{},
+                         0,
+                         fmt::format("The photo does not show this source at these corners: only "
+                                     "{:.0f} % of its light and dark agree. Check the source and "
+                                     "the corners.",
+                                     100.0 * std::max(*share, 0.0))});
+        const double distance = farthest(other.camera.corners, m_request.start.camera.corners);
+        if (distance > likely_errors * m_request.corner_deviation &&
+            *residual < much_better * m_residual.value_or(0.0))
+            return fail({{},
+                         0,
+                         fmt::format("The corners are {:.0f} px off. Check them: the source fits "
+                                     "better near {}.",
+                                     distance, corner_list(other.camera.corners))});
+        return {};
+    }
+
+    // `share`: of the range, for derivatives.
+    std::vector<Unknown> shape_unknowns(double share) const {
+        std::vector<Unknown> unknowns = unknowns_of(parameters().shape);
+        for (Unknown& unknown : unknowns) {
+            unknown.difference = share * (unknown.high - unknown.low);
+            unknown.is_central = true;
+            unknown.trust = 15.0 * unknown.difference;
+        }
+        return unknowns;
+    }
+
+    std::vector<Unknown> camera_unknowns() const {
+        std::vector<Unknown> unknowns = blur_unknowns();
+        append(unknowns, exposure_unknowns());
+        append(unknowns, geometry_unknowns(m_request.start.camera, m_request.corner_deviation));
+        return unknowns;
+    }
+
+    // A quick fit of what shows a pattern. The camera may move, because a mask needs a precision
+    // that mean light does not have.
+    Result<double> fit_pattern(MatchState& state, const Parameter* period) {
+        std::vector<const Parameter*> amounts;
+        for (const Parameter* amount : parameters().amounts)
+            if (!period || amount->group == period->group)
+                amounts.push_back(amount);
+        amounts.insert(amounts.end(), parameters().widths.begin(), parameters().widths.end());
+        std::vector<Unknown> unknowns = unknowns_of(amounts);
+        if (period)
+            append(unknowns, period_unknowns({period}, state));
+        append(unknowns, shape_unknowns(0.001));
+        append(unknowns, camera_unknowns());
+        return m_fit.minimise(state, unknowns, all, 8, 1e-3);
+    }
+
+    Result<void> find_type() {
+        std::vector<Candidate> candidates;
+        for (const auto& [type, value] : types()) {
+            MatchState state = m_state;
+            if (type)
+                state.values.at(type->name).numbers.front() = value;
+            if (!pitch()) {
+                candidates.push_back({0.0, std::move(state)});
+                continue;
+            }
+            const auto found = m_search.candidates(state, *pitch(), Along::rows, 2);
+            if (!found)
+                return fail(found.error());
+            candidates.insert(candidates.end(), found->begin(), found->end());
+        }
+        if (auto taken = take_best(std::move(candidates), pitch(), "Mask"); !taken)
+            return taken;
+        return check_visible();
+    }
+
+    // Fails if the photo does not show the mask.
+    Result<void> check_visible() {
+        constexpr double least = 5.0;
+        if (!pitch())
+            return {};
+        const auto evidence = m_search.evidence(m_state, *pitch());
+        if (!evidence)
+            return fail(evidence.error());
+        if (*evidence < least)
+            return fail({{},
+                         0,
+                         "The photo does not show the mask. Take it from closer, so that a triad "
+                         "of stripes is at least 3 px wide."});
+        return {};
+    }
+
+    // Compares the types again, now that the camera is known well.
+    Result<void> compare_types() {
+        if (parameters().types.empty() || !pitch())
+            return {};
+        const auto best = m_search.best_type(m_state, *pitch(), types());
+        if (!best)
+            return fail(best.error());
+        if (best->state.values == m_state.values)
+            return {};
+        return take_best({*best}, pitch(), "Mask");
+    }
+
+    std::vector<std::pair<const Parameter*, double>> types() const {
+        std::vector<std::pair<const Parameter*, double>> all_types;
+        for (const Parameter* type : parameters().types)
+            for (const Item& item : type->items)
+                all_types.emplace_back(type, item.value);
+        if (all_types.empty())
+            all_types.emplace_back(nullptr, 0.0);
+        return all_types;
+    }
+
+    Result<void> find_lines() {
+        if (parameters().lines.empty())
+            return {};
+        const Parameter& lines = *parameters().lines.front();
+        auto candidates = m_search.candidates(m_state, lines, Along::columns, 3);
+        if (!candidates)
+            return fail(candidates.error());
+        return take_best(std::move(*candidates), &lines, "Scanlines");
+    }
+
+    // Fits the most likely candidate, or all if they were not compared, and keeps the best.
+    Result<void> take_best(std::vector<Candidate> candidates, const Parameter* period,
+                           const std::string& stage) {
+        std::ranges::sort(candidates, {}, &Candidate::cost);
+        if (period)
+            candidates.resize(std::min(candidates.size(), std::size_t{1}));
+        double best = std::numeric_limits<double>::infinity();
+        for (Candidate& candidate : candidates) {
+            const auto cost = fit_pattern(candidate.state, period);
+            if (!cost)
+                return fail(cost.error());
+            if (*cost < best) {
+                best = *cost;
+                m_state = candidate.state;
+            }
+        }
+        report(stage, best);
+        return {};
+    }
+
+    // Differences of periods must move the last stripe by a small part of a period.
+    std::vector<Unknown> period_unknowns(const std::vector<const Parameter*>& periods,
+                                         const MatchState& state) const {
+        std::vector<Unknown> unknowns = unknowns_of(periods);
+        const double width = m_fit.renderer().layout().picture.width;
+        for (std::size_t i = 0; i < unknowns.size(); ++i) {
+            const double value = unknowns[i].of(state);
+            const double px = m_search.px_of(state, *periods[i], value);
+            unknowns[i].difference = 0.05 * value * px / width;
+            unknowns[i].is_central = true;
+            unknowns[i].trust = 0.25 * value * px / width;
+        }
+        return unknowns;
+    }
+
+    std::vector<Unknown> all_unknowns() const {
+        std::vector<Unknown> unknowns = unknowns_of(parameters().amounts);
+        append(unknowns, unknowns_of(parameters().widths));
+        append(unknowns, period_unknowns(parameters().pitch, m_state));
+        append(unknowns, period_unknowns(parameters().lines, m_state));
+        append(unknowns, shape_unknowns(0.001));
+        append(unknowns, camera_unknowns());
+        return unknowns;
+    }
+
+    Result<void> find_all() {
+        const auto residual = m_fit.minimise(m_state, all_unknowns(), all, 20, 1e-4);
+        if (!residual)
+            return fail(residual.error());
+        report("All", *residual);
+        return {};
+    }
+
+    Result<Matched> finished() {
+        const std::vector<Unknown> unknowns = all_unknowns();
+        const auto groups = m_fit.linearised(m_state, unknowns, all);
+        if (!groups)
+            return fail(groups.error());
+        NormalEquations sum(unknowns.size());
+        for (const NormalEquations& group : *groups)
+            sum += group;
+        return Matched{m_state, found_numbers(unknowns, m_state, covariance(sum, *groups)),
+                       std::sqrt(m_residual.value_or(0.0)), m_fit.renderer().count(), true};
+    }
+
+    PhotoFit& m_fit;
+    PatternSearch m_search;
+    const MatchRequest& m_request;
+    MatchState m_state;
+    std::optional<double> m_residual;  // mean square; nullopt: before the first stage
+};
+}  // namespace
+
+Result<Matched> match_photo(PhotoFit& fit, const MatchRequest& request) {
+    return Stages(fit, request).run();
+}

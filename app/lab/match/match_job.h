@@ -1,0 +1,59 @@
+#pragma once
+
+#include "lab/library/library.h"
+#include "lab/match/match.h"
+#include "lab/offline/prepared_look.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// A photo to match, and the look that shall look like it.
+struct MatchJob {
+    PreparedLook prepared;
+    Picture photo;    // see load_photo()
+    Corners corners;  // see check_photo()
+    MatchChoice choice = {};
+    Extent size = {};  // of the look's picture; empty: that of the screen in the photo
+    std::function<void(const MatchProgress&)> on_progress = {};
+    bool draws_pictures = false;  // for each progress
+};
+
+/// A match with what it was made from.
+struct MatchJobResult {
+    Values values;  // that were found, by parameter
+    Matched matched;
+    std::vector<std::pair<std::string, std::string>> types;  // parameter, label of its item
+    MatchPictures pictures;                                  // empty if the match was stopped
+    Extent photo;
+    Extent size;  // of the look's picture
+};
+
+/// Matches a photo in its own GL context. Fails for looks that no picture drives or that name no
+/// parameters, and as match_photo().
+Result<MatchJobResult> match(MatchJob job, JobProgress& work);
+
+/// The same for files, as the command line names them.
+struct MatchFileRequest {
+    RenderRequest render;  // an empty size: that of the screen in the photo
+    std::filesystem::path photo;
+    std::optional<Corners> corners = {};  // nullopt: from its edges, or those of the photo
+    MatchChoice choice = {};
+    std::function<void(const MatchProgress&)> on_progress = {};
+};
+
+struct MatchedFile {
+    Document document;  // with the values that were found
+    MatchJobResult result;
+    Diagnostics warnings = {};
+};
+Result<MatchedFile> match_file(const MatchFileRequest& request, const Library& library,
+                               JobProgress& work);
+
+/// Sets the values in a document as one undo step. Parameters that it lacks are left out.
+void set_found(Document& document, const Values& values);
+
+/// The camera as a JSON document, see formats/photo/camera_json.h.
+std::string camera_json(const MatchJobResult& result);

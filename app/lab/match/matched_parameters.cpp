@@ -1,0 +1,146 @@
+#include "lab/match/matched_parameters.h"
+
+#include "lab/document/naming.h"
+#include "model/plan/condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace {
+bool is_number(const Parameter& parameter) {
+    return parameter.type.scalar == Scalar::floating && parameter.type.columns == 1 &&
+           parameter.control != Control::event && !parameter.is_constant;
+}
+
+Result<std::set<std::string>> resolved(const std::vector<std::string>& names, const Look& look) {
+    std::set<std::string> full;
+    Diagnostics problems;
+    for (const std::string& name : names) {
+        const auto parameter = resolve_parameter(name, look);
+        if (parameter)
+            full.insert((*parameter)->name);
+        else
+            problems.insert(problems.end(), parameter.error().begin(), parameter.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    return full;
+}
+
+// Decay shows only in videos.
+bool has_role_in_photos(const Parameter& parameter) {
+    return parameter.photo_role != PhotoRole::none && parameter.photo_role != PhotoRole::decay &&
+           parameter.photo_role != PhotoRole::tube;
+}
+
+std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole role) {
+    switch (role) {
+        case PhotoRole::shape:
+            return matched.shape;
+        case PhotoRole::pitch:
+            return matched.pitch;
+        case PhotoRole::lines:
+            return matched.lines;
+        case PhotoRole::type:
+            return matched.types;
+        case PhotoRole::width:
+            return matched.widths;
+        case PhotoRole::start:
+            return matched.starts;
+        default:
+            return matched.amounts;
+    }
+}
+
+Values all_values(const Document& document) {
+    Values values;
+    for (const Parameter& parameter : document.look().parameters)
+        values[parameter.name] = document.value(parameter);
+    return values;
+}
+
+void raise_from_identity(const Parameter& amount, Values& values) {
+    constexpr double share = 0.4;
+    Value& value = values.at(amount.name);
+    if (value != amount.identity)
+        return;
+    for (std::size_t i = 0; i < value.numbers.size(); ++i) {
+        const Range& range = range_of(amount, i);
+        value.numbers[i] = range.low + share * (range.high - range.low);
+    }
+}
+}  // namespace
+
+bool MatchedParameters::is_empty() const {
+    return shape.empty() && pitch.empty() && lines.empty() && types.empty() && amounts.empty() &&
+           widths.empty();
+}
+
+Result<MatchedParameters> matched_parameters(const Document& document, const MatchChoice& choice) {
+    const Look& look = document.look();
+    const auto locked = resolved(choice.locked, look);
+    if (!locked)
+        return fail(locked.error());
+    const auto fitted = resolved(choice.fitted, look);
+    if (!fitted)
+        return fail(fitted.error());
+    Values values = all_values(document);  // with all patterns on
+    for (const Parameter& parameter : look.parameters)
+        if (parameter.photo_role == PhotoRole::amount && !locked->contains(parameter.name))
+            raise_from_identity(parameter, values);
+    MatchedParameters matched;
+    for (const Parameter& parameter : look.parameters) {
+        const bool is_wanted = fitted->contains(parameter.name);
+        if (locked->contains(parameter.name) || !(is_wanted || has_role_in_photos(parameter)))
+            continue;
+        if (parameter.photo_role == PhotoRole::start && !is_wanted) {
+            matched.starts.push_back(&parameter);
+            continue;
+        }
+        if (parameter.photo_role != PhotoRole::type && !is_number(parameter))
+            return fail({{},
+                         0,
+                         fmt::format("'{}' can't be found in a photo, because it is not a number "
+                                     "with fractions.",
+                                     parameter.name)});
+        if (is_wanted || is_condition_true(parameter, look.parameters, values))
+            list_of(matched, is_wanted && parameter.photo_role == PhotoRole::start
+                                 ? PhotoRole::amount
+                                 : parameter.photo_role)
+                .push_back(&parameter);
+    }
+    if (matched.is_empty())
+        return fail(
+            {{},
+             0,
+             "This look does not say which parameters a photo shows. Name them with --fit."});
+    return matched;
+}
+
+std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters) {
+    std::vector<Unknown> unknowns;
+    for (const Parameter* parameter : parameters)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(parameter->type.size()); ++i) {
+            const Range& range = range_of(*parameter, i);
+            const double width = range.high - range.low;
+            unknowns.push_back({.part = Unknown::Part::look,
+                                .index = i,
+                                .parameter = parameter->name,
+                                .low = range.low,
+                                .high = range.high,
+                                .difference = 0.02 * width,
+                                .trust = 0.3 * width});
+        }
+    return unknowns;
+}
+
+Values starting_values(const Document& document, const MatchedParameters& parameters) {
+    Values values = all_values(document);
+    for (const Parameter* start : parameters.starts)
+        values.at(start->name) = *start->photo_start;
+    for (const Parameter* amount : parameters.amounts)
+        raise_from_identity(*amount, values);
+    return values;
+}

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "lab/document/document.h"
+#include "lab/match/unknown.h"
+
+#include <string>
+#include <vector>
+
+/// What the user says about the parameters to find. Names as in `--set`.
+struct MatchChoice {
+    std::vector<std::string> locked = {};  // keep their values
+    std::vector<std::string> fitted = {};  // also found, or alone if the look has no @photo
+};
+
+/// The parameters to find, in the order of the look.
+struct MatchedParameters {
+    std::vector<const Parameter*> shape = {};
+    std::vector<const Parameter*> pitch = {};
+    std::vector<const Parameter*> lines = {};
+    std::vector<const Parameter*> types = {};
+    std::vector<const Parameter*> amounts = {};
+    std::vector<const Parameter*> widths = {};
+    std::vector<const Parameter*> starts = {};  // not to be found
+
+    bool is_empty() const;
+};
+
+/// The parameters with a role in photos that are not locked and have an effect with these values,
+/// and those that the user wants, as amounts if they have no role. Fails for unknown names, and for
+/// parameters that are no plain numbers.
+Result<MatchedParameters> matched_parameters(const Document& document, const MatchChoice& choice);
+
+/// The unknowns of these parameters, with the ranges of their sliders.
+std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters);
+
+/// The values that a fit begins with: the document's, except those with a start of their own in the
+/// look. An amount that turns a pattern off is raised, because nothing else about the pattern would
+/// show.
+Values starting_values(const Document& document, const MatchedParameters& parameters);

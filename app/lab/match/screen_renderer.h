@@ -1,0 +1,32 @@
+#pragma once
+
+#include "graph/compare/sample_reader.h"
+#include "lab/offline/offline.h"
+
+/// Draws a look with other values, for comparison with a photo.
+class ScreenRenderer {
+public:
+    /// Creates its own GL context.
+    static Result<ScreenRenderer> create(PreparedLook prepared, Extent size);
+
+    /// The light of the look's picture at the samples.
+    Result<ScreenLight> light(const Values& values) { return light(values, m_layout); }
+    Result<ScreenLight> light(const Values& values, const SampleLayout& layout);
+    /// The whole picture: display values.
+    Result<Picture> picture(const Values& values);
+    const Look& look() const { return m_offline.document().look(); }
+    const SampleLayout& layout() const { return m_layout; }
+    /// The number of pictures drawn so far.
+    int count() const { return m_count; }
+
+private:
+    ScreenRenderer(Offline offline, SampleReader reader, Extent size);
+    Result<void> draw(const Values& values);
+
+    Offline m_offline;
+    SampleReader m_reader;
+    SampleLayout m_layout;
+    Document m_document;
+    int m_frames = 1;  // per picture
+    int m_count = 0;
+};

@@ -1,0 +1,55 @@
+"""Matching the look to a photo."""
+
+import subprocess
+
+from person import Person
+
+SIZE = ("--size", "240x180")
+PHOTO = ("--set", "mask_type=Aperture grille", "--set", "mask_strength=0.7", "--set", "sampling=Continuous",
+         "--set", "exposure=0.25", "--set", "vignette_depth=0", "--set", "red_offset=0,0", "--set", "green_offset=0,0",
+         "--set", "blue_offset=0,0")
+
+
+class Matching(Person):
+    def draw(self, file, *arguments):
+        """Renders a picture that contains no preset."""
+        drawn = file.with_suffix(".png")
+        subprocess.run([self.executable, "render", *map(str, arguments), "-o", drawn], check=True)
+        subprocess.run(["ffmpeg", "-v", "error", "-y", "-i", drawn, "-q:v", "1", file], check=True)
+
+    def open_dialog(self):
+        self.program.key("ctrl+p")
+        self.program.place("palette_query")
+        self.program.type("Match a photo")
+        self.program.key("Return")
+        self.program.place("match_choose_photo")
+
+    def test_a_photo_is_matched_and_the_values_are_one_undo_step(self):
+        program = self.program
+        bars, photo = self.looks.parent / "bars.jpg", self.looks.parent / "set.jpg"
+        self.draw(bars, "crt", "--set", "crt=off", "--source", "pattern:harbour", *SIZE)
+        self.draw(photo, "shadow-mask", *PHOTO, "--source", bars, *SIZE)
+        program.click("look:shadow-mask")
+        program.wait("the look is open", lambda s: s["look"] == "shadow-mask")
+        self.drop(bars)
+        program.wait("the source is open", lambda s: str(bars) in s["driving_source"] and not s["reading"])
+        program.set("exposure", "0.25")
+        self.open_dialog()
+        self.drop(photo)
+        left, top, right, bottom = program.place("match_photo")
+        self.snapshot("match_corners")
+        program.drag((left + 2, top + 2), (left + 30, top + 20))
+        self.snapshot("match_dragged")
+        program.drag((left + 30, top + 20), (left + 1, top + 1))
+        program.key("Left", "Up")
+        program.click("dialog_ok")
+        program.place("match_pictures")
+        self.snapshot("match_running")
+        program.click("match_stop")
+        program.place("match:mask_size")
+        self.snapshot("match_stopped")
+        program.click("dialog_ok")
+        program.wait("the values are applied", lambda s: s["dialog"] == 0 and s["undo"] == "Match a photo")
+        self.snapshot("match_applied")
+        program.key("ctrl+z")
+        program.wait("one step undoes them", lambda s: s["redo"] == "Match a photo" and s["undo"] == "Exposure")
