@@ -164,7 +164,8 @@ Command add_match(CommandLine& program) {
     Options options = program.add_verb(
         "match",
         "Find the values of a look in a photo of a real tube\n\nThe photo must be sharp, not "
-        "overexposed, and show one known picture. Each mask stripe needs at least 3 px.",
+        "overexposed, and show one known picture. A triad of mask stripes must be at "
+        "least 3 px wide.",
         match_examples);
     auto arguments = std::make_shared<MatchArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);

@@ -17,12 +17,14 @@ class Matching(Person):
         subprocess.run([self.executable, "render", *map(str, arguments), "-o", drawn], check=True)
         subprocess.run(["ffmpeg", "-v", "error", "-y", "-i", drawn, "-q:v", "1", file], check=True)
 
-    def open_dialog(self):
+    def open_dialog(self, widget):
+        """Opens the dialog, and waits until it shows the widget."""
         self.program.key("ctrl+p")
         self.program.place("palette_query")
         self.program.type("Match a photo")
+        self.program.wait("the palette finds it", lambda s: "palette:Match a photo…" in s["widgets"])
         self.program.key("Return")
-        self.program.place("match_choose_photo")
+        self.program.place(widget)
 
     def test_a_photo_is_matched_and_the_values_are_one_undo_step(self):
         program = self.program
@@ -34,7 +36,7 @@ class Matching(Person):
         self.drop(bars)
         program.wait("the source is open", lambda s: str(bars) in s["driving_source"] and not s["reading"])
         program.set("exposure", "0.25")
-        self.open_dialog()
+        self.open_dialog("match_choose_photo")
         self.drop(photo)
         left, top, right, bottom = program.place("match_photo")
         self.snapshot("match_corners")
@@ -48,6 +50,12 @@ class Matching(Person):
         program.click("match_stop")
         program.place("match:mask_size")
         self.snapshot("match_stopped")
+        program.click("match_save")
+        program.wait("a preset is saved", lambda s: s["dialog"] == 0 and s["preset"] == "set matched")
+        saved = sorted(file.name for file in (self.own / "presets/shadow-mask").iterdir())
+        self.assertEqual(saved, ["set matched.camera.json", "set matched.json", "set matched.photo.jpg"])
+        program.key("ctrl+z")
+        self.open_dialog("match_save")  # with the result
         program.click("dialog_ok")
         program.wait("the values are applied", lambda s: s["dialog"] == 0 and s["undo"] == "Match a photo")
         self.snapshot("match_applied")

@@ -289,15 +289,12 @@ void apply_photo_start(const Site& site) {
 }
 
 void apply_photo(const Site& site) {
-    constexpr std::array<std::pair<std::string_view, PhotoRole>, 8> roles{
+    constexpr std::array<std::pair<std::string_view, PhotoRole>, 5> roles{
         {{"shape", PhotoRole::shape},
          {"pitch", PhotoRole::pitch},
          {"lines", PhotoRole::lines},
          {"type", PhotoRole::type},
-         {"amount", PhotoRole::amount},
-         {"width", PhotoRole::width},
-         {"decay", PhotoRole::decay},
-         {"tube", PhotoRole::tube}}};
+         {"amount", PhotoRole::amount}}};
     if (!site.hint.words.empty() && site.hint.words.front() == "start")
         return apply_photo_start(site);
     for (const auto& [word, role] : roles)
@@ -305,11 +302,9 @@ void apply_photo(const Site& site) {
             site.parameter.photo_role = role;
     const PhotoRole role = site.parameter.photo_role;
     if (role == PhotoRole::none)
-        return site.error(
-            "@photo must be shape, pitch, lines, type, amount, width, decay, tube or start");
-    const bool is_list = role == PhotoRole::type || role == PhotoRole::tube;
-    if (is_list != !site.parameter.items.empty())
-        site.error("@photo type and tube are only for lists, and lists have no other one");
+        return site.error("@photo must be shape, pitch, lines, type, amount or start");
+    if ((role == PhotoRole::type) != !site.parameter.items.empty())
+        site.error("@photo type is only for lists, and lists take no other role except start");
 }
 
 struct Rule {

@@ -16,7 +16,7 @@ uniform vec2 picture;  // px
 uniform vec2 canvas;   // px
 uniform bool is_lone;
 out vec4 color;
-// The light of a pixel, counted from the top left. What is no number is dark.
+// The light of a pixel, counted from the top left. NaN and negative values count as 0.
 vec3 light_at(ivec2 px) {
     vec3 numbers = texelFetch(shown, ivec2(px.x, int(picture.y) - 1 - px.y), 0).rgb;
     numbers = mix(vec3(0.0), numbers, greaterThan(numbers, vec3(0.0)));
@@ -75,7 +75,7 @@ std::vector<glm::vec3> tiles_of(const Picture& picture, const SampleLayout& layo
     tiles.reserve(colors.size());
     for (int tile = 0; tile < layout.tile_count(); ++tile)
         for (int y = 0; y < stride; ++y) {
-            const int row = tile / layout.tiles.width * stride + y;
+            const std::ptrdiff_t row = tile / layout.tiles.width * stride + y;
             const int column = tile % layout.tiles.width * stride;
             const auto from = colors.begin() + row * picture.extent.width + column;
             tiles.insert(tiles.end(), from, from + stride);

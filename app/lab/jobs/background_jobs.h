@@ -72,6 +72,6 @@ private:
     BackgroundWork<ImpulseResponse> m_impulse;
     ExportQueue m_exports;
     LookExporter m_look_export;
-    PhotoMatcher m_matcher{m_document};
+    PhotoMatcher m_matcher{m_document, m_messages};
     ExportQueue m_stills;  // pictures that are drawn already
 };

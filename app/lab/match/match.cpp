@@ -41,7 +41,7 @@ public:
     Result<Matched> run() {
         for (const auto stage :
              {&Stages::find_exposure, &Stages::find_shape, &Stages::check_corner_positions,
-              &Stages::find_widths, &Stages::find_type, &Stages::compare_types, &Stages::find_lines,
+              &Stages::find_type, &Stages::compare_types, &Stages::find_lines,
               &Stages::compare_types, &Stages::find_all})
             if (auto done = (this->*stage)(); !done)
                 return is_stopped() ? Result<Matched>(stopped()) : fail(done.error());
@@ -55,12 +55,16 @@ private:
         return parameters().pitch.empty() ? nullptr : parameters().pitch.front();
     }
 
+    Result<void> refused(std::string why) const {
+        return fail({m_request.photo, 0, std::move(why)});
+    }
+
     void report(std::string stage, double residual) {
         m_residual = residual;
         if (!m_request.on_progress)
             return;
         MatchProgress progress{std::move(stage), m_state, std::sqrt(residual), {}};
-        if (m_request.draws_pictures)
+        if (m_request.draws_pictures)  // without them when cancelled
             if (auto pictures = match_pictures(m_fit, m_state))
                 progress.pictures = std::move(*pictures);
         m_request.on_progress(progress);
@@ -97,7 +101,7 @@ private:
 
     Result<void> find_shape() {
         for (const Unknown& unknown : unknowns_of(parameters().shape))
-            if (auto done = scan(unknown, only_points, "Shape"); !done)
+            if (auto done = scan(unknown); !done)
                 return done;
         const auto residual = fit_shape(m_state, m_request.corner_deviation);
         if (!residual)
@@ -106,25 +110,15 @@ private:
         return {};
     }
 
-    // The profile of lines and edges.
-    Result<void> find_widths() {
-        for (const Unknown& unknown : unknowns_of(parameters().widths))
-            if (auto done = scan(unknown, all, "Width"); !done)
-                return done;
-        return {};
-    }
-
     // The best of some values, with the exposure that fits each.
-    Result<void> scan(const Unknown& unknown, Compared compared, const char* stage) {
+    Result<void> scan(const Unknown& unknown) {
         constexpr int count = 9;
         double best = std::numeric_limits<double>::infinity();
         MatchState best_state = m_state;
         for (int i = 0; i < count; ++i) {
             MatchState state = m_state;
             unknown.set(state, unknown.low + (unknown.high - unknown.low) * i / (count - 1));
-            if (const auto fitted = fit_exposure(state, 2); !fitted)
-                return fail(fitted.error());
-            const auto cost = m_fit.cost(state, compared);
+            const auto cost = fit_exposure(state, 2);
             if (!cost)
                 return fail(cost.error());
             if (*cost < best) {
@@ -133,7 +127,7 @@ private:
             }
         }
         m_state = best_state;
-        report(stage, best);
+        report("Shape", best);
         return {};
     }
 
@@ -165,20 +159,20 @@ private:
         if (!share)
             return fail(share.error());
         if (*share < least_explained)
-            return fail({{},
-                         0,
-                         fmt::format("The photo does not show this source at these corners: only "
-                                     "{:.0f} % of its light and dark agree. Check the source and "
-                                     "the corners.",
-                                     100.0 * std::max(*share, 0.0))});
+            return refused(
+                fmt::format("The photo does not show this source at these corners: only {:.0f} % "
+                            "of its light and dark agree. Check the source and the corners.",
+                            100.0 * std::max(*share, 0.0)));
         const double distance = farthest(other.camera.corners, m_request.start.camera.corners);
         if (distance > likely_errors * m_request.corner_deviation &&
-            *residual < much_better * m_residual.value_or(0.0))
-            return fail({{},
-                         0,
-                         fmt::format("The corners are {:.0f} px off. Check them: the source fits "
-                                     "better near {}.",
-                                     distance, corner_list(other.camera.corners))});
+            *residual < much_better * m_residual.value_or(0.0)) {
+            if (m_request.on_better_corners)
+                m_request.on_better_corners(other.camera.corners);
+            return refused(
+                fmt::format("The corners are {:.0f} px off. Check them: the source fits better "
+                            "near {}.",
+                            distance, corner_list(other.camera.corners)));
+        }
         return {};
     }
 
@@ -207,7 +201,6 @@ private:
         for (const Parameter* amount : parameters().amounts)
             if (!period || amount->group == period->group)
                 amounts.push_back(amount);
-        amounts.insert(amounts.end(), parameters().widths.begin(), parameters().widths.end());
         std::vector<Unknown> unknowns = unknowns_of(amounts);
         if (period)
             append(unknowns, period_unknowns({period}, state));
@@ -217,38 +210,68 @@ private:
     }
 
     Result<void> find_type() {
+        if (!pitch())
+            return compare_fits_of_types();
         std::vector<Candidate> candidates;
         for (const auto& [type, value] : types()) {
-            MatchState state = m_state;
-            if (type)
-                state.values.at(type->name).numbers.front() = value;
-            if (!pitch()) {
-                candidates.push_back({0.0, std::move(state)});
-                continue;
-            }
-            const auto found = m_search.candidates(state, *pitch(), Along::rows, 2);
+            const auto found =
+                m_search.candidates(with_type(type, value), *pitch(), Along::rows, 2);
             if (!found)
                 return fail(found.error());
             candidates.insert(candidates.end(), found->begin(), found->end());
         }
-        if (auto taken = take_best(std::move(candidates), pitch(), "Mask"); !taken)
-            return taken;
-        return check_visible();
+        return take_visible(std::move(candidates));
     }
 
-    // Fails if the photo does not show the mask.
-    Result<void> check_visible() {
-        constexpr double least = 5.0;
-        if (!pitch())
-            return {};
-        const auto evidence = m_search.evidence(m_state, *pitch());
-        if (!evidence)
-            return fail(evidence.error());
-        if (*evidence < least)
-            return fail({{},
-                         0,
-                         "The photo does not show the mask. Take it from closer, so that a triad "
-                         "of stripes is at least 3 px wide."});
+    MatchState with_type(const Parameter* type, double value) const {
+        MatchState state = m_state;
+        if (type)
+            state.values.at(type->name).numbers.front() = value;
+        return state;
+    }
+
+    // For a pitch that is not to be found.
+    Result<void> compare_fits_of_types() {
+        Candidate best{std::numeric_limits<double>::infinity(), m_state};
+        for (const auto& [type, value] : types()) {
+            MatchState state = with_type(type, value);
+            const auto cost = fit_pattern(state, nullptr);
+            if (!cost)
+                return fail(cost.error());
+            if (*cost < best.cost)
+                best = {*cost, std::move(state)};
+        }
+        m_state = best.state;
+        report("Mask", best.cost);
+        return {};
+    }
+
+    // Takes the most likely candidate that the photo shows. Fails if it shows none.
+    Result<void> take_visible(std::vector<Candidate> candidates) {
+        constexpr double least_evidence = 5.0;
+        constexpr std::size_t most_tried = 4;
+        std::ranges::sort(candidates, {}, &Candidate::cost);
+        for (std::size_t i = 0; i < std::min(candidates.size(), most_tried); ++i) {
+            if (auto taken = take(std::move(candidates[i]), *pitch(), "Mask"); !taken)
+                return taken;
+            const auto evidence = m_search.evidence(m_state, *pitch());
+            if (!evidence)
+                return fail(evidence.error());
+            if (*evidence >= least_evidence)
+                return {};
+        }
+        return refused(
+            "The photo does not show the mask. Take it from closer, so that a triad of "
+            "stripes is at least 3 px wide.");
+    }
+
+    // Fits a candidate.
+    Result<void> take(Candidate candidate, const Parameter& period, const std::string& stage) {
+        const auto cost = fit_pattern(candidate.state, &period);
+        if (!cost)
+            return fail(cost.error());
+        m_state = std::move(candidate.state);
+        report(stage, *cost);
         return {};
     }
 
@@ -261,7 +284,7 @@ private:
             return fail(best.error());
         if (best->state.values == m_state.values)
             return {};
-        return take_best({*best}, pitch(), "Mask");
+        return take(*best, *pitch(), "Mask");
     }
 
     std::vector<std::pair<const Parameter*, double>> types() const {
@@ -281,27 +304,10 @@ private:
         auto candidates = m_search.candidates(m_state, lines, Along::columns, 3);
         if (!candidates)
             return fail(candidates.error());
-        return take_best(std::move(*candidates), &lines, "Scanlines");
-    }
-
-    // Fits the most likely candidate, or all if they were not compared, and keeps the best.
-    Result<void> take_best(std::vector<Candidate> candidates, const Parameter* period,
-                           const std::string& stage) {
-        std::ranges::sort(candidates, {}, &Candidate::cost);
-        if (period)
-            candidates.resize(std::min(candidates.size(), std::size_t{1}));
-        double best = std::numeric_limits<double>::infinity();
-        for (Candidate& candidate : candidates) {
-            const auto cost = fit_pattern(candidate.state, period);
-            if (!cost)
-                return fail(cost.error());
-            if (*cost < best) {
-                best = *cost;
-                m_state = candidate.state;
-            }
-        }
-        report(stage, best);
-        return {};
+        if (candidates->empty())  // their interval will be wide
+            return {};
+        return take(*std::ranges::min_element(*candidates, {}, &Candidate::cost), lines,
+                    "Scanlines");
     }
 
     // Differences of periods must move the last stripe by a small part of a period.
@@ -321,7 +327,6 @@ private:
 
     std::vector<Unknown> all_unknowns() const {
         std::vector<Unknown> unknowns = unknowns_of(parameters().amounts);
-        append(unknowns, unknowns_of(parameters().widths));
         append(unknowns, period_unknowns(parameters().pitch, m_state));
         append(unknowns, period_unknowns(parameters().lines, m_state));
         append(unknowns, shape_unknowns(0.001));

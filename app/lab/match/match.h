@@ -5,6 +5,7 @@
 #include "lab/match/matched_parameters.h"
 #include "lab/match/photo_fit.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -32,7 +33,9 @@ struct MatchRequest {
     MatchState start;               // the corners are the user's
     double corner_deviation = 1.0;  // px of the photo
     std::function<void(const MatchProgress&)> on_progress = {};
-    bool draws_pictures = false;  // for each progress
+    bool draws_pictures = false;                                 // for each progress
+    std::function<void(const Corners&)> on_better_corners = {};  // before wrong ones are refused
+    std::filesystem::path photo = {};                            // for messages
 };
 
 /// Finds the parameters in stages: shape and camera in the mean light of places, periods by their

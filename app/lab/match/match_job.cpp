@@ -5,7 +5,15 @@
 #include "lab/match/photo_check.h"
 #include "model/photo/screen_corners.h"
 
+#include <algorithm>
+
 namespace {
+constexpr double corner_error = 0.001;  // of the screen's width: how well users place corners
+
+double size_in_photo(const Corners& corners) {
+    return glm::length(corners[1] - corners[0]);
+}
+
 Result<void> check_look(const PreparedLook& prepared, Extent size) {
     if (prepared.document.look().driven_by != Driver::picture)
         return fail({{},
@@ -50,14 +58,17 @@ Result<MatchJobResult> match(MatchJob job, JobProgress& work) {
     auto renderer = ScreenRenderer::create(std::move(job.prepared), size);
     if (!renderer)
         return fail(renderer.error());
-    const Extent extent = job.photo.extent;
-    const Photo photo(job.photo);
+    const Extent extent = job.photo->extent;
+    const Photo photo(*job.photo);
     PhotoFit fit(*renderer, photo, work);
     auto matched = match_photo(
         fit, {.parameters = *parameters,
               .start = {starting_values(document, *parameters), {.corners = job.corners}},
+              .corner_deviation = std::max(1.0, corner_error * size_in_photo(job.corners)),
               .on_progress = std::move(job.on_progress),
-              .draws_pictures = job.draws_pictures});
+              .draws_pictures = job.draws_pictures,
+              .on_better_corners = std::move(job.on_better_corners),
+              .photo = job.file});
     if (!matched)
         return fail(matched.error());
     MatchJobResult result{found_values(*matched, *parameters),
@@ -77,9 +88,10 @@ Result<MatchJobResult> match(MatchJob job, JobProgress& work) {
 
 Result<MatchedFile> match_file(const MatchFileRequest& request, const Library& library,
                                JobProgress& work) {
-    auto photo = load_photo(request.photo);
-    if (!photo)
-        return fail(photo.error());
+    auto read = load_photo(request.photo);
+    if (!read)
+        return fail(read.error());
+    const auto photo = std::make_shared<const Picture>(std::move(*read));
     const Corners corners = request.corners
                                 ? *request.corners
                                 : guess_corners(*photo).value_or(corners_of(photo->extent));
@@ -93,7 +105,8 @@ Result<MatchedFile> match_file(const MatchFileRequest& request, const Library& l
         return fail(prepared.error());
     MatchedFile matched{prepared->document, {}, prepared->warnings};
     auto result = match({.prepared = std::move(*prepared),
-                         .photo = std::move(*photo),
+                         .photo = photo,
+                         .file = request.photo,
                          .corners = corners,
                          .choice = request.choice,
                          .size = render.size,

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,12 +14,14 @@
 /// A photo to match, and the look that shall look like it.
 struct MatchJob {
     PreparedLook prepared;
-    Picture photo;    // see load_photo()
-    Corners corners;  // see check_photo()
+    std::shared_ptr<const Picture> photo;  // see load_photo()
+    std::filesystem::path file;            // of the photo, for messages
+    Corners corners;                       // see check_photo()
     MatchChoice choice = {};
     Extent size = {};  // of the look's picture; empty: that of the screen in the photo
     std::function<void(const MatchProgress&)> on_progress = {};
-    bool draws_pictures = false;  // for each progress
+    bool draws_pictures = false;                                 // for each progress
+    std::function<void(const Corners&)> on_better_corners = {};  // before wrong ones are refused
 };
 
 /// A match with what it was made from.

@@ -29,12 +29,6 @@ Result<std::set<std::string>> resolved(const std::vector<std::string>& names, co
     return full;
 }
 
-// Decay shows only in videos.
-bool has_role_in_photos(const Parameter& parameter) {
-    return parameter.photo_role != PhotoRole::none && parameter.photo_role != PhotoRole::decay &&
-           parameter.photo_role != PhotoRole::tube;
-}
-
 std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole role) {
     switch (role) {
         case PhotoRole::shape:
@@ -45,8 +39,6 @@ std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole rol
             return matched.lines;
         case PhotoRole::type:
             return matched.types;
-        case PhotoRole::width:
-            return matched.widths;
         case PhotoRole::start:
             return matched.starts;
         default:
@@ -74,8 +66,7 @@ void raise_from_identity(const Parameter& amount, Values& values) {
 }  // namespace
 
 bool MatchedParameters::is_empty() const {
-    return shape.empty() && pitch.empty() && lines.empty() && types.empty() && amounts.empty() &&
-           widths.empty();
+    return shape.empty() && pitch.empty() && lines.empty() && types.empty() && amounts.empty();
 }
 
 Result<MatchedParameters> matched_parameters(const Document& document, const MatchChoice& choice) {
@@ -93,7 +84,8 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
     MatchedParameters matched;
     for (const Parameter& parameter : look.parameters) {
         const bool is_wanted = fitted->contains(parameter.name);
-        if (locked->contains(parameter.name) || !(is_wanted || has_role_in_photos(parameter)))
+        const bool has_role = parameter.photo_role != PhotoRole::none;
+        if (locked->contains(parameter.name) || !(is_wanted || has_role))
             continue;
         if (parameter.photo_role == PhotoRole::start && !is_wanted) {
             matched.starts.push_back(&parameter);

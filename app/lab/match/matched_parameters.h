@@ -19,7 +19,6 @@ struct MatchedParameters {
     std::vector<const Parameter*> lines = {};
     std::vector<const Parameter*> types = {};
     std::vector<const Parameter*> amounts = {};
-    std::vector<const Parameter*> widths = {};
     std::vector<const Parameter*> starts = {};  // not to be found
 
     bool is_empty() const;

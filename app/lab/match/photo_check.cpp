@@ -76,13 +76,6 @@ Result<void> check_photo(const Picture& photo, const Corners& corners, const fs:
     return check_exposure(photo, corners, file);
 }
 
-Corners corners_of(Extent photo) {
-    const double width = photo.width;
-    const double height = photo.height;
-    return {glm::dvec2(0.0, 0.0), glm::dvec2(width, 0.0), glm::dvec2(width, height),
-            glm::dvec2(0.0, height)};
-}
-
 Extent screen_size(const Corners& corners) {
     const auto side = [&](std::size_t from, std::size_t to) {
         return glm::length(corners[to] - corners[from]);

@@ -15,9 +15,6 @@ Result<Picture> load_photo(const std::filesystem::path& file);
 Result<void> check_photo(const Picture& photo, const Corners& corners,
                          const std::filesystem::path& file);
 
-/// The corners of the whole photo.
-Corners corners_of(Extent photo);
-
 /// The size of a screen in a photo, px: the lengths of its sides, with the nearest usual aspect
 /// ratio, at most 1280 px wide.
 Extent screen_size(const Corners& corners);

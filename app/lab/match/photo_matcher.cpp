@@ -11,18 +11,19 @@
 
 namespace fs = std::filesystem;
 
+struct PhotoMatcher::ReadPhoto {
+    fs::path file;
+    std::shared_ptr<const Picture> picture;
+    std::optional<Corners> corners;
+    Picture reduced;
+};
+
 /// What background threads hand over.
 struct PhotoMatcher::Inbox {
-    struct ReadPhoto {
-        fs::path file;
-        std::shared_ptr<const Picture> picture;
-        std::optional<Corners> corners;
-        Picture reduced;
-    };
-
     std::mutex mutex;
     std::optional<ReadPhoto> photo;
     std::optional<MatchProgress> progress;
+    std::optional<Corners> better_corners;
 };
 
 namespace {
@@ -40,8 +41,8 @@ void PhotoMatcher::open_photo(const fs::path& file) {
         if (!photo)
             return fail(photo.error());
         auto picture = std::make_shared<const Picture>(std::move(*photo));
-        Inbox::ReadPhoto read{file, picture, guess_corners(*picture),
-                              reduced_picture(*picture, shown_side)};
+        ReadPhoto read{file, picture, guess_corners(*picture),
+                       reduced_picture(*picture, shown_side)};
         const std::lock_guard lock(inbox->mutex);
         inbox->photo = std::move(read);
         return true;
@@ -80,6 +81,7 @@ void PhotoMatcher::start() {
     if (!m_photo || !m_document || is_running())
         return;
     m_shown.reset();
+    m_better_corners.reset();
     m_inbox = std::make_shared<Inbox>();
     m_stop = std::make_shared<JobProgress>();
     m_work.start([document = *m_document, photo = m_photo->picture, corners = m_photo->corners,
@@ -88,14 +90,20 @@ void PhotoMatcher::start() {
         if (auto good = check_photo(*photo, corners, file); !good)
             return fail(good.error());
         return match({.prepared = {.document = document},
-                      .photo = *photo,
+                      .photo = photo,
+                      .file = file,
                       .corners = corners,
                       .on_progress =
                           [inbox](const MatchProgress& progress) {
                               const std::lock_guard lock(inbox->mutex);
                               inbox->progress = progress;
                           },
-                      .draws_pictures = true},
+                      .draws_pictures = true,
+                      .on_better_corners =
+                          [inbox](const Corners& better) {
+                              const std::lock_guard lock(inbox->mutex);
+                              inbox->better_corners = better;
+                          }},
                      *stop);
     });
 }
@@ -142,9 +150,26 @@ void PhotoMatcher::show_progress() {
         return;
     auto photo = display_texture(progress->pictures.photo);
     auto seen = display_texture(progress->pictures.seen);
-    if (photo && seen)
+    if (m_messages.succeeded(photo) && m_messages.succeeded(seen))
         m_shown.emplace(Shown{std::move(progress->stage), progress->residual, std::move(*photo),
                               std::move(*seen)});
+}
+
+void PhotoMatcher::show_photo(ReadPhoto read) {
+    auto texture = display_texture(read.reduced);
+    if (!m_messages.succeeded(texture))
+        return;
+    const Extent extent = read.picture->extent;
+    m_photo.emplace(OpenPhoto{std::move(read.file), std::move(read.picture),
+                              read.corners.value_or(corners_of(extent)), read.corners.has_value(),
+                              std::move(*texture)});
+    magnify(0);
+}
+
+void PhotoMatcher::take_better_corners() {
+    if (m_photo && m_better_corners)
+        m_photo->corners = *m_better_corners;
+    m_better_corners.reset();
 }
 
 void PhotoMatcher::update() {
@@ -152,19 +177,14 @@ void PhotoMatcher::update() {
     m_work.update();
     if (!m_inbox)
         return;
-    std::optional<Inbox::ReadPhoto> read;
+    std::optional<ReadPhoto> read;
     {
         const std::lock_guard lock(m_inbox->mutex);
         read = std::exchange(m_inbox->photo, std::nullopt);
+        if (const auto better = std::exchange(m_inbox->better_corners, std::nullopt))
+            m_better_corners = better;
     }
-    if (read) {
-        auto texture = display_texture(read->reduced);
-        if (texture)
-            m_photo.emplace(OpenPhoto{read->file, read->picture,
-                                      read->corners.value_or(corners_of(read->picture->extent)),
-                                      read->corners.has_value(), std::move(*texture)});
-        m_magnified.reset();
-        magnify(0);
-    }
+    if (read)
+        show_photo(std::move(*read));
     show_progress();
 }

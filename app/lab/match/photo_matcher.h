@@ -2,6 +2,7 @@
 
 #include "gpu/objects/texture.h"
 #include "lab/match/match_job.h"
+#include "lab/messages/messages.h"
 #include "lab/storage/background_work.h"
 
 #include <filesystem>
@@ -29,7 +30,8 @@ public:
         gpu::Texture seen;
     };
 
-    explicit PhotoMatcher(const std::optional<Document>& document) : m_document(document) {}
+    PhotoMatcher(const std::optional<Document>& document, Messages& messages)
+        : m_document(document), m_messages(messages) {}
     ~PhotoMatcher() { cancel(); }
     PhotoMatcher(const PhotoMatcher&) = delete;
     PhotoMatcher& operator=(const PhotoMatcher&) = delete;
@@ -53,20 +55,26 @@ public:
     void cancel();
     const BackgroundWork<MatchJobResult>& work() const { return m_work; }
     const std::optional<Shown>& shown() const { return m_shown; }
+    /// Corners that the last match, which was refused, would fit better.
+    const std::optional<Corners>& better_corners() const { return m_better_corners; }
+    void take_better_corners();
     /// Puts the found values into the document as one undo step.
     void apply(Document& document) const;
-    /// The photo and the camera next to a preset: NAME.photo.EXT and NAME.camera.json.
+    /// Saves the photo and the camera next to a preset: NAME.photo.EXT and NAME.camera.json.
     Result<void> attach_to(const std::filesystem::path& preset) const;
 
     void update();
     bool is_running() const { return m_reading.is_running() || m_work.is_running(); }
 
 private:
+    struct ReadPhoto;
     struct Inbox;  // of the background threads
 
+    void show_photo(ReadPhoto read);
     void show_progress();
 
     const std::optional<Document>& m_document;
+    Messages& m_messages;
     std::shared_ptr<Inbox> m_inbox;
     std::shared_ptr<JobProgress> m_stop;  // of the running match
     BackgroundWork<bool> m_reading;
@@ -74,4 +82,5 @@ private:
     std::optional<OpenPhoto> m_photo;
     std::optional<gpu::Texture> m_magnified;
     std::optional<Shown> m_shown;
+    std::optional<Corners> m_better_corners;
 };

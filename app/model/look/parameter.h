@@ -67,9 +67,8 @@ enum class OrbitPart { none, turn, azimuth, elevation, distance };
 
 /// How a photo of a tube shows a parameter, see `afterglow match`. shape: in the mean light of
 /// places. pitch, lines: as a period across or down. type: one of a list. amount: in the contrast
-/// of details. width: in the profile of lines. decay, tube: only in a video, as a time and as a
-/// list. start: not at all, but a tube has another value than the look's default.
-enum class PhotoRole { none, shape, pitch, lines, type, amount, width, decay, tube, start };
+/// of details. start: not at all, but a tube has another value than the look's default.
+enum class PhotoRole { none, shape, pitch, lines, type, amount, start };
 
 /// A uniform of a pass that a parameter sets.
 struct Binding {

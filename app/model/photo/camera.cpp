@@ -34,6 +34,13 @@ double radius_before_lens(double seen, double lens) {
 }
 }  // namespace
 
+Corners corners_of(Extent photo) {
+    const double width = photo.width;
+    const double height = photo.height;
+    return {glm::dvec2(0.0, 0.0), glm::dvec2(width, 0.0), glm::dvec2(width, height),
+            glm::dvec2(0.0, height)};
+}
+
 Result<void> check_corners(const Corners& corners, Extent photo) {
     const glm::dvec2 end(photo.width, photo.height);
     for (const glm::dvec2& corner : corners)

@@ -11,6 +11,9 @@
 /// screen's top left.
 using Corners = std::array<glm::dvec2, 4>;
 
+/// The corners of the whole photo.
+Corners corners_of(Extent photo);
+
 /// Fails for corners that are outside the photo, crossed, mirrored, or too close to each other.
 Result<void> check_corners(const Corners& corners, Extent photo);
 

@@ -136,16 +136,16 @@ Square both_sides(const Square& from, double distance, bool is_across) {
 void interpolate_mosaic(Square& light, const glm::dmat2& map, float share) {
     const double across = 1.0 / across_scale(map);
     const double down = 1.0 / down_scale(map);
-    const Square beside = both_sides(light, across, true);
-    const Square above = both_sides(light, down, false);
-    const Square diagonal = both_sides(beside, down, false);
-    const Square far_beside = both_sides(light, 2.0 * across, true);
-    const Square far_above = both_sides(light, 2.0 * down, false);
+    const Square horizontal = both_sides(light, across, true);
+    const Square vertical = both_sides(light, down, false);
+    const Square diagonal = both_sides(horizontal, down, false);
+    const Square far_horizontal = both_sides(light, 2.0 * across, true);
+    const Square far_vertical = both_sides(light, 2.0 * down, false);
     for (std::size_t i = 0; i < light.values.size(); ++i) {
         const glm::vec3 here = light.values[i];
-        const glm::vec3 nearest = beside.values[i] + above.values[i];
+        const glm::vec3 nearest = horizontal.values[i] + vertical.values[i];
         const glm::vec3 corner = diagonal.values[i];
-        const glm::vec3 distant = far_beside.values[i] + far_above.values[i];
+        const glm::vec3 distant = far_horizontal.values[i] + far_vertical.values[i];
         const auto red_or_blue = [&](int own, int other) {
             return 0.25F * here[own] + 0.125F * nearest[own] + 0.0625F * corner[own] +
                    (10.0F * here.g - 2.0F * corner.g - 0.5F * distant.g) / 32.0F +

@@ -13,8 +13,10 @@ struct SmallPhoto {
     Extent extent;
     std::vector<float> values;
 
-    // Across and down, or the reverse if turned.
+    // Across and down, or the reverse if turned. It is dark outside the photo.
     float at(int x, int y, bool is_turned) const {
+        if (x < 0 || x >= (is_turned ? extent.height : extent.width))
+            return 0.0F;
         const auto row = static_cast<std::size_t>(is_turned ? x : y);
         const auto column = static_cast<std::size_t>(is_turned ? y : x);
         return values[row * static_cast<std::size_t>(extent.width) + column];
@@ -47,19 +49,21 @@ struct Edge {
     double at(double share) const { return first + share * (last - first); }
 };
 
-// How much lighter the inside is, over the middle of the edge. Single spots count little.
+constexpr int distance = 2;  // px at which both sides of an edge are compared
+
+// How much lighter the inside is, over the middle of the edge, because glass may be curved. Single
+// spots count little.
 double contrast(const SmallPhoto& photo, bool is_turned, Edge edge, int inside) {
-    constexpr int distance = 3;
     constexpr float most = 0.2F;
     const int rows = is_turned ? photo.extent.width : photo.extent.height;
     const int columns = is_turned ? photo.extent.height : photo.extent.width;
     double sum = 0.0;
     int count = 0;
-    for (int y = rows / 5; y < rows - rows / 5; ++y, ++count) {
+    for (int y = 3 * rows / 10; y < rows - 3 * rows / 10; ++y, ++count) {
         const auto x = static_cast<int>(std::lround(edge.at(y / (rows - 1.0))));
         const int within = x + inside * distance;
         const int without = x - inside * distance;
-        if (std::min(within, without) < 0 || std::max(within, without) >= columns)
+        if (within < 0 || within >= columns)
             return 0.0;
         sum += static_cast<double>(std::clamp(
             photo.at(within, y, is_turned) - photo.at(without, y, is_turned), -most, most));
@@ -71,16 +75,19 @@ double contrast(const SmallPhoto& photo, bool is_turned, Edge edge, int inside) 
 std::optional<Edge> find_edge(const SmallPhoto& photo, bool is_turned, int inside) {
     constexpr double least = 0.03;
     constexpr double strong = 0.6;  // of the strongest
+    constexpr double equal = 0.999;
     const int columns = is_turned ? photo.extent.height : photo.extent.width;
     const int rows = is_turned ? photo.extent.width : photo.extent.height;
     const int lean = rows / 6;
     std::optional<Edge> outermost;
+    Edge end;             // the last that is as strong: an edge has several px of equal contrast
     double best = least;  // at the position of `outermost`
     double strongest = least;
-    for (int x = columns / 2 - 1; x >= 0; --x) {
+    for (int x = columns / 2 - 1; x >= -distance; --x) {
         Edge local;
         double here = 0.0;
-        for (int slope = -lean; slope <= lean; ++slope) {
+        for (int i = 0; i <= 2 * lean; ++i) {  // from straight to slanted
+            const int slope = i % 2 == 0 ? i / 2 : -(i + 1) / 2;
             const double middle = inside > 0 ? x : columns - 1 - x;
             const Edge edge{middle - 0.5 * slope, middle + 0.5 * slope};
             if (const double found = contrast(photo, is_turned, edge, inside); found > here) {
@@ -93,9 +100,13 @@ std::optional<Edge> find_edge(const SmallPhoto& photo, bool is_turned, int insid
         const bool is_same = outermost && std::abs(outermost->at(0.5) - local.at(0.5)) <= near;
         if (here > strong * strongest && (!is_same || here > best)) {
             best = here;
-            outermost = local;
+            outermost = end = local;
+        } else if (is_same && here > equal * best) {
+            end = local;
         }
     }
+    if (outermost)
+        *outermost = {(outermost->first + end.first) / 2.0, (outermost->last + end.last) / 2.0};
     return outermost;
 }
 
@@ -124,9 +135,15 @@ std::optional<Corners> guess_corners(const Picture& photo) {
     Corners corners{crossing(*top, *left, small.extent), crossing(*top, *right, small.extent),
                     crossing(*bottom, *right, small.extent),
                     crossing(*bottom, *left, small.extent)};
+    const glm::dvec2 last(photo.extent.width, photo.extent.height);
     for (glm::dvec2& corner : corners)
-        corner = (corner + 0.5) * static_cast<double>(small.block);
-    if (!check_corners(corners, photo.extent))
+        corner =
+            glm::clamp((corner + 0.5) * static_cast<double>(small.block), glm::dvec2(0.0), last);
+    const double near = 0.02 * photo.extent.width;
+    const bool are_those_of_the_photo = std::ranges::equal(
+        corners, corners_of(photo.extent),
+        [near](glm::dvec2 some, glm::dvec2 other) { return glm::distance(some, other) < near; });
+    if (are_those_of_the_photo || !check_corners(corners, photo.extent))
         return std::nullopt;
     return corners;
 }

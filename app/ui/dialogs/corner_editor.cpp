@@ -110,9 +110,9 @@ void draw_corner_editor(const PhotoMatcher& matcher, Edits& edits) {
     if (!photo)
         return;
     const float font = ImGui::GetFontSize();
-    const float beside = magnifier * font + ImGui::GetStyle().ItemSpacing.x;
+    const float side_column = magnifier * font + ImGui::GetStyle().ItemSpacing.x;
     const ShownPhoto shown = fitted_photo(photo->picture->extent,
-                                          {ImGui::GetContentRegionAvail().x - beside,
+                                          {ImGui::GetContentRegionAvail().x - side_column,
                                            ImGui::GetIO().DisplaySize.y - rest_of_dialog * font});
     draw_photo(*photo, shown);
     edits.mark("match_photo");

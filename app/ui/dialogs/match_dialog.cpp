@@ -1,6 +1,6 @@
 #include "ui/dialogs/match_dialog.h"
 
-#include "lab/commands/preset_commands.h"
+#include "lab/commands/matched_preset.h"
 #include "lab/jobs/background_jobs.h"
 #include "lab/match/match_report.h"
 #include "lab/media/media_input.h"
@@ -63,14 +63,13 @@ void draw_setup(const PhotoMatcher& matcher, const Scene& scene, Edits& edits) {
         draw_problem(read->error(), edits);
     if (photo) {
         draw_corner_editor(matcher, edits);
-        wrapped_dim_text(photo->has_edges
-                             ? "Drag the corners to those of the lit screen. They were guessed "
-                               "from its straight edges."
-                             : "Drag the corners to those of the lit screen.");
+        wrapped_dim_text(std::string("Drag the corners so that each line touches the middle of its "
+                                     "side of the screen. On curved glass, they lie outside.") +
+                         (photo->has_edges ? " They were guessed from the straight edges." : ""));
     } else {
         wrapped_dim_text(
             "Take the photo in the dark, sharp and not overexposed, while the tube "
-            "shows the source. A triad of mask stripes needs at least 3 px.");
+            "shows the source. A triad of mask stripes must be at least 3 px wide.");
     }
     if (draw_dialog_buttons("Match", photo.has_value() && !matcher.is_running(), edits, "Close"))
         edits.change([](BackgroundJobs& jobs) { jobs.matcher().start(); });
@@ -147,14 +146,9 @@ void apply(BackgroundJobs& jobs, Document& document) {
     jobs.matcher().apply(document);
 }
 
-// The found values as a preset next to which the photo and the camera are.
 void save_as_preset(BackgroundJobs& jobs, Document& document, PresetCommands& presets,
                     Messages& messages) {
-    apply(jobs, document);
-    const std::string name =
-        fmt::format("{} matched", jobs.matcher().photo()->file.stem().string());
-    presets.replace(name);
-    messages.succeeded(jobs.matcher().attach_to(presets.destination() / (name + ".json")));
+    save_matched_preset(jobs.matcher(), document, presets, messages);
 }
 
 void draw_result(const MatchJobResult& result, const PhotoMatcher& matcher, const Scene& scene,
@@ -183,6 +177,11 @@ void draw_result(const MatchJobResult& result, const PhotoMatcher& matcher, cons
 void draw_failed(const Diagnostics& problems, const PhotoMatcher& matcher, Edits& edits) {
     draw_problem(problems, edits);
     draw_corner_editor(matcher, edits);
+    if (matcher.better_corners()) {
+        if (ImGui::Button("Use these corners"))
+            edits.change([](BackgroundJobs& jobs) { jobs.matcher().take_better_corners(); });
+        edits.mark("match_better");
+    }
     if (draw_dialog_buttons("Match", true, edits, "Close"))
         edits.change([](BackgroundJobs& jobs) { jobs.matcher().start(); });
 }
