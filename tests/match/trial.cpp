@@ -20,7 +20,7 @@ struct Sizes {
 };
 
 Sizes sizes_of(const Trial& trial) {
-    return trial.is_small ? Sizes{{640, 480}, {500, 380}, {400, 300}}
+    return trial.is_small ? Sizes{{512, 384}, {400, 304}, {320, 240}}
                           : Sizes{{1280, 960}, {1000, 760}, {800, 600}};
 }
 constexpr double fitted_scale = 0.625;  // of lengths in px
@@ -55,7 +55,7 @@ Truth truth_of(const Trial& trial) {
         corner += glm::dvec2(between(-25.0, 25.0), between(-25.0, 25.0));
     if (trial.is_small)
         for (glm::dvec2& corner : camera.corners)
-            corner *= 0.5;
+            corner *= 0.4;
     camera.lens = between(-0.03, 0.03);
     camera.blur = between(0.7, 1.3);
     camera.noise = between(0.003, 0.012);

@@ -42,7 +42,7 @@ public:
         for (const auto stage :
              {&Stages::find_exposure, &Stages::find_shape, &Stages::check_corner_positions,
               &Stages::find_type, &Stages::compare_types, &Stages::find_lines,
-              &Stages::compare_types, &Stages::find_all})
+              &Stages::compare_types, &Stages::check_visible, &Stages::find_all})
             if (auto done = (this->*stage)(); !done)
                 return is_stopped() ? Result<Matched>(stopped()) : fail(done.error());
         return finished();
@@ -103,7 +103,7 @@ private:
         for (const Unknown& unknown : unknowns_of(parameters().shape))
             if (auto done = scan(unknown); !done)
                 return done;
-        const auto residual = fit_shape(m_state, m_request.corner_deviation);
+        const auto residual = fit_shape(m_state, 4.0 * m_request.corner_deviation);
         if (!residual)
             return fail(residual.error());
         report("Shape and camera", *residual);
@@ -209,18 +209,19 @@ private:
         return m_fit.minimise(state, unknowns, all, 8, 1e-3);
     }
 
+    // First by the strongest period of each type. If that does not show, the fit has still found
+    // better values of the camera, from which to try again.
     Result<void> find_type() {
         if (!pitch())
             return compare_fits_of_types();
-        std::vector<Candidate> candidates;
-        for (const auto& [type, value] : types()) {
-            const auto found =
-                m_search.candidates(with_type(type, value), *pitch(), Along::rows, 2);
-            if (!found)
-                return fail(found.error());
-            candidates.insert(candidates.end(), found->begin(), found->end());
+        for (const std::size_t most_tried : {1, 3}) {
+            const auto is_taken = take_visible(most_tried);
+            if (!is_taken)
+                return fail(is_taken.error());
+            if (*is_taken)
+                return {};
         }
-        return take_visible(std::move(candidates));
+        return no_mask();
     }
 
     MatchState with_type(const Parameter* type, double value) const {
@@ -246,20 +247,46 @@ private:
         return {};
     }
 
-    // Takes the most likely candidate that the photo shows. Fails if it shows none.
-    Result<void> take_visible(std::vector<Candidate> candidates) {
-        constexpr double least_evidence = 5.0;
-        constexpr std::size_t most_tried = 4;
-        std::ranges::sort(candidates, {}, &Candidate::cost);
-        for (std::size_t i = 0; i < std::min(candidates.size(), most_tried); ++i) {
-            if (auto taken = take(std::move(candidates[i]), *pitch(), "Mask"); !taken)
-                return taken;
-            const auto evidence = m_search.evidence(m_state, *pitch());
-            if (!evidence)
-                return fail(evidence.error());
-            if (*evidence >= least_evidence)
-                return {};
+    // Fits the most likely types and periods, until the photo shows one.
+    Result<bool> take_visible(std::size_t most_tried) {
+        std::vector<Candidate> candidates;
+        for (const auto& [type, value] : types()) {
+            const auto found =
+                m_search.candidates(with_type(type, value), *pitch(), Along::rows, most_tried);
+            if (!found)
+                return fail(found.error());
+            candidates.insert(candidates.end(), found->begin(), found->end());
         }
+        std::ranges::sort(candidates, {}, &Candidate::cost);
+        candidates.resize(std::min(candidates.size(), most_tried));
+        for (Candidate& candidate : candidates) {
+            if (auto taken = take(std::move(candidate), *pitch(), "Mask"); !taken)
+                return fail(taken.error());
+            const auto visible = is_visible();
+            if (!visible || *visible)
+                return visible;
+        }
+        return false;
+    }
+
+    // Whether the photo shows the mask of the state.
+    Result<bool> is_visible() {
+        constexpr double least_evidence = 5.0;
+        const auto evidence = m_search.evidence(m_state, *pitch());
+        return evidence ? Result<bool>(*evidence >= least_evidence) : fail(evidence.error());
+    }
+
+    // Without scanlines in the way, a mask that is none does not show any more.
+    Result<void> check_visible() {
+        if (!pitch())
+            return {};
+        const auto visible = is_visible();
+        if (!visible)
+            return fail(visible.error());
+        return *visible ? Result<void>() : no_mask();
+    }
+
+    Result<void> no_mask() const {
         return refused(
             "The photo does not show the mask. Take it from closer, so that a triad of "
             "stripes is at least 3 px wide.");

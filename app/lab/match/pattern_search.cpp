@@ -149,7 +149,7 @@ Result<double> PatternSearch::value_with_period(MatchState state, const Paramete
 // pattern.
 Result<Candidate> PatternSearch::scanned(const MatchState& state, const Parameter& period,
                                          double value, const std::vector<float>& without) {
-    constexpr int reach = 4;
+    constexpr int reach = 2;
     const Extent size = m_fit.renderer().layout().picture;
     const double step = 0.3 * px_of(state, period, value) / std::max(size.width, size.height);
     Candidate best{std::numeric_limits<double>::infinity(), state};
