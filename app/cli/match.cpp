@@ -3,6 +3,7 @@
 #include "io/files/atomic_file.h"
 #include "io/system/standard_streams.h"
 #include "lab/document/sharing.h"
+#include "lab/match/decay_match.h"
 #include "lab/match/match_report.h"
 
 #include <fmt/format.h>
@@ -16,13 +17,19 @@ namespace fs = std::filesystem;
 namespace {
 constexpr std::array match_examples{
     "afterglow match shadow-mask --photo set.png --source bars.png -o set.json",
-    "afterglow match shadow-mask --photo set.png --source bars.png --json",
+    "afterglow match phosphor --video fade.mp4 --fps 240 -o tube.json",
 };
+
+constexpr double bad_misfit = 4.0;
 
 struct MatchArguments {
     LookOptions look{""};
     std::string photo;
     std::string corners;
+    std::string video;
+    std::string place;
+    double fps = 0.0;
+    double gamma = 2.2;
     std::string locked;
     std::string fitted;
     std::string output;
@@ -89,12 +96,13 @@ void print_table(const MatchedFile& matched) {
             "{:<24} {:>10.4g}   {:.4g} to {:.4g}{}\n", found_label(number, look), number.value,
             number.low, number.high,
             number.why_not.empty() ? std::string() : ", not identifiable: " + number.why_not);
+    std::cout << '\n' << explained_text(result.matched) << '\n';
 }
 
-void print_json(const MatchJobResult& result) {
+nlohmann::ordered_json numbers_json(const std::vector<FoundNumber>& numbers) {
     using Json = nlohmann::ordered_json;
     Json parameters = Json::array();
-    for (const FoundNumber& number : result.matched.numbers) {
+    for (const FoundNumber& number : numbers) {
         Json row{{"name", number.parameter}, {"component", number.component},
                  {"value", number.value},    {"low", number.low},
                  {"high", number.high},      {"identifiable", number.why_not.empty()}};
@@ -102,14 +110,20 @@ void print_json(const MatchJobResult& result) {
             row["reason"] = number.why_not;
         parameters.push_back(std::move(row));
     }
+    return parameters;
+}
+
+void print_json(const MatchJobResult& result) {
+    using Json = nlohmann::ordered_json;
     Json types = Json::object();
     for (const auto& [parameter, label] : result.types)
         types[parameter] = label;
     const Json document{{"size", {result.size.width, result.size.height}},
                         {"pictures", result.matched.pictures},
                         {"residual", result.matched.residual},
+                        {"explained", result.matched.explained},
                         {"types", std::move(types)},
-                        {"parameters", std::move(parameters)},
+                        {"parameters", numbers_json(result.matched.numbers)},
                         {"camera", Json::parse(camera_json(result))}};
     std::cout << document.dump(2) << '\n';
 }
@@ -130,7 +144,95 @@ Result<void> save(const MatchedFile& matched, const MatchArguments& arguments,
                             camera_json(matched.result));
 }
 
+std::optional<glm::dvec2> parse_place(const std::string& text) {
+    if (text.empty())
+        return std::nullopt;
+    const auto parts = split(text, ',');
+    const auto x = parse_number(trim(parts.front()));
+    const auto y = parse_number(trim(parts.back()));
+    if (parts.size() != 2 || !x || !y)
+        throw UsageError(fmt::format("--at: expected X,Y in px, got '{}'", text));
+    return glm::dvec2(*x, *y);
+}
+
+std::string interval(double low, double high, const std::string& why_not) {
+    return fmt::format("{:.4g} to {:.4g}{}", low, high,
+                       why_not.empty() ? std::string() : ", not identifiable: " + why_not);
+}
+
+void print_table(const DecayMatch& match) {
+    std::cout << fmt::format(
+        "{:g} frames per second, place {:.0f},{:.0f}, light on for {} frames, then {} frames\n\n",
+        match.fps, match.at.x, match.at.y, match.lit_frames, match.frames);
+    if (!match.tube.empty())
+        std::cout << fmt::format("{:<24} {}\n", match.tube_parameter, match.tube);
+    std::cout << fmt::format("{:<24} {:>10}   90 % interval\n", "Parameter", "Value");
+    for (const FoundNumber& number : match.numbers)
+        std::cout << fmt::format("{:<24} {:>10.4g}   {}\n", number.parameter, number.value,
+                                 interval(number.low, number.high, number.why_not));
+    for (const TimeConstant& constant : match.constants)
+        std::cout << fmt::format(
+            "{:<24} {:>10.4g}   {}\n", "Time constant, ms", 1000.0 * constant.seconds,
+            interval(1000.0 * constant.low, 1000.0 * constant.high, constant.why_not));
+    if (!match.tubes.empty())
+        std::cout << "\nProbability of the measured tubes\n";
+    for (const TubeProbability& tube : match.tubes)
+        std::cout << fmt::format("{:<24} {:>9.1f} %\n", tube.label, 100.0 * tube.probability);
+    if (match.misfit > bad_misfit)
+        std::cout << "\nNo decay of this look fits the video well. Its light fades differently, or "
+                     "the exposure was not locked.\n";
+}
+
+void print_json(const DecayMatch& match) {
+    using Json = nlohmann::ordered_json;
+    Json constants = Json::array();
+    for (const TimeConstant& constant : match.constants)
+        constants.push_back({{"seconds", constant.seconds},
+                             {"low", constant.low},
+                             {"high", constant.high},
+                             {"share", constant.share},
+                             {"identifiable", constant.why_not.empty()},
+                             {"reason", constant.why_not}});
+    Json tubes = Json::array();
+    for (const TubeProbability& tube : match.tubes)
+        tubes.push_back({{"tube", tube.label}, {"probability", tube.probability}});
+    const Json document{
+        {"fps", match.fps},
+        {"at", {match.at.x, match.at.y}},
+        {"lit_frames", match.lit_frames},
+        {"frames", match.frames},
+        {"misfit", match.misfit},
+        {"types", match.tube.empty() ? Json::object() : Json{{match.tube_parameter, match.tube}}},
+        {"tubes", std::move(tubes)},
+        {"parameters", numbers_json(match.numbers)},
+        {"time_constants", std::move(constants)}};
+    std::cout << document.dump(2) << '\n';
+}
+
+int match_video(const MatchArguments& arguments, const Library& library) {
+    if (!arguments.report.empty())
+        throw UsageError("--report needs --photo");
+    JobProgress work;
+    const auto matched = match_decay_file(
+        arguments.look.request(),
+        {arguments.video, parse_place(arguments.place),
+         arguments.fps > 0.0 ? std::optional(arguments.fps) : std::nullopt, arguments.gamma},
+        {names_in(arguments.locked), names_in(arguments.fitted)}, library, work);
+    if (!matched)
+        return report(matched.error());
+    warn(matched->warnings);
+    if (!arguments.output.empty())
+        if (auto saved = write_preset(matched->document, arguments.name, arguments.output,
+                                      RecentMedia(library.roots()));
+            !saved)
+            return report(saved.error());
+    arguments.as_json ? print_json(matched->match) : print_table(matched->match);
+    return exit_done;
+}
+
 int match(const MatchArguments& arguments, const DataFolders& data) {
+    if (arguments.photo.empty() == arguments.video.empty())
+        throw UsageError("Give --photo FILE or --video FILE");
     if (arguments.output.empty() && arguments.report.empty() && !arguments.as_json)
         throw UsageError("--output FILE, --report FILE or --json is required");
     if (!arguments.output.empty())
@@ -140,6 +242,8 @@ int match(const MatchArguments& arguments, const DataFolders& data) {
     const auto library = open_library(data);
     if (!library)
         return report(library.error());
+    if (!arguments.video.empty())
+        return match_video(arguments, *library);
     JobProgress work;
     StageLine line;
     const auto matched =
@@ -160,19 +264,33 @@ int match(const MatchArguments& arguments, const DataFolders& data) {
 }  // namespace
 
 /// afterglow match LOOK --photo PHOTO --source PICTURE [--corners …] -o PRESET.json
+/// afterglow match LOOK --video VIDEO [--at X,Y] [--fps N] -o PRESET.json
 Command add_match(CommandLine& program) {
     Options options = program.add_verb(
         "match",
-        "Find the values of a look in a photo of a real tube\n\nThe photo must be sharp, not "
+        "Find the values of a look in a photo or video of a real tube\n\nThe photo must be sharp, "
+        "not "
         "overexposed, and show one known picture. A triad of mask stripes must be at "
         "least 3 px wide.",
         match_examples);
     auto arguments = std::make_shared<MatchArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
-    options.add("--photo FILE", arguments->photo, "Photo of the tube").required();
+    options.add("--photo FILE", arguments->photo, "Photo of the tube");
     options.add("--corners X,Y,...", arguments->corners,
                 "The screen's corners in px of the photo, clockwise from the top left (default: "
                 "its straight edges, else the photo)");
+    options.add("--video FILE", arguments->video,
+                "Video of light that goes off, with locked exposure, or numbered pictures as "
+                "frame_%04d.png. Finds the tube's phosphor");
+    options.add("--at X,Y", arguments->place,
+                "Place in the video, px from the top left (default: where the light changes most)");
+    options
+        .add("--fps N", arguments->fps,
+             "Rate at which the video was recorded (default: that of the file)")
+        .between(1.0, 10000.0);
+    options.add("--gamma N", arguments->gamma, "Gamma of the camera. Time constants scale with it")
+        .show_default()
+        .between(1.0, 4.0);
     options.add("--lock NAME,...", arguments->locked, "Parameters that keep their values");
     options.add("--fit NAME,...", arguments->fitted,
                 "Parameters to find that the look does not name itself");

@@ -4,7 +4,7 @@
 
 #include "one_color.glsl"
 
-uniform float decay = 0.92;  // @range 0.5 0.999  @limit 0 1  @label "Decay"  @unit "per 1/60 s"  @group "Phosphor"  @when as_written || tube == "Custom"
+uniform float decay = 0.92;  // @range 0.5 0.999  @limit 0 1  @label "Decay"  @unit "per 1/60 s"  @group "Phosphor"  @when as_written || tube == "Custom"  @photo decay
                              // @help "Fraction of the light that is left after 1/60 s. 0.5 fades almost at once, 0.92 leaves a short tail, 0.99 glows for seconds, 1 never fades. Only used by the tube phosphor Custom. Measured tubes have their own decay."
 uniform vec3 fade_speed = vec3(1.0);  // @range 0.25 16  @limit 0 1000  @scale log  @label "RGB decay speed"  @parts "Red" "Green" "Blue"  @group "Phosphor"  @when !as_written && tube == "Custom" && !one_color
                                       // @help "Decay speed of each channel. 1 follows Decay, 4 is four times as fast, 0 never fades. Blue that fades before green leaves a yellow-green afterglow, like the two layers of a radar tube. Only used by the tube phosphor Custom."

@@ -7,7 +7,7 @@
 #include "as_written.glsl"
 #include "tubes.glsl"
 
-uniform int tube = 0;  // @items "Custom" "P1" "P2" "P3" "P4" "P7" "P11" "P14" "P28" "P31" "P32"  @label "Tube phosphor"  @group "Phosphor"  @when !as_written
+uniform int tube = 0;  // @items "Custom" "P1" "P2" "P3" "P4" "P7" "P11" "P14" "P28" "P31" "P32"  @label "Tube phosphor"  @group "Phosphor"  @when !as_written  @photo tube
                        // @items_note "" "27 ms" "0.37 ms" "19 ms" "0.32 ms" "0.305 ms" "0.274 ms" "0.44 ms" "0.39 ms" "0.34 ms" "1 ms"
                        // @items_color "" "#00ff85" "#00ff6d" "#ffad00" "#bae5ff" "#5600ff" "#00a0ff" "#005fff" "#baff17" "#00ffa4" "#a4ff5b"
                        // @help "Phosphor of the tube. Custom fades as set by Decay, the others as measured. P1 is green, P2 blue-green, P3 amber, P4 white, P11 blue (photography). P7 is blue with a long yellow afterglow (radar). P14 is blue with an orange afterglow. P31 is green (most scopes). P28 and P32 are yellow-green with a long afterglow, P32 with the longest."

@@ -2,6 +2,7 @@
 
 import shlex
 import shutil
+import subprocess
 
 from program import SLANG, SOURCE, ProgramTest, main, run
 
@@ -43,6 +44,11 @@ class Help(ProgramTest):
                  "blue_offset": "0,0"}
         sets = [word for name, value in photo.items() for word in ("--set", f"{name}={value}")]
         self.assert_done(run("render", "shadow-mask", *sets, "--source", bars, "--size", "240x180", "-o", self.folder / "set.png"))
+        if shutil.which("ffmpeg"):  # a light that goes off after 6 frames
+            light = "if(lt(N,6),8,220*exp(-(N-6)/8.4))"
+            subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i",
+                            f"color=black:s=48x48:r=240:d=0.4,format=gbrp,geq=r='{light}/3':g='{light}':b='{light}/2'",
+                            "-c:v", "libx264rgb", "-qp", "0", self.folder / "fade.mp4"], check=True)
         shutil.copy(self.folder / "before.exr", self.folder / "after.exr")
         self.assert_done(run("signal", "text:HI", "--seconds", "0.1", "-o", self.folder / "song.flac"))
         self.write("show.txt", "0 blackout on\n0.05 blackout off\n")
@@ -63,7 +69,7 @@ class Help(ProgramTest):
         for command in self.commands():
             for example in self.examples(command):
                 words = shlex.split(example.partition(" > ")[0])[1:]
-                if words[-1].endswith(".mp4") and not shutil.which("ffmpeg"):
+                if any(word.endswith(".mp4") for word in words) and not shutil.which("ffmpeg"):
                     continue
                 if command in self.DRAWS and "--size" not in words:
                     words += ["--size", "64x36"]  # the same, but faster

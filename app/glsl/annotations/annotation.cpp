@@ -289,12 +289,14 @@ void apply_photo_start(const Site& site) {
 }
 
 void apply_photo(const Site& site) {
-    constexpr std::array<std::pair<std::string_view, PhotoRole>, 5> roles{
+    constexpr std::array<std::pair<std::string_view, PhotoRole>, 7> roles{
         {{"shape", PhotoRole::shape},
          {"pitch", PhotoRole::pitch},
          {"lines", PhotoRole::lines},
          {"type", PhotoRole::type},
-         {"amount", PhotoRole::amount}}};
+         {"amount", PhotoRole::amount},
+         {"tube", PhotoRole::tube},
+         {"decay", PhotoRole::decay}}};
     if (!site.hint.words.empty() && site.hint.words.front() == "start")
         return apply_photo_start(site);
     for (const auto& [word, role] : roles)
@@ -302,9 +304,12 @@ void apply_photo(const Site& site) {
             site.parameter.photo_role = role;
     const PhotoRole role = site.parameter.photo_role;
     if (role == PhotoRole::none)
-        return site.error("@photo must be shape, pitch, lines, type, amount or start");
-    if ((role == PhotoRole::type) != !site.parameter.items.empty())
-        site.error("@photo type is only for lists, and lists take no other role except start");
+        return site.error("@photo must be shape, pitch, lines, type, amount, tube, decay or start");
+    const bool is_for_lists = role == PhotoRole::type || role == PhotoRole::tube;
+    if (is_for_lists != !site.parameter.items.empty())
+        site.error(
+            "@photo type and @photo tube are only for lists, which take no other role except "
+            "start");
 }
 
 struct Rule {

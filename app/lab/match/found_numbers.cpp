@@ -58,7 +58,8 @@ std::vector<FoundNumber> found_numbers(const std::vector<Unknown>& unknowns,
         if (unknowns[i].part != Unknown::Part::look)
             continue;
         const double variance = covariance[i * unknowns.size() + i];
-        const double half = normal_90 * std::sqrt(std::max(variance, 0.0));
+        const double half =
+            normal_90 * unknowns[i].interval_scale * std::sqrt(std::max(variance, 0.0));
         const double value = unknowns[i].of(state);
         numbers.push_back({unknowns[i].parameter, unknowns[i].index, value,
                            std::max(value - half, unknowns[i].low),

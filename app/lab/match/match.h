@@ -18,7 +18,11 @@ struct Matched {
     double residual = 0.0;    // root mean square of photo values, 0..1
     int pictures = 0;         // that were drawn
     bool is_complete = true;  // false: stopped, so the numbers have no intervals
+    double explained = 1.0;   // share of the variance of light in the photo, 0..1
 };
+
+/// What the share means, for the user.
+std::string explained_text(const Matched& matched);
 
 /// What a match has found so far, for display while it works.
 struct MatchProgress {

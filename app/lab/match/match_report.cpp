@@ -73,14 +73,15 @@ Result<void> write_match_report(const MatchedFile& matched, const std::filesyste
     const std::string title =
         fmt::format("{} matched to {}", matched.document.look().name, photo.filename().string());
     return write_atomically(
-        file, fmt::format(
-                  "<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
-                  "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                  "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
-                  "img-src data:; style-src 'unsafe-inline'\">\n"
-                  "<title>{0}</title>\n<style>{1}</style>\n<h1>{0}</h1>\n<div>\n{2}</div>\n"
-                  "{3}<p>Difference: {4:.2f} % of white (RMS). {5} pictures of {6} x {7} px were "
-                  "drawn.</p>\n</html>\n",
-                  html_text(title), style, figures, table(matched), 100.0 * result.matched.residual,
-                  result.matched.pictures, result.size.width, result.size.height));
+        file,
+        fmt::format("<!doctype html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n"
+                    "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+                    "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; "
+                    "img-src data:; style-src 'unsafe-inline'\">\n"
+                    "<title>{0}</title>\n<style>{1}</style>\n<h1>{0}</h1>\n<div>\n{2}</div>\n"
+                    "{3}<p>{8} Difference: {4:.2f} % of white (RMS). {5} pictures of {6} x {7} px "
+                    "were drawn.</p>\n</html>\n",
+                    html_text(title), style, figures, table(matched),
+                    100.0 * result.matched.residual, result.matched.pictures, result.size.width,
+                    result.size.height, html_text(explained_text(result.matched))));
 }

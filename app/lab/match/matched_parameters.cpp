@@ -84,7 +84,9 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
     MatchedParameters matched;
     for (const Parameter& parameter : look.parameters) {
         const bool is_wanted = fitted->contains(parameter.name);
-        const bool has_role = parameter.photo_role != PhotoRole::none;
+        const bool has_role = parameter.photo_role != PhotoRole::none &&
+                              parameter.photo_role != PhotoRole::tube &&
+                              parameter.photo_role != PhotoRole::decay;
         if (locked->contains(parameter.name) || !(is_wanted || has_role))
             continue;
         if (parameter.photo_role == PhotoRole::start && !is_wanted) {
@@ -108,6 +110,41 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
             {{},
              0,
              "This look does not say which parameters a photo shows. Name them with --fit."});
+    return matched;
+}
+
+Result<MatchedParameters> decay_parameters(const Document& document, const MatchChoice& choice) {
+    const Look& look = document.look();
+    const auto locked = resolved(choice.locked, look);
+    if (!locked)
+        return fail(locked.error());
+    const auto fitted = resolved(choice.fitted, look);
+    if (!fitted)
+        return fail(fitted.error());
+    MatchedParameters matched;
+    for (const Parameter& parameter : look.parameters) {
+        if (locked->contains(parameter.name))
+            continue;
+        if (parameter.photo_role == PhotoRole::tube)
+            matched.tubes.push_back(&parameter);
+        else if (parameter.photo_role == PhotoRole::decay)
+            matched.decays.push_back(&parameter);
+        else if (fitted->contains(parameter.name))
+            matched.amounts.push_back(&parameter);
+    }
+    for (const auto* list : {&matched.decays, &matched.amounts})
+        for (const Parameter* number : *list)
+            if (!is_number(*number) || number->type.size() > 1)
+                return fail({{},
+                             0,
+                             fmt::format("'{}' can't be found in a video, because it is not one "
+                                         "number with fractions.",
+                                         number->name)});
+    if (matched.tubes.empty() && matched.decays.empty() && matched.amounts.empty())
+        return fail({{},
+                     0,
+                     "This look does not say which parameters a video of fading light shows. Name "
+                     "them with --fit."});
     return matched;
 }
 

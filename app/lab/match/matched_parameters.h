@@ -20,6 +20,8 @@ struct MatchedParameters {
     std::vector<const Parameter*> types = {};
     std::vector<const Parameter*> amounts = {};
     std::vector<const Parameter*> starts = {};  // not to be found
+    std::vector<const Parameter*> tubes = {};   // lists, only in videos
+    std::vector<const Parameter*> decays = {};  // only in videos
 
     bool is_empty() const;
 };
@@ -28,6 +30,11 @@ struct MatchedParameters {
 /// and those that the user wants, as amounts if they have no role. Fails for unknown names, and for
 /// parameters that are no plain numbers.
 Result<MatchedParameters> matched_parameters(const Document& document, const MatchChoice& choice);
+
+/// The lists of tubes and the decays, and what the user wants as amounts, for a video of fading
+/// light. Fails for unknown names, for parameters that are not one number, and if there is nothing
+/// to find.
+Result<MatchedParameters> decay_parameters(const Document& document, const MatchChoice& choice);
 
 /// The unknowns of these parameters, with the ranges of their sliders.
 std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters);

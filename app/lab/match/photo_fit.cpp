@@ -291,14 +291,14 @@ Picture PhotoFit::photographed_picture(const Camera& camera) const {
         photographed(m_photo, layout, SamplePlaces(layout, camera, m_photo.extent())), layout);
 }
 
-Result<double> PhotoFit::explained_share(const MatchState& state) {
-    const auto missing = residuals(state, {.has_tiles = false});
+Result<double> PhotoFit::explained_share(const MatchState& state, Compared compared) {
+    const auto missing = residuals(state, compared);
     if (!missing)
         return fail(missing.error());
-    const SampleLayout layout = m_renderer.layout().without_tiles();
+    const SampleLayout layout = layout_for(compared);
     const auto photo = weighted(
         photographed(m_photo, layout, SamplePlaces(layout, state.camera, m_photo.extent())),
-        {.has_tiles = false});
+        compared);
     double mean = 0.0;
     for (std::size_t i = 0; i < photo.size(); i += 3)  // luma
         mean += static_cast<double>(photo[i]) * 3.0 / static_cast<double>(photo.size());

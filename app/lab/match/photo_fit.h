@@ -35,8 +35,8 @@ public:
     Picture photographed_picture(const Camera& camera) const;
     /// The mean square of the residuals.
     Result<double> cost(const MatchState& state, Compared compared);
-    /// The share of the variation of mean light in the photo that a state explains; 1: all.
-    Result<double> explained_share(const MatchState& state);
+    /// The share of the variance of luma in the photo that a state explains; 1: all.
+    Result<double> explained_share(const MatchState& state, Compared compared);
     /// The derivatives at a state; the sum of the groups is complete without a prior.
     Result<std::vector<NormalEquations>> linearised(const MatchState& state,
                                                     const std::vector<Unknown>& unknowns,

@@ -32,11 +32,12 @@ struct Unknown {
     std::string parameter = {};  // of the look
     double low = 0.0;
     double high = 1.0;
-    double difference = 1e-3;  // for derivatives
-    bool is_central = false;   // derivatives from both sides, for numbers that move patterns
-    double trust = 1.0;        // largest change per step
-    double expected = 0.0;     // with `deviation`
-    double deviation = 0.0;    // of what is known before the photo; 0: nothing is known
+    double difference = 1e-3;     // for derivatives
+    bool is_central = false;      // derivatives from both sides, for numbers that move patterns
+    double trust = 1.0;           // largest change per step
+    double expected = 0.0;        // with `deviation`
+    double deviation = 0.0;       // of what is known before the photo; 0: nothing is known
+    double interval_scale = 1.0;  // of its 90 % interval, see found_numbers()
 
     double of(const MatchState& state) const;
     void set(MatchState& state, double value) const;

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace {
 constexpr int dark_frames = 4;  // before the impulse, to measure the background
@@ -80,7 +81,7 @@ Numbers light_at(const Offline& offline, std::size_t pass, const Pin& pin) {
 PassImpulse impulse_of(std::string pass, const std::vector<Numbers>& frames,
                        const std::vector<double>& seconds) {
     const Numbers& dark = frames[dark_frames - 1];
-    PassImpulse impulse{std::move(pass), 0, {}, {}};
+    PassImpulse impulse{std::move(pass), 0, {}, {}, {}};
     double brightest = 0.0;
     for (int channel = 0; channel < 3; ++channel)
         for (const Numbers& light : frames) {
@@ -91,10 +92,20 @@ PassImpulse impulse_of(std::string pass, const std::vector<Numbers>& frames,
             }
         }
     const auto channel = static_cast<std::size_t>(impulse.channel);
-    for (std::size_t i = dark_frames; i < frames.size(); ++i)
-        impulse.light.push_back(frames[i][channel] - dark[channel]);
+    for (std::size_t i = dark_frames; i < frames.size(); ++i) {
+        const Numbers& light = frames[i];
+        impulse.light.push_back(light[channel] - dark[channel]);
+        impulse.colors.push_back({light[0] - dark[0], light[1] - dark[1], light[2] - dark[2]});
+    }
     impulse.decay = decay_curve(seconds, impulse.light);
     return impulse;
+}
+std::vector<std::size_t> measured_passes(const Look& look, const ImpulseRequest& request) {
+    if (request.pass)
+        return {*request.pass};
+    std::vector<std::size_t> all(look.passes.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
 }
 }  // namespace
 
@@ -106,7 +117,8 @@ Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const Impuls
     const bool has_source = look.driven_by == Driver::picture;
     ImpulseResponse response{size, request, {}, {}};
     const int watched = std::max(1, static_cast<int>(std::lround(request.seconds * request.fps)));
-    std::vector<std::vector<Numbers>> passes(look.passes.size());
+    const std::vector<std::size_t> measured = measured_passes(look, request);
+    std::vector<std::vector<Numbers>> lights(measured.size());
     const int all = dark_frames + 1 + watched;
     for (int frame = 1; frame <= all; ++frame) {
         if (work.is_cancelled)
@@ -116,16 +128,16 @@ Result<ImpulseResponse> fire_impulse(Offline& offline, Extent size, const Impuls
                     offline.override_source(even(size, frame == dark_frames + 1 ? 1.0f : 0.0f));
                 !held)
                 return fail(held.error());
-        offline.advance();
-        for (std::size_t pass = 0; pass < passes.size(); ++pass)
-            passes[pass].push_back(light_at(offline, pass, request.pin));
+        request.pass ? offline.advance_unseen() : offline.advance();
+        for (std::size_t i = 0; i < measured.size(); ++i)
+            lights[i].push_back(light_at(offline, measured[i], request.pin));
         if (frame > dark_frames)
             response.seconds.push_back((frame - dark_frames - 1) / request.fps);
         work.share = static_cast<double>(frame) / all;
     }
-    for (std::size_t pass = 0; pass < passes.size(); ++pass)
+    for (std::size_t i = 0; i < measured.size(); ++i)
         response.passes.push_back(
-            impulse_of(look.passes[pass].name, passes[pass], response.seconds));
+            impulse_of(look.passes[measured[i]].name, lights[i], response.seconds));
     return response;
 }
 

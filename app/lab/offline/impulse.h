@@ -5,6 +5,8 @@
 #include "lab/window/probes.h"
 #include "model/picture/decay_curve.h"
 
+#include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,14 +17,17 @@ struct ImpulseRequest {
     Pin pin;
     double fps = 60.0;
     double seconds = 2.0;
+    // The only pass to draw and measure, which reads its own earlier frames. nullopt: all.
+    std::optional<std::size_t> pass = {};
 };
 
 /// The response of a pass at the texel of the impulse.
 struct PassImpulse {
     std::string pass;
-    int channel = 0;            // 0 red, 1 green, 2 blue: the brightest
-    std::vector<double> light;  // above the background; per frame, linear
-    DecayCurve decay;           // times from the end of the impulse's frame
+    int channel = 0;                            // 0 red, 1 green, 2 blue: the brightest
+    std::vector<double> light;                  // above the background; per frame, linear
+    std::vector<std::array<double, 3>> colors;  // the same in all channels
+    DecayCurve decay;                           // times from the end of the impulse's frame
 };
 
 /// The response of all passes to an impulse of one frame.

@@ -155,6 +155,8 @@ void draw_result(const MatchJobResult& result, const PhotoMatcher& matcher, cons
                  Edits& edits) {
     draw_pictures(matcher, edits);
     draw_numbers(result, scene, edits);
+    if (result.matched.is_complete)
+        wrapped_dim_text(explained_text(result.matched));
     dim_text(fmt::format("Difference {:.2f} % of white. {} pictures of {} were drawn.",
                          100.0 * result.matched.residual, result.matched.pictures,
                          size_text(result.size)));
