@@ -71,12 +71,16 @@ const hasText = (text) => browser.evaluate(`[...document.querySelectorAll(
     '#panel, #messages, .failure')].some((one) =>
         one.textContent.includes(${JSON.stringify(text)}))`);
 
+/** Whether the browser has written all of it: a PNG ends with the chunk IEND and its checksum. */
+const isWholePng = (file) =>
+    existsSync(file) && readFileSync(file).subarray(-8, -4).toString('latin1') === 'IEND';
+
 /** The picture, by the screenshot that the page saves. */
 async function savedPicture(look = 'phosphor') {
     const file = join(downloads, `${look}.png`);
     rmSync(file, { force: true });
     await browser.key('s');
-    for (let i = 0; i < 250 && !existsSync(file); i++)
+    for (let i = 0; i < 250 && !isWholePng(file); i++)
         await new Promise((resolve) => setTimeout(resolve, 20));
     return pngPixels(readFileSync(file));
 }
