@@ -20,8 +20,6 @@ constexpr std::array match_examples{
     "afterglow match phosphor --video fade.mp4 --fps 240 -o tube.json",
 };
 
-constexpr double bad_misfit = 4.0;
-
 struct MatchArguments {
     LookOptions look{""};
     std::string photo;
@@ -82,6 +80,11 @@ private:
     bool m_is_shown = false;
 };
 
+std::string interval(double low, double high, const std::string& why_not) {
+    return fmt::format("{:.4g} to {:.4g}{}", low, high,
+                       why_not.empty() ? std::string() : ", not identifiable: " + why_not);
+}
+
 void print_table(const MatchedFile& matched) {
     const Look& look = matched.document.look();
     const MatchJobResult& result = matched.result;
@@ -92,10 +95,8 @@ void print_table(const MatchedFile& matched) {
         std::cout << fmt::format("{:<24} {}\n", parameter, label);
     std::cout << fmt::format("{:<24} {:>10}   90 % interval\n", "Parameter", "Value");
     for (const FoundNumber& number : result.matched.numbers)
-        std::cout << fmt::format(
-            "{:<24} {:>10.4g}   {:.4g} to {:.4g}{}\n", found_label(number, look), number.value,
-            number.low, number.high,
-            number.why_not.empty() ? std::string() : ", not identifiable: " + number.why_not);
+        std::cout << fmt::format("{:<24} {:>10.4g}   {}\n", found_label(number, look), number.value,
+                                 interval(number.low, number.high, number.why_not));
     std::cout << '\n' << explained_text(result.matched) << '\n';
 }
 
@@ -155,11 +156,6 @@ std::optional<glm::dvec2> parse_place(const std::string& text) {
     return glm::dvec2(*x, *y);
 }
 
-std::string interval(double low, double high, const std::string& why_not) {
-    return fmt::format("{:.4g} to {:.4g}{}", low, high,
-                       why_not.empty() ? std::string() : ", not identifiable: " + why_not);
-}
-
 void print_table(const DecayMatch& match) {
     std::cout << fmt::format(
         "{:g} frames per second, place {:.0f},{:.0f}, light on for {} frames, then {} frames\n\n",
@@ -178,21 +174,23 @@ void print_table(const DecayMatch& match) {
         std::cout << "\nProbability of the measured tubes\n";
     for (const TubeProbability& tube : match.tubes)
         std::cout << fmt::format("{:<24} {:>9.1f} %\n", tube.label, 100.0 * tube.probability);
-    if (match.misfit > bad_misfit)
-        std::cout << "\nNo decay of this look fits the video well. Its light fades differently, or "
-                     "the exposure was not locked.\n";
+    if (const std::string text = misfit_text(match); !text.empty())
+        std::cout << '\n' << text << '\n';
 }
 
 void print_json(const DecayMatch& match) {
     using Json = nlohmann::ordered_json;
     Json constants = Json::array();
-    for (const TimeConstant& constant : match.constants)
-        constants.push_back({{"seconds", constant.seconds},
-                             {"low", constant.low},
-                             {"high", constant.high},
-                             {"share", constant.share},
-                             {"identifiable", constant.why_not.empty()},
-                             {"reason", constant.why_not}});
+    for (const TimeConstant& constant : match.constants) {
+        Json row{{"seconds", constant.seconds},
+                 {"low", constant.low},
+                 {"high", constant.high},
+                 {"share", constant.share},
+                 {"identifiable", constant.why_not.empty()}};
+        if (!constant.why_not.empty())
+            row["reason"] = constant.why_not;
+        constants.push_back(std::move(row));
+    }
     Json tubes = Json::array();
     for (const TubeProbability& tube : match.tubes)
         tubes.push_back({{"tube", tube.label}, {"probability", tube.probability}});
@@ -269,9 +267,8 @@ Command add_match(CommandLine& program) {
     Options options = program.add_verb(
         "match",
         "Find the values of a look in a photo or video of a real tube\n\nThe photo must be sharp, "
-        "not "
-        "overexposed, and show one known picture. A triad of mask stripes must be at "
-        "least 3 px wide.",
+        "not overexposed, and show one known picture. A triad of mask stripes must be at least "
+        "3 px wide. The video must show light that goes off.",
         match_examples);
     auto arguments = std::make_shared<MatchArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);

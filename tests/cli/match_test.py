@@ -93,6 +93,22 @@ class Videos(ProgramTest):
         self.assertIn("240 frames per second, place 28,28", done.stdout)
         self.assertIn("tube                     P31\n", done.stdout)
 
+    def test_an_exponential_that_no_tube_has_gives_its_own_decay(self):
+        seconds, noise = 0.4, random.Random(2)
+        for i in range(160):
+            light = 0.0 if i < 5 else math.exp(-(i - 5) / (60 * seconds))
+            self.write("slow_%03d.png" % i, png(SIDE, SIDE, frame_of(light, 1.0, noise)))
+        done = self.match(self.folder / "slow_%03d.png", "--fps", "60", "--preset", "radar-p7", "--json")
+        self.assert_done(done)
+        found = json.loads(done.stdout)
+        self.assertEqual(found["types"], {"tube": "Custom"})
+        decay = next(row for row in found["parameters"] if row["name"] == "decay")
+        half_life = math.log(0.5) / math.log(decay["value"]) / 60
+        self.assertLess(abs(half_life / (seconds * math.log(2)) - 1.0), 0.05)
+        (constant,) = found["time_constants"]
+        self.assertLess(constant["low"], seconds)
+        self.assertGreater(constant["high"], seconds)
+
     def test_bad_videos_are_refused_with_the_reason(self):
         frames = self.make_frames(count=8)
         dark = self.write("dark_0.png", png(SIDE, SIDE, bytes(3 * SIDE * SIDE))).with_name("dark_%d.png")

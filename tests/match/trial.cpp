@@ -152,13 +152,12 @@ void print_progress(const MatchProgress& progress, const Truth& truth, int pictu
     fmt::print(stderr, "\n");
 }
 
-// The residual of the true values with the camera that fits them best.
-Result<double> residual_of_truth(PhotoFit& fit, MatchState truth) {
+// The true values with the camera that fits them best, and their mean square.
+Result<double> fit_camera(PhotoFit& fit, MatchState& truth) {
     std::vector<Unknown> camera = exposure_unknowns();
     for (const Unknown& unknown : blur_unknowns())
         camera.push_back(unknown);
-    const auto residual = fit.minimise(truth, camera, {}, 10);
-    return residual ? Result<double>(std::sqrt(*residual)) : residual;
+    return fit.minimise(truth, camera, {}, 10);
 }
 }  // namespace
 
@@ -217,9 +216,13 @@ Result<TrialResult> run_trial(const Trial& trial, const fs::path& folder) {
     MatchState best{starting_values(document, *parameters), true_camera(truth.camera)};
     for (const auto& [name, value] : truth.values)
         best.values[name] = value;
-    const auto residual = residual_of_truth(fit, best);
-    if (!residual)
-        return fail(residual.error());
-    result.residual_of_truth = *residual;
+    const auto square = fit_camera(fit, best);
+    if (!square)
+        return fail(square.error());
+    const auto explained = fit.explained_share(best, {true, false});
+    if (!explained)
+        return fail(explained.error());
+    result.residual_of_truth = std::sqrt(*square);
+    result.explained_by_truth = *explained;
     return result;
 }

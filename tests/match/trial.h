@@ -22,7 +22,8 @@ struct Trial {
 struct TrialResult {
     std::map<std::string, double> truth;  // by parameter
     Matched matched;
-    double residual_of_truth = 0.0;  // of the true values, with the best camera
+    double residual_of_truth = 0.0;   // of the true values, with the best camera
+    double explained_by_truth = 0.0;  // share, likewise
     double seconds = 0.0;
 };
 

@@ -71,6 +71,7 @@ class Exporting(Person):
         program.place("export_row:next_%02d.png")
         self.snapshot("exporting")
         program.key("Escape")
+        program.wait("the list is closed", lambda s: "export_row:next_%02d.png" not in s["widgets"])
         program.click("export_cancel")
         program.wait_for("the next export runs", lambda: len(self.files("next_*.png")) == 3)
         self.assertLess(len(self.files("long_*.png")), 3600)

@@ -28,7 +28,7 @@ private:
     using Numbers = std::vector<const Parameter*>;
 
     Result<DecayLikelihood> likelihood(const Values& values);
-    Numbers numbers_in_effect(const Values& values) const;
+    Numbers numbers_in_effect(const Numbers& among, const Values& values) const;
     Result<Explanation> fitted(Values values, const Numbers& numbers);
     Result<Explanation> compare_tubes(DecayMatch& match);
     Result<void> fit_number(const Parameter& number, Explanation& explanation);
@@ -48,10 +48,11 @@ Result<DecayLikelihood> DecaySearch::likelihood(const Values& values) {
     return decay_likelihood(m_recorded, *response, PhosphorResponses::steps);
 }
 
-DecaySearch::Numbers DecaySearch::numbers_in_effect(const Values& values) const {
+DecaySearch::Numbers DecaySearch::numbers_in_effect(const Numbers& among,
+                                                    const Values& values) const {
     const std::vector<Parameter>& all = m_responses.document().look().parameters;
     Numbers numbers;
-    for (const Parameter* number : m_parameters.decays)
+    for (const Parameter* number : among)
         if (is_condition_true(*number, all, values))
             numbers.push_back(number);
     return numbers;
@@ -69,7 +70,7 @@ Result<void> DecaySearch::fit_number(const Parameter& number, Explanation& expla
         auto found = likelihood(there.values);
         if (!found)
             return fail(found.error());
-        there.likelihood = std::move(*found);
+        there.likelihood = *found;
         return there;
     };
     double best_ratio = 0.0;
@@ -116,7 +117,7 @@ Result<Explanation> DecaySearch::fitted(Values values, const Numbers& numbers) {
         auto found = likelihood(explanation.values);
         if (!found)
             return fail(found.error());
-        explanation.likelihood = std::move(*found);
+        explanation.likelihood = *found;
     }
     return explanation;
 }
@@ -126,15 +127,13 @@ Result<Explanation> DecaySearch::compare_tubes(DecayMatch& match) {
     constexpr double much_better = 10.0;  // logarithm
     constexpr double fits_well = 2.0;     // misfit
     const Parameter& list = *m_parameters.tubes.front();
-    Explanation best{{}, {-std::numeric_limits<double>::infinity(), 0.0, {}}};
+    Explanation best{{}, {-std::numeric_limits<double>::infinity(), 0.0}};
     std::vector<double> logarithms;
-    Values all;
-    for (const Parameter& parameter : m_responses.document().look().parameters)
-        all[parameter.name] = m_responses.document().value(parameter);
+    Values all = starting_values(m_responses.document(), m_parameters);
     for (const bool is_measured : {true, false})
         for (const Item& item : list.items) {
             all.at(list.name).numbers.front() = item.value;
-            const Numbers numbers = numbers_in_effect(all);
+            const Numbers numbers = numbers_in_effect(m_parameters.decays, all);
             if (numbers.empty() != is_measured)
                 continue;
             if (!is_measured && best.likelihood.misfit < fits_well && !match.tubes.empty())
@@ -144,7 +143,7 @@ Result<Explanation> DecaySearch::compare_tubes(DecayMatch& match) {
                 return explanation;
             const double logarithm = explanation->likelihood.logarithm;
             if (is_measured) {
-                match.tubes.push_back({item.label, item.value, 0.0});
+                match.tubes.push_back({item.label, 0.0});
                 logarithms.push_back(logarithm);
             }
             if (logarithm > best.likelihood.logarithm + (is_measured ? 0.0 : much_better)) {
@@ -199,15 +198,13 @@ Result<void> DecaySearch::run(DecayMatch& match) {
         match.tube_parameter = m_parameters.tubes.front()->name;
         best = compare_tubes(match);
     } else {
-        Values all;
-        for (const Parameter& parameter : m_responses.document().look().parameters)
-            all[parameter.name] = m_responses.document().value(parameter);
-        best = fitted(all, numbers_in_effect(all));
+        const Values all = starting_values(m_responses.document(), m_parameters);
+        best = fitted(all, numbers_in_effect(m_parameters.decays, all));
     }
     if (!best)
         return fail(best.error());
-    Numbers numbers = numbers_in_effect(best->values);
-    for (const Parameter* number : m_parameters.amounts) {
+    Numbers numbers = numbers_in_effect(m_parameters.decays, best->values);
+    for (const Parameter* number : numbers_in_effect(m_parameters.amounts, best->values)) {
         if (auto done = fit_number(*number, *best); !done)
             return done;
         numbers.push_back(number);
@@ -219,6 +216,8 @@ Result<void> DecaySearch::run(DecayMatch& match) {
         match.numbers.push_back(*result);
         match.values[number->name] = best->values.at(number->name);
     }
+    for (const Parameter* start : m_parameters.starts)
+        match.values[start->name] = best->values.at(start->name);
     if (!match.tube_parameter.empty())
         match.values[match.tube_parameter] = best->values.at(match.tube_parameter);
     match.misfit = best->likelihood.misfit;
@@ -253,6 +252,13 @@ Result<DecayMatch> match_decay(PreparedLook prepared, const VideoOfDecay& video,
     if (auto done = DecaySearch(*responses, *recorded, *parameters).run(match); !done)
         return fail(done.error());
     return match;
+}
+
+std::string misfit_text(const DecayMatch& match) {
+    constexpr double bad = 4.0;
+    return match.misfit < bad ? std::string()
+                              : "No decay of this look fits the video well. Its light fades "
+                                "differently, or the exposure was not locked.";
 }
 
 Result<DecayFile> match_decay_file(const RenderRequest& render, const VideoOfDecay& video,

@@ -13,7 +13,6 @@
 /// A measured tube and its probability among those of the look, which are equally likely before.
 struct TubeProbability {
     std::string label;
-    double value = 0.0;  // of the list
     double probability = 0.0;
 };
 
@@ -38,6 +37,9 @@ struct DecayMatch {
 /// looks without such parameters, and as read_light() and recorded_decay().
 Result<DecayMatch> match_decay(PreparedLook prepared, const VideoOfDecay& video,
                                const MatchChoice& choice, JobProgress& work);
+
+/// What a large misfit means, for the user. "": the misfit is small.
+std::string misfit_text(const DecayMatch& match);
 
 /// The same for files, as the command line names them.
 struct DecayFile {

@@ -215,8 +215,8 @@ private:
         return m_fit.minimise(state, unknowns, all, 8, 1e-3);
     }
 
-    // First by the strongest period of each type. If that does not show, the fit has still found
-    // better values of the camera, from which to try again.
+    // Tries the strongest period of each type first. A fit of a wrong mask still improves the
+    // camera, so a second search can find a mask that the first one missed.
     Result<void> find_type() {
         if (!pitch())
             return compare_fits_of_types();
@@ -237,7 +237,7 @@ private:
         return state;
     }
 
-    // For a pitch that is not to be found.
+    // For looks without a pitch to find.
     Result<void> compare_fits_of_types() {
         Candidate best{std::numeric_limits<double>::infinity(), m_state};
         for (const auto& [type, value] : types()) {
@@ -282,7 +282,7 @@ private:
         return evidence ? Result<bool>(*evidence >= least_evidence) : fail(evidence.error());
     }
 
-    // Without scanlines in the way, a mask that is none does not show any more.
+    // Checks the mask again after the scanlines are fitted, which can look like a mask.
     Result<void> check_visible() {
         if (!pitch())
             return {};

@@ -14,8 +14,9 @@ bool is_number(const Parameter& parameter) {
            parameter.control != Control::event && !parameter.is_constant;
 }
 
-Result<std::set<std::string>> resolved(const std::vector<std::string>& names, const Look& look) {
-    std::set<std::string> full;
+// Adds the full names of parameters; returns the names that the look lacks.
+Diagnostics resolve(const std::vector<std::string>& names, const Look& look,
+                    std::set<std::string>& full) {
     Diagnostics problems;
     for (const std::string& name : names) {
         const auto parameter = resolve_parameter(name, look);
@@ -24,9 +25,23 @@ Result<std::set<std::string>> resolved(const std::vector<std::string>& names, co
         else
             problems.insert(problems.end(), parameter.error().begin(), parameter.error().end());
     }
+    return problems;
+}
+
+// The full names of the user's parameters.
+struct ChosenNames {
+    std::set<std::string> locked;
+    std::set<std::string> fitted;
+};
+
+Result<ChosenNames> resolved(const MatchChoice& choice, const Look& look) {
+    ChosenNames names;
+    Diagnostics problems = resolve(choice.locked, look, names.locked);
+    const Diagnostics more = resolve(choice.fitted, look, names.fitted);
+    problems.insert(problems.end(), more.begin(), more.end());
     if (!problems.empty())
         return fail(std::move(problems));
-    return full;
+    return names;
 }
 
 std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole role) {
@@ -71,23 +86,20 @@ bool MatchedParameters::is_empty() const {
 
 Result<MatchedParameters> matched_parameters(const Document& document, const MatchChoice& choice) {
     const Look& look = document.look();
-    const auto locked = resolved(choice.locked, look);
-    if (!locked)
-        return fail(locked.error());
-    const auto fitted = resolved(choice.fitted, look);
-    if (!fitted)
-        return fail(fitted.error());
+    const auto names = resolved(choice, look);
+    if (!names)
+        return fail(names.error());
     Values values = all_values(document);  // with all patterns on
     for (const Parameter& parameter : look.parameters)
-        if (parameter.photo_role == PhotoRole::amount && !locked->contains(parameter.name))
+        if (parameter.photo_role == PhotoRole::amount && !names->locked.contains(parameter.name))
             raise_from_identity(parameter, values);
     MatchedParameters matched;
     for (const Parameter& parameter : look.parameters) {
-        const bool is_wanted = fitted->contains(parameter.name);
+        const bool is_wanted = names->fitted.contains(parameter.name);
         const bool has_role = parameter.photo_role != PhotoRole::none &&
                               parameter.photo_role != PhotoRole::tube &&
                               parameter.photo_role != PhotoRole::decay;
-        if (locked->contains(parameter.name) || !(is_wanted || has_role))
+        if (names->locked.contains(parameter.name) || !(is_wanted || has_role))
             continue;
         if (parameter.photo_role == PhotoRole::start && !is_wanted) {
             matched.starts.push_back(&parameter);
@@ -115,22 +127,21 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
 
 Result<MatchedParameters> decay_parameters(const Document& document, const MatchChoice& choice) {
     const Look& look = document.look();
-    const auto locked = resolved(choice.locked, look);
-    if (!locked)
-        return fail(locked.error());
-    const auto fitted = resolved(choice.fitted, look);
-    if (!fitted)
-        return fail(fitted.error());
+    const auto names = resolved(choice, look);
+    if (!names)
+        return fail(names.error());
     MatchedParameters matched;
     for (const Parameter& parameter : look.parameters) {
-        if (locked->contains(parameter.name))
+        if (names->locked.contains(parameter.name))
             continue;
         if (parameter.photo_role == PhotoRole::tube)
             matched.tubes.push_back(&parameter);
         else if (parameter.photo_role == PhotoRole::decay)
             matched.decays.push_back(&parameter);
-        else if (fitted->contains(parameter.name))
+        else if (names->fitted.contains(parameter.name))
             matched.amounts.push_back(&parameter);
+        else if (parameter.photo_role == PhotoRole::start)
+            matched.starts.push_back(&parameter);
     }
     for (const auto* list : {&matched.decays, &matched.amounts})
         for (const Parameter* number : *list)

@@ -37,134 +37,58 @@ private:
     std::array<float, 4 * 255 + 1> m_light;
 };
 
-// The frames of a video as light in squares.
-class Squares {
-public:
-    Squares(const std::filesystem::path& file, double gamma) : m_file(file), m_table(gamma) {}
+// The squares of a video's frames: a place is one of them.
+struct SquareGrid {
+    Extent extent;
+    int side = 8;  // px
+    int across = 0;
+    int down = 0;
 
-    Result<void> add(const Picture& frame);
-    std::size_t size() const { return m_frames.size(); }
-    std::size_t index_of(glm::dvec2 at) const;
-    std::optional<std::size_t> most_changing() const;
-    bool is_overexposed(std::size_t square) const { return m_is_clipped[square]; }
-    glm::dvec2 middle_of(std::size_t square) const;
+    explicit SquareGrid(Extent frame)
+        : extent(frame),
+          side(std::max(8, std::max(frame.width, frame.height) / 80)),
+          across(frame.width / side),
+          down(frame.height / side) {}
+
+    std::size_t count() const {
+        return static_cast<std::size_t>(across) * static_cast<std::size_t>(down);
+    }
     bool has(glm::dvec2 at) const {
-        return at.x >= 0.0 && at.y >= 0.0 && at.x < m_extent.width && at.y < m_extent.height;
+        return at.x >= 0.0 && at.y >= 0.0 && at.x < extent.width && at.y < extent.height;
     }
-    Extent extent() const { return m_extent; }
-    PixelLight light_of(std::size_t square) const;
-
-private:
-    struct Light {
-        glm::vec3 mean{0.0F};
-        glm::vec3 change{0.0F};  // mean square since the frame before
-    };
-    void start(Extent extent);
-    // Of the square at a pixel; pixels beyond the last square belong to it.
-    std::size_t index_at(int x, int y) const {
-        const auto column = static_cast<std::size_t>(std::min(x / m_side, m_across - 1));
-        const auto row = static_cast<std::size_t>(std::min(y / m_side, m_down - 1));
-        return row * static_cast<std::size_t>(m_across) + column;
+    // Pixels beyond the last square belong to it.
+    std::size_t index_at(glm::dvec2 at) const {
+        const auto column =
+            static_cast<std::size_t>(std::min(static_cast<int>(at.x) / side, across - 1));
+        const auto row =
+            static_cast<std::size_t>(std::min(static_cast<int>(at.y) / side, down - 1));
+        return row * static_cast<std::size_t>(across) + column;
     }
-    float range_of(std::size_t square) const;
-
-    const std::filesystem::path& m_file;
-    GammaTable m_table;
-    Extent m_extent;
-    int m_side = 8;  // px
-    int m_across = 0;
-    int m_down = 0;
-    std::vector<std::vector<Light>> m_frames;
-    std::vector<float> m_before;  // light of the pixels
-    std::vector<bool> m_is_clipped;
+    glm::ivec2 origin(std::size_t square) const {
+        const std::size_t column = square % static_cast<std::size_t>(across);
+        const std::size_t row = square / static_cast<std::size_t>(across);
+        return glm::ivec2(column, row) * side;
+    }
 };
 
-void Squares::start(Extent extent) {
-    constexpr int squares = 80;
-    constexpr int least = 8;
-    m_extent = extent;
-    m_side = std::max(least, extent.width / squares);
-    m_across = extent.width / m_side;
-    m_down = extent.height / m_side;
-    m_is_clipped.assign(static_cast<std::size_t>(m_across) * static_cast<std::size_t>(m_down),
-                        false);
-}
-
-Result<void> Squares::add(const Picture& frame) {
-    constexpr float highest = 254.0F / 255.0F;
-    if (m_frames.empty())
-        start(frame.extent);
-    if (frame.extent != m_extent || frame.channels < 3 || m_is_clipped.empty())
-        return fail({m_file, 0, "The frames must have colours, one size, and at least 8 x 8 px."});
-    std::vector<Light> squares(m_is_clipped.size());
-    std::vector<float> light(frame.pixels.size());
-    for (std::size_t i = 0; i < light.size(); ++i)
-        light[i] = m_table.light(frame.pixels[i]);
-    const float share = 1.0F / static_cast<float>(m_side * m_side);
-    for (int y = 0; y < m_down * m_side; ++y)
-        for (int x = 0; x < m_across * m_side; ++x) {
-            const std::size_t square = index_at(x, y);
-            const std::size_t at = frame.index(x, y);
-            for (int channel = 0; channel < 3; ++channel) {
-                const std::size_t i = at + static_cast<std::size_t>(channel);
-                const float change = m_before.empty() ? 0.0F : light[i] - m_before[i];
-                squares[square].mean[channel] += share * light[i];
-                squares[square].change[channel] += share * change * change;
-                if (frame.pixels[i] >= highest)
-                    m_is_clipped[square] = true;
-            }
+// Calls `use` with the index of each value in a square: three in a row for each pixel.
+template <typename Use>
+void for_each_value(const Picture& frame, const SquareGrid& grid, std::size_t square, Use use) {
+    const glm::ivec2 origin = grid.origin(square);
+    for (int y = origin.y; y < origin.y + grid.side; ++y)
+        for (int x = origin.x; x < origin.x + grid.side; ++x) {
+            const std::size_t pixel = frame.index(x, y);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                use(pixel + channel, static_cast<glm::length_t>(channel));
         }
-    m_frames.push_back(std::move(squares));
-    m_before = std::move(light);
-    return {};
 }
 
-std::size_t Squares::index_of(glm::dvec2 at) const {
-    return index_at(static_cast<int>(at.x), static_cast<int>(at.y));
-}
-
-glm::dvec2 Squares::middle_of(std::size_t square) const {
-    const auto across = static_cast<std::size_t>(m_across);
-    const std::size_t column = square % across;
-    const std::size_t row = square / across;
-    return (glm::dvec2(column, row) + 0.5) * static_cast<double>(m_side);
-}
-
-float Squares::range_of(std::size_t square) const {
-    float low = 1e9F;
-    float high = 0.0F;
-    for (const auto& frame : m_frames) {
-        const glm::vec3 mean = frame[square].mean;
-        low = std::min(low, mean.r + mean.g + mean.b);
-        high = std::max(high, mean.r + mean.g + mean.b);
-    }
-    return high - low;
-}
-
-std::optional<std::size_t> Squares::most_changing() const {
-    std::optional<std::size_t> best;
-    float most = 0.0F;
-    for (std::size_t square = 0; square < m_is_clipped.size(); ++square)
-        if (const float range = range_of(square); !m_is_clipped[square] && range > most) {
-            most = range;
-            best = square;
-        }
-    return best;
-}
-
-PixelLight Squares::light_of(std::size_t square) const {
-    PixelLight light;
-    for (const auto& frame : m_frames) {
-        light.mean.emplace_back(frame[square].mean);
-        light.deviation.push_back(glm::sqrt(glm::dvec3(frame[square].change)));
-    }
-    return light;
-}
-
-Result<void> read_frames(const VideoOfDecay& video, PictureReader& reader, Squares& squares,
-                         JobProgress& work) {
-    constexpr std::int64_t most = 2000;
-    for (std::int64_t number = 0; number < most; ++number) {
+// Hands all frames to `use`. The first one sets their size.
+template <typename Use>
+Result<void> read_frames(const VideoOfDecay& video, PictureReader& reader, JobProgress& work,
+                         Use use) {
+    std::optional<Extent> extent;
+    for (std::int64_t number = 0;; ++number) {
         if (work.is_cancelled)
             return fail({{}, 0, "cancelled"});
         auto frame = reader.read(number);
@@ -172,12 +96,100 @@ Result<void> read_frames(const VideoOfDecay& video, PictureReader& reader, Squar
             return fail(frame.error());
         if (!*frame)
             return {};
-        if ((*frame)->encoding != Encoding::display)
+        const Picture& picture = **frame;
+        if (picture.encoding != Encoding::display)
             return fail({video.file, 0, "These pictures have linear light. Give a video."});
-        if (auto added = squares.add(**frame); !added)
-            return added;
+        if (!extent)
+            extent = picture.extent;
+        if (picture.extent != *extent || picture.channels < 3 || SquareGrid(*extent).count() == 0)
+            return fail(
+                {video.file, 0, "The frames must have colours, one size, and at least 8 x 8 px."});
+        use(picture);
     }
-    return {};
+}
+
+// What a square shows over the whole video.
+struct SquareRange {
+    float low = 1e9F;  // sum of light
+    float high = 0.0F;
+    bool is_clipped = false;
+};
+
+struct Place {
+    SquareGrid grid;
+    std::size_t square = 0;
+};
+
+// The square that the user wants, or the one that changes most without reaching a maximum.
+Result<Place> find_place(const VideoOfDecay& video, PictureReader& reader, JobProgress& work) {
+    constexpr float highest = 254.0F / 255.0F;
+    const GammaTable table(video.gamma);
+    std::optional<SquareGrid> grid;
+    std::vector<SquareRange> ranges;
+    auto read = read_frames(video, reader, work, [&](const Picture& frame) {
+        if (!grid) {
+            grid.emplace(frame.extent);
+            ranges.resize(grid->count());
+        }
+        for (std::size_t square = 0; square < ranges.size(); ++square) {
+            SquareRange& range = ranges[square];
+            float sum = 0.0F;
+            for_each_value(frame, *grid, square, [&](std::size_t i, glm::length_t) {
+                sum += table.light(frame.pixels[i]);
+                range.is_clipped = range.is_clipped || frame.pixels[i] >= highest;
+            });
+            range.low = std::min(range.low, sum);
+            range.high = std::max(range.high, sum);
+        }
+    });
+    if (!read)
+        return fail(read.error());
+    if (!grid)
+        return fail({video.file, 0, "The video has no frames."});
+    if (video.at && !grid->has(*video.at))
+        return fail(
+            {video.file, 0,
+             fmt::format("The place {:.0f},{:.0f} is outside the video. It has {} x {} px.",
+                         video.at->x, video.at->y, grid->extent.width, grid->extent.height)});
+    std::optional<std::size_t> best;
+    for (std::size_t square = 0; square < ranges.size(); ++square) {
+        const SquareRange& range = ranges[square];
+        const bool is_better =
+            !best || range.high - range.low > ranges[*best].high - ranges[*best].low;
+        if (!range.is_clipped && (video.at ? square == grid->index_at(*video.at) : is_better))
+            best = square;
+    }
+    if (!best)
+        return fail({video.file, 0,
+                     "The video is overexposed where the light changes. Record it with less "
+                     "exposure, or choose a darker place."});
+    return Place{*grid, *best};
+}
+
+Result<PixelLight> light_at(const Place& place, const VideoOfDecay& video, PictureReader& reader,
+                            JobProgress& work) {
+    const GammaTable table(video.gamma);
+    const double share = 1.0 / (place.grid.side * place.grid.side);
+    PixelLight pixels;
+    std::vector<float> before;
+    auto read = read_frames(video, reader, work, [&](const Picture& frame) {
+        glm::dvec3 mean(0.0);
+        glm::dvec3 change(0.0);
+        std::vector<float> values;
+        for_each_value(frame, place.grid, place.square, [&](std::size_t i, glm::length_t channel) {
+            const float light = table.light(frame.pixels[i]);
+            const float last = before.empty() ? light : before[values.size()];
+            mean[channel] += share * static_cast<double>(light);
+            change[channel] += share * std::pow(static_cast<double>(light - last), 2);
+            values.push_back(light);
+        });
+        pixels.mean.push_back(mean);
+        pixels.deviation.push_back(glm::sqrt(change));
+        before = std::move(values);
+    });
+    if (!read)
+        return fail(read.error());
+    return pixels;
 }
 }  // namespace
 
@@ -189,20 +201,13 @@ Result<VideoLight> read_light(const VideoOfDecay& video, JobProgress& work) {
     if (fps <= 0.0)
         return fail({video.file, 0,
                      "The rate at which this was recorded is not known. Give it with --fps."});
-    Squares squares(video.file, video.gamma);
-    if (auto read = read_frames(video, **reader, squares, work); !read)
-        return fail(read.error());
-    if (video.at && !squares.has(*video.at))
-        return fail({video.file, 0,
-                     fmt::format("The place {:.0f},{:.0f} is outside the video. It has {} x {} px.",
-                                 video.at->x, video.at->y, squares.extent().width,
-                                 squares.extent().height)});
-    const auto square =
-        video.at ? std::optional(squares.index_of(*video.at)) : squares.most_changing();
-    if (!square || squares.is_overexposed(*square))
-        return fail({video.file, 0,
-                     "The video is overexposed where the light changes. Record it with less "
-                     "exposure, or choose a darker place."});
-    return VideoLight{light_curve(squares.light_of(*square), fps, video.gamma),
-                      squares.middle_of(*square)};
+    const auto place = find_place(video, **reader, work);
+    if (!place)
+        return fail(place.error());
+    const auto pixels = light_at(*place, video, **reader, work);
+    if (!pixels)
+        return fail(pixels.error());
+    const SquareGrid& grid = place->grid;
+    return VideoLight{light_curve(*pixels, fps, video.gamma),
+                      glm::dvec2(grid.origin(place->square)) + 0.5 * grid.side};
 }

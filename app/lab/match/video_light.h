@@ -24,7 +24,7 @@ struct VideoLight {
     glm::dvec2 at{0.0};  // the middle of the place, px
 };
 
-/// Reads at most 2000 frames. The place is a square, an eightieth of the width, in which no channel
-/// reaches its maximum. Fails if the file can't be read, has no rate, or is overexposed everywhere
-/// that changes.
+/// Reads the video twice: for the place and for its light. The place is a square, an eightieth of
+/// the longer side, in which no channel reaches its maximum. Fails if the file can't be read, has
+/// no rate, or is overexposed everywhere that changes.
 Result<VideoLight> read_light(const VideoOfDecay& video, JobProgress& work);

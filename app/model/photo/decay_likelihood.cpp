@@ -108,7 +108,7 @@ DecayLikelihood with_frames(const LightCurve& curve, const std::vector<glm::dvec
     for (glm::length_t i = 0; i < 3; ++i)
         channels[static_cast<std::size_t>(i)] = channel_of(curve, frames, i);
     const double plain = std::max(plain_gain(channels), 1e-6);
-    DecayLikelihood best{-std::numeric_limits<double>::infinity(), 0.0, {}};
+    DecayLikelihood best{-std::numeric_limits<double>::infinity(), 0.0};
     std::array<Four, 3> amounts{};
     constexpr int reach = 6;  // a gain between half and twice the plain one
     for (int i = -reach; i <= reach; ++i) {
@@ -131,7 +131,6 @@ DecayLikelihood with_frames(const LightCurve& curve, const std::vector<glm::dvec
         const Four row(frames[i].r, frames[i].g, frames[i].b, 1.0);
         const glm::dvec3 light(amounts[0].dot(row), amounts[1].dot(row), amounts[2].dot(row));
         const glm::dvec3 miss = light - curve.light[i];
-        best.light.push_back(light);
         const glm::dvec3 squares = miss * miss / curve.variance[i];
         best.misfit +=
             (squares.r + squares.g + squares.b) / (3.0 * static_cast<double>(frames.size()));
@@ -142,7 +141,7 @@ DecayLikelihood with_frames(const LightCurve& curve, const std::vector<glm::dvec
 
 DecayLikelihood decay_likelihood(const RecordedDecay& recorded,
                                  const std::vector<glm::dvec3>& response, int steps) {
-    DecayLikelihood best{-std::numeric_limits<double>::infinity(), 0.0, {}};
+    DecayLikelihood best{-std::numeric_limits<double>::infinity(), 0.0};
     for (int phase = 0; phase < steps; ++phase) {
         std::vector<glm::dvec3> frames =
             frames_of(response, recorded.curve.light.size(), recorded.lit_frames, steps, phase);
@@ -151,9 +150,9 @@ DecayLikelihood decay_likelihood(const RecordedDecay& recorded,
             continue;
         for (glm::dvec3& light : frames)
             light /= most;
-        DecayLikelihood here = with_frames(recorded.curve, frames);
+        const DecayLikelihood here = with_frames(recorded.curve, frames);
         if (here.logarithm > best.logarithm)
-            best = std::move(here);
+            best = here;
     }
     return best;
 }

@@ -4,9 +4,8 @@
 
 /// How well a phosphor explains a recorded decay.
 struct DecayLikelihood {
-    double logarithm = 0.0;         // of the probability density of the recorded light
-    double misfit = 0.0;            // mean square of the differences in standard deviations
-    std::vector<glm::dvec3> light;  // of the phosphor as recorded, frame by frame
+    double logarithm = 0.0;  // of the probability density of the recorded light
+    double misfit = 0.0;     // mean square of the differences in standard deviations
 };
 
 /// The likelihood of a phosphor with this response to an impulse: linear light, `steps` times per

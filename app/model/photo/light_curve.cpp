@@ -24,6 +24,7 @@ double noise_of(const std::vector<glm::dvec3>& values, glm::length_t channel) {
     std::ranges::nth_element(differences, middle);
     return std::max(least, *middle / normal);
 }
+
 // The standard deviation of a pixel's noise before it is cut off at black, from the darkest
 // quarter of the frames.
 double noise_in_the_dark(const PixelLight& pixels, glm::length_t channel) {
@@ -57,7 +58,6 @@ double before_cut(double seen, double noise) {
 }  // namespace
 
 LightCurve light_curve(const PixelLight& pixels, double fps, double gamma) {
-    constexpr double share = 0.01;         // of the light: errors of the camera's gamma
     constexpr double black = 4.0 / 255.0;  // darker values are not exact
     LightCurve curve{fps, pixels.mean, {}};
     curve.variance.resize(curve.light.size());
@@ -70,7 +70,8 @@ LightCurve light_curve(const PixelLight& pixels, double fps, double gamma) {
         for (std::size_t i = 0; i < values.size(); ++i) {
             const double slope = gamma * std::pow(std::max(values[i][channel], black), gamma - 1.0);
             double& light = curve.light[i][channel];
-            curve.variance[i][channel] = std::pow(slope * noise, 2) + std::pow(share * light, 2);
+            curve.variance[i][channel] =
+                std::pow(slope * noise, 2) + std::pow(shared_light_error * light, 2);
             light = before_cut(light, cut);
         }
     }
@@ -100,7 +101,8 @@ LightCurve part_of(const LightCurve& curve, std::size_t start, std::size_t end) 
 }  // namespace
 
 Result<RecordedDecay> recorded_decay(const LightCurve& curve) {
-    constexpr double lit = 0.9;  // of the most light
+    constexpr double lit = 0.9;        // of the most light
+    constexpr double still_lit = 0.5;  // without a dark frame since an earlier flash
     constexpr double least_light = 0.01;
     constexpr double least_fall = 0.5;
     constexpr std::size_t least_frames = 8;
@@ -110,14 +112,13 @@ Result<RecordedDecay> recorded_decay(const LightCurve& curve) {
     const double most = sums.empty() ? 0.0 : std::ranges::max(sums);
     if (most < least_light)
         return fail({{}, 0, "The video shows no light at this place."});
-    std::size_t last = 0;
-    std::size_t first = sums.size();
-    for (std::size_t i = 0; i < sums.size(); ++i)
-        if (sums[i] >= lit * most) {
-            last = i;
-            first = std::min(first, i);
-        }
-    const int lit_frames = static_cast<int>(last - first) + 1;
+    std::size_t last = sums.size() - 1;
+    while (sums[last] < lit * most)
+        --last;
+    std::size_t first = last;
+    while (first > 0 && sums[first - 1] >= still_lit * most)
+        --first;
+    const auto lit_frames = static_cast<int>(last - first + 1);
     constexpr int flash = 2;  // frames
     const std::size_t start = last + (lit_frames > flash ? 2 : 1);
     if (start + least_frames > sums.size() || sums.back() > least_fall * most)

@@ -173,7 +173,9 @@ std::vector<TimeConstant> time_constants(const RecordedDecay& recorded) {
     for (std::size_t i = 0; i < best.seconds.size(); ++i) {
         const auto index = static_cast<Eigen::Index>(i);
         const double seconds = best.seconds[i];
-        const double half = normal_90 * std::sqrt(std::max(covariance(index, index), 0.0));
+        const double variance =
+            std::max(covariance(index, index), 0.0) + std::pow(shared_light_error, 2);
+        const double half = normal_90 * std::sqrt(variance);  // of the logarithm
         constants.push_back({seconds, seconds * std::exp(-half), seconds * std::exp(half),
                              seconds * best.amounts[index] / all,
                              why_not_identifiable(seconds, half, series.frame)});

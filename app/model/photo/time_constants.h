@@ -13,9 +13,9 @@ struct TimeConstant {
     std::string why_not;  // why it is not identifiable; "": it is
 };
 
-/// The exponentials of a recorded decay, the slowest last: one to three, as many as the Bayesian
-/// information criterion wants (Schwarz 1978). Their amounts are positive, and the background is
-/// constant. Least squares with variable projection on a grid (Golub and Pereyra 1973), then
-/// Gauss-Newton. A constant shorter than a frame or with an interval wider than half its value is
-/// not identifiable.
+/// Fits one to three exponentials to a recorded decay, and returns the slowest last. The Bayesian
+/// information criterion chooses their number (Schwarz 1978). Their amounts are positive, and the
+/// background is constant. Least squares with variable projection on a grid (Golub and Pereyra
+/// 1973), then Gauss-Newton. A constant shorter than a frame or with an interval wider than half
+/// its value is not identifiable.
 std::vector<TimeConstant> time_constants(const RecordedDecay& recorded);
