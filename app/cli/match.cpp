@@ -249,6 +249,7 @@ int match(const MatchArguments& arguments, const DataFolders& data) {
                     .photo = arguments.photo,
                     .corners = parse_corners(arguments.corners),
                     .choice = {names_in(arguments.locked), names_in(arguments.fitted)},
+                    .gamma = arguments.gamma,
                     .on_progress = [&](const MatchProgress& progress) { line.show(progress); }},
                    *library, work);
     if (!matched)
@@ -268,7 +269,8 @@ Command add_match(CommandLine& program) {
         "match",
         "Find the values of a look in a photo or video of a real tube\n\nThe photo must be sharp, "
         "not overexposed, and show one known picture. A triad of mask stripes must be at least "
-        "3 px wide. The video must show light that goes off.",
+        "3 px wide. For a look with a beam, it must show a straight line or an isolated dot. The "
+        "video must show light that goes off.",
         match_examples);
     auto arguments = std::make_shared<MatchArguments>();
     arguments->look.add_to(options, LookOptions::Take::values);
@@ -285,7 +287,9 @@ Command add_match(CommandLine& program) {
         .add("--fps N", arguments->fps,
              "Rate at which the video was recorded (default: that of the file)")
         .between(1.0, 10000.0);
-    options.add("--gamma N", arguments->gamma, "Gamma of the camera. Time constants scale with it")
+    options
+        .add("--gamma N", arguments->gamma,
+             "Gamma of the camera, for beams and videos. Widths and time constants scale with it")
         .show_default()
         .between(1.0, 4.0);
     options.add("--lock NAME,...", arguments->locked, "Parameters that keep their values");

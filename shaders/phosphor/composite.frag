@@ -18,7 +18,7 @@ uniform vec2 u_resolution;
 uniform int u_frame;
 uniform float u_peak;
 
-uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0
+uniform float bloom_intensity = 0.6;  // @range 0 3  @limit 0 100  @label "Intensity"  @group "Bloom"  @identity 0  @photo amount
                                       // @help "How much of the blurred light is added to the trace. 0 turns the bloom off."
 uniform float exposure = 1.5;         // @range 0.1 16  @limit 0 1000  @scale log  @label "Exposure"  @group "Tone mapping"  @when !tone_map_every_frame
                                       // @help "Brightness of the whole trace, before tone mapping. Doubling it doubles the light."
@@ -34,7 +34,7 @@ uniform bool dither = true;           // @label "Dither"  @group "Tone mapping" 
                                       // @help "Adds noise of half an 8-bit level, so that soft glows don't show bands."
 uniform float aberration = 1.0;       // @range 0 8  @limit -64 64  @label "Chromatic aberration"  @unit "px"  @group "Glass"  @identity 0
                                       // @help "Colour fringes of a cheap lens. Red is sampled this far to the right, blue this far to the left. Green stays in place. 0 turns it off."
-uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanline strength"  @group "Glass"  @identity 0
+uniform float scanline_strength = 0.3;   // @range 0 1  @limit 0 1  @label "Scanline strength"  @group "Glass"  @identity 0  @photo off
                                          // @help "Depth of the horizontal scanlines. The mean brightness becomes 1 - strength / 2. 0 turns them off."
 uniform float scanline_period = 4.0;     // @range 2 16  @limit 1 1000  @label "Scanline period"  @unit "px per period"  @group "Glass"  @when scanline_strength > 0
                                          // @help "Distance between scanlines, in pixels. It doesn't scale with the render size."

@@ -11,7 +11,7 @@ vec3 with_graticule(vec3 light, vec2 place, vec2 resolution) {
     return light;
 }
 #else
-uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Graticule"  @identity 0
+uniform float graticule = 0.15;  // @range 0 1  @limit 0 1  @label "Strength"  @group "Graticule"  @identity 0  @photo off
                                  // @help "How strongly the graticule lines show. 0 hides them."
 uniform ivec2 graticule_divisions = ivec2(10, 10);  // @range 1 20 1  @limit 1 100  @label "Divisions"  @parts "Horizontal" "Vertical"  @group "Graticule"  @when graticule > 0
                                                     // @help "Number of divisions across and up. Most scopes have 10 by 8."

@@ -8,7 +8,7 @@ uniform vec3 beam_color = vec3(0.2, 1.0, 0.3);  // @color  @label "Beam colour" 
 #ifndef DRIVEN_BY_PICTURE
 uniform float beam_gain = 0.7;                  // @range 0.01 4  @limit 0 1000  @scale log  @label "Beam intensity"  @group "Beam"
                                                 // @help "How much light the beam leaves on the phosphor. Slow and crowded parts of the trace get brighter, up to the brightness limit."
-uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"
+uniform float beam_width = 2.0;  // @range 0.5 12  @limit 0.05 64  @scale log  @label "Beam width"  @unit "px at 512 lines"  @group "Beam"  @photo amount
                                  // @help "Width of the beam's spot, in pixels of a picture 512 pixels high. It scales with the picture height, so every render size looks the same."
 uniform float core_sharpness = 28.0;  // @range 4 80  @limit 0.5 1000  @scale log  @label "Core sharpness"  @group "Beam"
                                       // @help "Sharpness of the spot's bright core, exp(-sharpness r²) with r in beam widths. Higher is narrower. 28 has a standard deviation of 0.13 widths."

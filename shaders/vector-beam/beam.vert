@@ -7,7 +7,7 @@
 uniform vec2 u_resolution;
 uniform float intensity = 1.0;      // @range 0.05 10  @limit 0 1000  @scale log  @label "Beam intensity"  @group "Beam"
                                     // @help "Beam current. A higher current is brighter and, with Spot growth, also wider."
-uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"
+uniform float spot_sigma = 1.2;     // @range 0.3 6  @limit 0.05 100  @scale log  @label "Spot size"  @unit "px at 512 lines"  @group "Beam"  @photo amount
                                     // @help "Standard deviation of the spot, in pixels of a picture 512 pixels high. The line looks about 2.4 times as wide. The total light stays the same, so a wider spot is dimmer."
 uniform float spot_growth = 0.4;    // @range 0 1.5  @limit 0 20  @label "Spot growth"  @group "Beam"  @identity 0  @when !as_written
                                     // @help "How much a stronger current widens the spot, as electrons repel each other. At full current, the spot is 1 + growth times as large. 0 turns it off."

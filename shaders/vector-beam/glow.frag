@@ -9,7 +9,7 @@ uniform sampler2D image;
 uniform vec2 direction;   // (1, 0) or (0, 1); with (1, 0) the image is a coloured picture
 uniform float level;      // mipmap level of the image: in the first direction it averages 4 x 4
 uniform vec2 u_resolution;
-uniform float glow_radius = 5.0;  // @range 1 20  @limit 0.2 40  @scale log  @label "Radius"  @unit "px at 512 lines"  @group "Glow"  @when !as_written && glow_amount > 0
+uniform float glow_radius = 5.0;  // @range 1 20  @limit 0.2 40  @scale log  @label "Radius"  @unit "px at 512 lines"  @group "Glow"  @when !as_written && glow_amount > 0  @photo amount
                                   // @help "Standard deviation of the narrow glow around the lines. The wide glow spreads four times as far."
 
 in vec2 uv;

@@ -13,7 +13,7 @@ uniform float u_peak;
 
 uniform vec3 beam_color = vec3(0.25, 1.0, 0.4);  // @color  @label "Beam colour"  @group "Beam"
                                                  // @help "Colour of the phosphor's light."
-uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Intensity"  @group "Glow"  @identity 0  @when !as_written
+uniform float glow_amount = 0.35;      // @range 0 2  @limit 0 100  @label "Intensity"  @group "Glow"  @identity 0  @when !as_written  @photo amount
                                        // @help "How much scattered light is added around the lines. 0 turns the glow off."
 uniform float glow_wide = 0.4;         // @range 0 1  @limit 0 1  @label "Wide mix"  @group "Glow"  @when !as_written && glow_amount > 0
                                        // @help "Fraction of the glow in the wide haze. 0 keeps all of it near the lines, 1 puts all of it in the haze."

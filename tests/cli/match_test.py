@@ -44,6 +44,79 @@ def frame_of(light, most, noise):
     return bytes(pixels)
 
 
+
+def beam_photo(width, height, sigma, radius, amount, peak=0.6, has_line=True):
+    """A green line and dot of a Gaussian spot with two Gaussian glows, the wide one four times as wide, as in
+    Vector beam. The camera adds a blur of 1 px, noise and gamma 2.2. Lengths in px."""
+    noise = random.Random(3)
+    terms = [(share, spread ** 2 + sigma ** 2 + 1.0)
+             for share, spread in ((1.0, 0.0), (0.6 * amount, radius), (0.4 * amount, 4.0 * radius))]
+    most_of_line = sum(share / math.sqrt(variance) for share, variance in terms)
+    most_of_dot = sum(share / variance for share, variance in terms)
+
+    def line(square):
+        return sum(share / math.sqrt(variance) * math.exp(-0.5 * square / variance) for share, variance in terms)
+
+    def dot(square):
+        return sum(share / variance * math.exp(-0.5 * square / variance) for share, variance in terms)
+
+    lines = [line((i / 4) ** 2) / most_of_line for i in range(4 * height)]
+    pixels = bytearray()
+    for y in range(height):
+        for x in range(width):
+            light = dot((x + 0.5 - 0.5 * width) ** 2 + (y + 0.5 - 0.7 * height) ** 2) / most_of_dot
+            if has_line:
+                light += lines[round(4 * abs(y + 0.5 - 0.3 * height - 0.2 * (x - 0.5 * width)) / math.hypot(1, 0.2))]
+            for color in (0.3, 1.0, 0.4):
+                seen = 0.001 + peak * color * light
+                seen += noise.gauss(0.0, 0.003) * math.sqrt(max(seen, 0.02))
+                pixels.append(min(round(255 * max(seen, 0.0) ** (1 / 2.2)), 255))
+    return png(width, height, bytes(pixels))
+
+
+class Beams(ProgramTest):
+    """Photos of a beam, 384 px high."""
+
+    PLAIN = ("--set", "spot_growth=0", "--set", "tone_map=Clamp", "--set", "keep_hue=0")
+
+    def match(self, photo, *options):
+        return run("match", "vector-beam", *self.PLAIN, "--photo", self.write("beam.png", photo), "--json", *options)
+
+    def test_a_line_and_a_dot_give_the_width_and_the_glow(self):
+        unit = 384 / 512
+        photo = beam_photo(280, 384, sigma=3.2 * unit, radius=8.0 * unit, amount=0.5)
+        done = self.match(photo, "-o", self.folder / "beam.json", "--report", self.folder / "beam.html")
+        self.assert_done(done)
+        found = {row["name"]: row for row in json.loads(done.stdout)["parameters"]}
+        self.assertEqual(set(found), {"spot_sigma", "glow_radius", "glow_amount"})
+        for name, truth, tolerance in (("spot_sigma", 3.2, 0.1), ("glow_radius", 8.0, 0.2), ("glow_amount", 0.5, 0.2)):
+            with self.subTest(name):
+                self.assertLess(abs(found[name]["value"] / truth - 1.0), tolerance)
+        self.assertLess(found["spot_sigma"]["low"], 3.2)
+        self.assertGreater(found["spot_sigma"]["high"], 3.2)
+        self.assertTrue(found["spot_sigma"]["identifiable"])
+        self.assertGreater(json.loads(done.stdout)["explained"], 0.99)
+        preset = json.loads((self.folder / "beam.json").read_text())
+        self.assertAlmostEqual(preset["values"]["spot_sigma"], found["spot_sigma"]["value"], places=3)
+        self.assertEqual((self.folder / "beam.html").read_text().count("<img "), 3)
+
+    def test_a_spot_as_narrow_as_the_blur_is_not_identifiable(self):
+        photo = beam_photo(120, 200, sigma=0.9, radius=6.0, amount=0.0, has_line=False)
+        done = self.match(photo, "--set", "glow_amount=0", "--lock", "glow_radius,glow_amount")
+        self.assert_done(done)
+        (spot,) = json.loads(done.stdout)["parameters"]
+        self.assertFalse(spot["identifiable"])
+        self.assertIn("the camera's blur", spot["reason"])
+
+    def test_photos_without_a_beam_are_refused(self):
+        dark = png(120, 90, bytes(3 * 120 * 90))
+        self.assert_refused(self.match(dark), "The photo shows neither a straight line nor an isolated dot.")
+        bright = beam_photo(200, 384, sigma=1.5, radius=6.0, amount=0.0, peak=3.0)
+        self.assert_refused(self.match(bright), "The lines and dots of the beam are overexposed.")
+        self.assert_refused(run("match", "phosphor", "--source", "pattern:smpte", "--photo",
+                                self.write("beam.png", dark), "--json"), "is matched by its beam")
+
+
 class Videos(ProgramTest):
     """A flash of a P31 tube in 96 frames at 240 per second."""
 
@@ -167,7 +240,6 @@ class Photos(ProgramTest):
                 ("none.png", photo, ("--source", self.folder / "none.png"))):
             with self.subTest(words):
                 self.assert_refused(self.match(file, *options), words)
-        self.assert_refused(run("match", "phosphor", "--photo", photo, "--json"), "draws a signal")
 
     def test_the_orientation_of_a_photo_is_followed(self):
         """The photo lies on its side, and its EXIF data turn it upright."""

@@ -61,3 +61,23 @@ class Matching(Person):
         self.snapshot("match_applied")
         program.key("ctrl+z")
         program.wait("one step undoes them", lambda s: s["redo"] == "Match a photo" and s["undo"] == "Exposure")
+
+    def test_a_dot_gives_the_beam_of_an_oscilloscope(self):
+        program = self.program
+        photo = self.looks.parent / "dot.jpg"
+        light = "0.001+0.6*exp(-(pow(X-60,2)+pow(Y-100,2))/12)"
+        subprocess.run(["ffmpeg", "-v", "error", "-y", "-f", "lavfi", "-i",
+                        f"color=black:s=120x200,format=gbrp,geq=r='0':g='255*pow({light},1/2.2)':b='0'", "-frames:v", "1",
+                        "-q:v", "1", "-pix_fmt", "yuvj444p", photo], check=True)
+        program.click("look:vector-beam")
+        program.wait("the look is open", lambda s: s["look"] == "vector-beam")
+        self.open_dialog("match_choose_photo")
+        self.assertNotIn("match_choose_source", program.state()["widgets"])
+        self.drop(photo)
+        program.place("match_photo")
+        program.click("dialog_ok")
+        program.wait("the match is complete", lambda s: "match_save" in s["widgets"])
+        program.place("match:spot_sigma")
+        self.snapshot("match_beam")
+        program.click("dialog_ok")
+        program.wait("the values are applied", lambda s: s["dialog"] == 0 and s["undo"] == "Match a photo")

@@ -289,12 +289,13 @@ void apply_photo_start(const Site& site) {
 }
 
 void apply_photo(const Site& site) {
-    constexpr std::array<std::pair<std::string_view, PhotoRole>, 7> roles{
+    constexpr std::array<std::pair<std::string_view, PhotoRole>, 8> roles{
         {{"shape", PhotoRole::shape},
          {"pitch", PhotoRole::pitch},
          {"lines", PhotoRole::lines},
          {"type", PhotoRole::type},
          {"amount", PhotoRole::amount},
+         {"off", PhotoRole::off},
          {"tube", PhotoRole::tube},
          {"decay", PhotoRole::decay}}};
     if (!site.hint.words.empty() && site.hint.words.front() == "start")
@@ -304,7 +305,8 @@ void apply_photo(const Site& site) {
             site.parameter.photo_role = role;
     const PhotoRole role = site.parameter.photo_role;
     if (role == PhotoRole::none)
-        return site.error("@photo must be shape, pitch, lines, type, amount, tube, decay or start");
+        return site.error(
+            "@photo must be shape, pitch, lines, type, amount, off, tube, decay or start");
     const bool is_for_lists = role == PhotoRole::type || role == PhotoRole::tube;
     if (is_for_lists != !site.parameter.items.empty())
         site.error(

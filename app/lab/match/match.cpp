@@ -383,9 +383,7 @@ private:
         const auto groups = m_fit.linearised(m_state, unknowns, all);
         if (!groups)
             return fail(groups.error());
-        NormalEquations sum(unknowns.size());
-        for (const NormalEquations& group : *groups)
-            sum += group;
+        const NormalEquations sum = sum_of(*groups);
         constexpr Compared only_tiles{true, false};
         const auto explained = m_fit.explained_share(m_state, only_tiles);
         if (!explained)

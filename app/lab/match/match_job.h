@@ -18,7 +18,9 @@ struct MatchJob {
     std::filesystem::path file;            // of the photo, for messages
     Corners corners;                       // see check_photo()
     MatchChoice choice = {};
-    Extent size = {};  // of the look's picture; empty: that of the screen in the photo
+    double gamma = 2.2;  // of the camera; found for pictures, but not for beams
+    Extent size = {};    // of the look's picture; empty: that of the screen in the photo, or 512
+                         // lines for a beam
     std::function<void(const MatchProgress&)> on_progress = {};
     bool draws_pictures = false;                                 // for each progress
     std::function<void(const Corners&)> on_better_corners = {};  // before wrong ones are refused
@@ -26,6 +28,7 @@ struct MatchJob {
 
 /// A match with what it was made from.
 struct MatchJobResult {
+    std::string look;  // its id
     Values values;  // that were found, by parameter
     Matched matched;
     std::vector<std::pair<std::string, std::string>> types;  // parameter, label of its item
@@ -34,16 +37,20 @@ struct MatchJobResult {
     Extent size;  // of the look's picture
 };
 
-/// Matches a photo in its own GL context. Fails for looks that no picture drives or that name no
-/// parameters, and as match_photo().
+/// Whether the screen shows its edges in a photo. That of an oscilloscope is dark.
+bool has_screen_edges(const Look& look);
+
+/// Matches a photo in its own GL context: the picture, or the beam of a look that a signal drives.
+/// Fails for looks that name no parameters, and as match_photo() and match_beam().
 Result<MatchJobResult> match(MatchJob job, JobProgress& work);
 
 /// The same for files, as the command line names them.
 struct MatchFileRequest {
-    RenderRequest render;  // an empty size: that of the screen in the photo
+    RenderRequest render;  // an empty size: as in MatchJob
     std::filesystem::path photo;
     std::optional<Corners> corners = {};  // nullopt: from its edges, or those of the photo
     MatchChoice choice = {};
+    double gamma = 2.2;
     std::function<void(const MatchProgress&)> on_progress = {};
 };
 

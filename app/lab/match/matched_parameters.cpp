@@ -44,6 +44,14 @@ Result<ChosenNames> resolved(const MatchChoice& choice, const Look& look) {
     return names;
 }
 
+// Without those that only a video shows. Only an identity can turn something off.
+PhotoRole role_in_photos(const Parameter& parameter) {
+    const PhotoRole role = parameter.photo_role;
+    const bool is_none = role == PhotoRole::tube || role == PhotoRole::decay ||
+                         (role == PhotoRole::off && !parameter.identity);
+    return is_none ? PhotoRole::none : role;
+}
+
 std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole role) {
     switch (role) {
         case PhotoRole::shape:
@@ -56,6 +64,8 @@ std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole rol
             return matched.types;
         case PhotoRole::start:
             return matched.starts;
+        case PhotoRole::off:
+            return matched.hidden;
         default:
             return matched.amounts;
     }
@@ -96,26 +106,22 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
     MatchedParameters matched;
     for (const Parameter& parameter : look.parameters) {
         const bool is_wanted = names->fitted.contains(parameter.name);
-        const bool has_role = parameter.photo_role != PhotoRole::none &&
-                              parameter.photo_role != PhotoRole::tube &&
-                              parameter.photo_role != PhotoRole::decay;
-        if (names->locked.contains(parameter.name) || !(is_wanted || has_role))
+        const PhotoRole role = role_in_photos(parameter);
+        if (names->locked.contains(parameter.name) || !(is_wanted || role != PhotoRole::none))
             continue;
-        if (parameter.photo_role == PhotoRole::start && !is_wanted) {
-            matched.starts.push_back(&parameter);
+        const bool is_fixed = role == PhotoRole::start || role == PhotoRole::off;
+        if (is_fixed && !is_wanted) {
+            list_of(matched, role).push_back(&parameter);
             continue;
         }
-        if (parameter.photo_role != PhotoRole::type && !is_number(parameter))
+        if (role != PhotoRole::type && !is_number(parameter))
             return fail({{},
                          0,
                          fmt::format("'{}' can't be found in a photo, because it is not a number "
                                      "with fractions.",
                                      parameter.name)});
         if (is_wanted || is_condition_true(parameter, look.parameters, values))
-            list_of(matched, is_wanted && parameter.photo_role == PhotoRole::start
-                                 ? PhotoRole::amount
-                                 : parameter.photo_role)
-                .push_back(&parameter);
+            list_of(matched, is_fixed ? PhotoRole::amount : role).push_back(&parameter);
     }
     if (matched.is_empty())
         return fail(
@@ -180,6 +186,8 @@ Values starting_values(const Document& document, const MatchedParameters& parame
     Values values = all_values(document);
     for (const Parameter* start : parameters.starts)
         values.at(start->name) = *start->photo_start;
+    for (const Parameter* hidden : parameters.hidden)
+        values.at(hidden->name) = *hidden->identity;
     for (const Parameter* amount : parameters.amounts)
         raise_from_identity(*amount, values);
     return values;

@@ -20,6 +20,7 @@ struct MatchedParameters {
     std::vector<const Parameter*> types = {};
     std::vector<const Parameter*> amounts = {};
     std::vector<const Parameter*> starts = {};  // not to be found
+    std::vector<const Parameter*> hidden = {};  // drawn with their identity
     std::vector<const Parameter*> tubes = {};   // lists, only in videos
     std::vector<const Parameter*> decays = {};  // only in videos
 
@@ -40,6 +41,6 @@ Result<MatchedParameters> decay_parameters(const Document& document, const Match
 std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters);
 
 /// The values that a fit begins with: the document's, except those with a start of their own in the
-/// look. An amount that turns a pattern off is raised, because nothing else about the pattern would
-/// show.
+/// look, and the identity of hidden ones. An amount that turns a pattern off is raised, because
+/// nothing else about the pattern would show.
 Values starting_values(const Document& document, const MatchedParameters& parameters);

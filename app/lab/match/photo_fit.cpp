@@ -96,33 +96,6 @@ Picture joined_tiles(const SampleValues& values, const SampleLayout& layout) {
 Result<void> cancelled() {
     return fail({{}, 0, "cancelled"});
 }
-
-NormalEquations sum_of(const std::vector<NormalEquations>& groups) {
-    NormalEquations sum(groups.front().n);
-    for (const NormalEquations& group : groups)
-        sum += group;
-    return sum;
-}
-
-double prior_cost(const MatchState& state, const std::vector<Unknown>& unknowns, double noise) {
-    double cost = 0.0;
-    for (const Unknown& unknown : unknowns)
-        if (unknown.deviation > 0.0) {
-            const double miss = (unknown.of(state) - unknown.expected) / unknown.deviation;
-            cost += 0.5 * noise * miss * miss;
-        }
-    return cost;
-}
-
-void add_prior(NormalEquations& sum, const MatchState& state, const std::vector<Unknown>& unknowns,
-               double noise) {
-    for (std::size_t i = 0; i < unknowns.size(); ++i)
-        if (const Unknown& unknown = unknowns[i]; unknown.deviation > 0.0) {
-            const double weight = noise / (unknown.deviation * unknown.deviation);
-            sum.squares[i * sum.n + i] += weight;
-            sum.slopes[i] += weight * (unknown.of(state) - unknown.expected);
-        }
-}
 }  // namespace
 
 /// What the camera of a state sees.
@@ -313,49 +286,19 @@ Result<double> PhotoFit::explained_share(const MatchState& state, Compared compa
 
 Result<double> PhotoFit::minimise(MatchState& state, const std::vector<Unknown>& unknowns,
                                   Compared compared, int steps, double precision) {
-    auto now = cost(state, compared);
-    if (!now)
-        return now;
-    double trust = 1.0;
-    for (int step = 0; step < steps; ++step) {
-        const auto groups = linearised(state, unknowns, compared);
-        if (!groups)
-            return fail(groups.error());
-        NormalEquations sum = sum_of(*groups);
-        const double noise = noise_variance(sum, *groups);
-        const double count = sum.count;
-        const double before = 0.5 * *now * count + prior_cost(state, unknowns, noise);
-        add_prior(sum, state, unknowns, noise);
-        bool is_better = false;
-        double gain = 0.0;
-        for (int attempt = 0; attempt < 4 && !is_better; ++attempt) {
-            std::vector<double> low;
-            std::vector<double> high;
-            for (const Unknown& unknown : unknowns) {
-                const double value = unknown.of(state);
-                low.push_back(std::clamp(unknown.low - value, -trust * unknown.trust, 0.0));
-                high.push_back(std::clamp(unknown.high - value, 0.0, trust * unknown.trust));
-            }
-            const std::vector<double> change = bounded_step(sum, low, high);
-            MatchState next = state;
-            for (std::size_t i = 0; i < unknowns.size(); ++i)
-                unknowns[i].set(next, unknowns[i].of(state) + change[i]);
-            const auto there = cost(next, compared);
-            if (!there)
-                return fail(there.error());
-            const double after = 0.5 * *there * count + prior_cost(next, unknowns, noise);
-            is_better = after < before;
-            gain = 1.0 - after / before;
-            if (is_better) {
-                state = next;
-                now = there;
-                trust = std::min(2.0 * trust, 1.0);
-            } else {
-                trust *= 0.25;
-            }
+    class Problem : public LeastSquares {
+    public:
+        Problem(PhotoFit& fit, Compared compared) : m_fit(fit), m_compared(compared) {}
+        Result<double> cost(const MatchState& at) override { return m_fit.cost(at, m_compared); }
+        Result<std::vector<NormalEquations>> linearised(const MatchState& at,
+                                                        const std::vector<Unknown>& by) override {
+            return m_fit.linearised(at, by, m_compared);
         }
-        if (!is_better || gain < precision)
-            break;
-    }
-    return now;
+
+    private:
+        PhotoFit& m_fit;
+        Compared m_compared;
+    };
+    Problem problem(*this, compared);
+    return ::minimise(problem, state, unknowns, steps, precision);
 }

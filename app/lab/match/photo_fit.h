@@ -1,9 +1,8 @@
 #pragma once
 
 #include "base/job_progress.h"
+#include "lab/match/gauss_newton.h"
 #include "lab/match/screen_renderer.h"
-#include "lab/match/unknown.h"
-#include "model/photo/normal_equations.h"
 
 #include <functional>
 #include <vector>
@@ -14,16 +13,13 @@ struct Compared {
     bool has_points = true;
 };
 
-/// Fits unknowns to a photo by least squares (Gauss-Newton with bounds and a trust region). Keeps
-/// the light of the last drawn state.
+/// Fits unknowns to a photo by least squares. Keeps the light of the last drawn state.
 class PhotoFit {
 public:
     PhotoFit(ScreenRenderer& renderer, const Photo& photo, JobProgress& work)
         : m_renderer(renderer), m_photo(photo), m_work(work) {}
 
-    /// Changes the state until a step lowers the cost by less than `precision` of it, at most
-    /// `steps` times.
-    /// Returns the mean square of the residuals. Fails when cancelled.
+    /// See minimise() of gauss_newton.h.
     Result<double> minimise(MatchState& state, const std::vector<Unknown>& unknowns,
                             Compared compared, int steps, double precision = 1e-3);
     /// What the camera sees minus the photo: tiles, then points.

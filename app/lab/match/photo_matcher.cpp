@@ -35,18 +35,20 @@ Result<gpu::Texture> display_texture(const Picture& picture) {
 void PhotoMatcher::open_photo(const fs::path& file) {
     cancel();
     m_inbox = std::make_shared<Inbox>();
-    m_reading.start([file, inbox = m_inbox](JobProgress&) -> Result<bool> {
-        constexpr int shown_side = 2048;
-        auto photo = load_photo(file);
-        if (!photo)
-            return fail(photo.error());
-        auto picture = std::make_shared<const Picture>(std::move(*photo));
-        ReadPhoto read{file, picture, guess_corners(*picture),
-                       reduced_picture(*picture, shown_side)};
-        const std::lock_guard lock(inbox->mutex);
-        inbox->photo = std::move(read);
-        return true;
-    });
+    m_reading.start(
+        [file, inbox = m_inbox, has_edges = !m_document || has_screen_edges(m_document->look())](
+            JobProgress&) -> Result<bool> {
+            constexpr int shown_side = 2048;
+            auto photo = load_photo(file);
+            if (!photo)
+                return fail(photo.error());
+            auto picture = std::make_shared<const Picture>(std::move(*photo));
+            ReadPhoto read{file, picture, has_edges ? guess_corners(*picture) : std::nullopt,
+                           reduced_picture(*picture, shown_side)};
+            const std::lock_guard lock(inbox->mutex);
+            inbox->photo = std::move(read);
+            return true;
+        });
 }
 
 void PhotoMatcher::move_corner(std::size_t corner, glm::dvec2 position) {

@@ -19,6 +19,8 @@ Result<ScreenRenderer> ScreenRenderer::create(PreparedLook prepared, Extent size
     auto offline = Offline::create(std::move(prepared), size, fps);
     if (!offline)
         return fail(offline.error());
+    if (auto off = offline->set_nan_policy(NanPolicy::off); !off)  // the reader clamps NaN
+        return fail(off.error());
     auto reader = SampleReader::make();
     if (!reader)
         return fail(reader.error());

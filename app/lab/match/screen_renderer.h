@@ -9,6 +9,8 @@ public:
     /// Creates its own GL context.
     static Result<ScreenRenderer> create(PreparedLook prepared, Extent size);
 
+    /// Called by create(). With several instances, call it before using another one.
+    void make_current() { m_offline.make_current(); }
     /// The light of the look's picture at the samples.
     Result<ScreenLight> light(const Values& values) { return light(values, m_layout); }
     Result<ScreenLight> light(const Values& values, const SampleLayout& layout);

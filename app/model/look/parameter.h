@@ -67,9 +67,10 @@ enum class OrbitPart { none, turn, azimuth, elevation, distance };
 
 /// How a photo of a tube shows a parameter, see `afterglow match`. shape: in the mean light of
 /// places. pitch, lines: as a period across or down. type: one of a list. amount: in the contrast
-/// of details. start: not at all, but a tube has another value than the look's default. tube and
-/// decay show only in a video of fading light: one of a list, and a number.
-enum class PhotoRole { none, shape, pitch, lines, type, amount, start, tube, decay };
+/// of details. start: not at all, but a tube has another value than the look's default. off: not at
+/// all, and its identity is drawn instead. tube and decay show only in a video of fading light: one
+/// of a list, and a number.
+enum class PhotoRole { none, shape, pitch, lines, type, amount, start, off, tube, decay };
 
 /// A uniform of a pass that a parameter sets.
 struct Binding {

@@ -19,6 +19,12 @@
 
 namespace {
 constexpr float width = 66.0f;  // in font sizes
+constexpr const char* picture_hint =
+    "Take the photo in the dark, sharp and not overexposed, while the tube shows the source. A "
+    "triad of mask stripes must be at least 3 px wide.";
+constexpr const char* beam_hint =
+    "Take the photo in the dark, sharp and not overexposed, while the tube shows a straight line "
+    "or a dot. The line must be at least 8 px wide.";
 
 void choose_file(Dialog::Kind kind, Edits& edits) {
     edits.show({.kind = kind});
@@ -55,8 +61,10 @@ void draw_setup(const PhotoMatcher& matcher, const Scene& scene, Edits& edits) {
     const auto& photo = matcher.photo();
     draw_file_row("Photo", photo ? photo->file.filename().string() : "Drop a photo here",
                   "match_choose_photo", Dialog::Kind::choose_photo, edits);
-    draw_file_row("Source", shown_source(scene), "match_choose_source", Dialog::Kind::choose_shown,
-                  edits);
+    const bool has_beam = scene.lab.document->look().driven_by == Driver::signal;
+    if (!has_beam)
+        draw_file_row("Source", shown_source(scene), "match_choose_source",
+                      Dialog::Kind::choose_shown, edits);
     if (matcher.reading().is_running())
         dim_text("Reading the photo…");
     else if (const auto& read = matcher.reading().outcome(); read && !*read)
@@ -67,9 +75,7 @@ void draw_setup(const PhotoMatcher& matcher, const Scene& scene, Edits& edits) {
                                      "side of the screen. On curved glass, they lie outside.") +
                          (photo->has_edges ? " They were guessed from the straight edges." : ""));
     } else {
-        wrapped_dim_text(
-            "Take the photo in the dark, sharp and not overexposed, while the tube "
-            "shows the source. A triad of mask stripes must be at least 3 px wide.");
+        wrapped_dim_text(has_beam ? beam_hint : picture_hint);
     }
     if (draw_dialog_buttons("Match", photo.has_value() && !matcher.is_running(), edits, "Close"))
         edits.change([](BackgroundJobs& jobs) { jobs.matcher().start(); });
@@ -103,7 +109,7 @@ void draw_running(const PhotoMatcher& matcher, Edits& edits) {
     draw_pictures(matcher, edits);
     dim_text(shown ? fmt::format("{}: difference {:.2f} % of white", shown->stage,
                                  100.0 * shown->residual)
-                   : std::string("Matching the exposure…"));
+                   : std::string("Matching…"));
     edits.mark("match_stage");
     if (ImGui::Button("Stop"))
         edits.change([](BackgroundJobs& jobs) { jobs.matcher().stop(); });
@@ -199,9 +205,9 @@ void draw_match_dialog(const Scene& scene, Edits& edits) {
     const auto& outcome = matcher.work().outcome();
     if (matcher.work().is_running())
         draw_running(matcher, edits);
-    else if (outcome && *outcome)
+    else if (outcome && *outcome && (*outcome)->look == scene.lab.document->look().id)
         draw_result(**outcome, matcher, scene, edits);
-    else if (outcome && matcher.photo())
+    else if (outcome && !*outcome && matcher.photo())
         draw_failed(outcome->error(), matcher, edits);
     else
         draw_setup(matcher, scene, edits);

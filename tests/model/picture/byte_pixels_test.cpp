@@ -9,9 +9,9 @@ namespace {
 // Every pixel differs; the unused byte does too.
 Picture byte_picture(Extent extent) {
     Picture picture{extent, 4, Encoding::display, {}};
-    const std::size_t size = picture.index(0, extent.height);
-    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(size);
-    for (std::size_t i = 0; i < size; ++i)
+    const std::size_t count = picture.index(0, extent.height);
+    const auto bytes = std::make_shared<std::vector<std::uint8_t>>(count);
+    for (std::size_t i = 0; i < count; ++i)
         (*bytes)[i] = static_cast<std::uint8_t>(i * 7);
     picture.bytes = {bytes, bytes->data()};
     return picture;
