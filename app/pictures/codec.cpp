@@ -50,8 +50,8 @@ Result<void> check_extent(int width, int height, int channels, const fs::path& f
         return fail(
             {file, 0,
              fmt::format("the picture is too large: {} x {} px; the limit is {} px per side and {} "
-                         "pixels in total",
-                         width, height, largest_side, max_pixels(channels))});
+                         "megapixels. Make it smaller, or cut out a part",
+                         width, height, largest_side, max_pixels(channels) / 1'000'000)});
     return {};
 }
 

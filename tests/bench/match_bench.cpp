@@ -24,7 +24,11 @@ PreparedLook prepared() {
 // The picture of a fit: other values, and the light at the samples.
 class Matcher {
 public:
-    Matcher() : m_renderer(bench::wanted(ScreenRenderer::create(prepared(), size))) {
+    Matcher()
+        : m_renderer(bench::wanted(
+              ScreenRenderer::create(prepared(), size,
+                                     {"mask_strength", "mask_size", "curvature",
+                                      "scanline_strength", "bloom_intensity", "bloom_radius"}))) {
         for (const Parameter& parameter : m_renderer.look().parameters)
             m_values[parameter.name] = parameter.initial;
     }

@@ -102,6 +102,37 @@ TEST_CASE("automated parameters stay uniforms, and the next start is generic aga
     CHECK(turned->picture().pixels[0] == 7.0f);
 }
 
+TEST_CASE("specialised programs stay while only moving parameters change") {
+    const RenderRequest request{.look = "shadow-mask", .size = {96, 72}};
+    Offline offline = opened(request);
+    Offline generic = opened(request);
+    const auto apart_with = [&](const std::string& name, double value) {
+        std::vector<Picture> pictures;
+        for (Offline* one : {&offline, &generic}) {
+            one->make_current();
+            Document document = one->document();
+            document.set_value(name, Value(value));
+            REQUIRE(one->start_again(std::move(document)).has_value());
+            pictures.push_back(one->picture_after(1));
+        }
+        const auto apart = difference_between(pictures[0], pictures[1], 0.0);
+        REQUIRE(apart.has_value());
+        offline.make_current();
+        return apart->largest;
+    };
+    const auto is_specialized = [&] { return offline.executor().programs().is_specialized(); };
+    offline.make_current();
+    REQUIRE(offline.specialize({}, {"mask_strength"}).has_value());
+    CHECK(is_specialized());
+    CHECK(apart_with("mask_strength", 0.3) < 2e-3);
+    CHECK(is_specialized());
+    CHECK(apart_with("bloom_intensity", 1.0) < 2e-3);
+    CHECK(!is_specialized());
+    REQUIRE(offline.specialize({}, {"mask_strength"}).has_value());
+    CHECK(apart_with("mask_strength", 0.9) < 2e-3);
+    CHECK(is_specialized());
+}
+
 TEST_CASE("every Phosphor preset draws the same picture without displayed passes") {
     constexpr Extent size{160, 120};
     int sharing = 0;

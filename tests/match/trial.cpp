@@ -190,15 +190,16 @@ Result<TrialResult> run_trial(const Trial& trial, const fs::path& folder) {
         for (const std::string& name : choice_of(trial).locked)
             prepared->document.set_value(name, truth.values.at(name));
     const Document document = prepared->document;
-    auto renderer = ScreenRenderer::create(std::move(*prepared), size);
+    const auto parameters = matched_parameters(document, choice_of(trial));
+    if (!parameters)
+        return fail(parameters.error());
+    auto renderer =
+        ScreenRenderer::create(std::move(*prepared), size, names_of_numbers(*parameters));
     if (!renderer)
         return fail(renderer.error());
     const auto start_time = std::chrono::steady_clock::now();
     JobProgress work;
     PhotoFit fit(*renderer, photo, work);
-    const auto parameters = matched_parameters(document, choice_of(trial));
-    if (!parameters)
-        return fail(parameters.error());
     MatchRequest request{
         *parameters,
         {starting_values(document, *parameters), {.corners = user_corners(truth, trial)}}};

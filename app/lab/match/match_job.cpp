@@ -57,7 +57,8 @@ Result<MatchedWithPictures> match_with_beam(PreparedLook prepared, const Picture
 Result<MatchedWithPictures> match_with_picture(PreparedLook prepared, const Picture& picture,
                                                Extent size, const MatchRequest& request,
                                                JobProgress& work) {
-    auto renderer = ScreenRenderer::create(std::move(prepared), size);
+    auto renderer =
+        ScreenRenderer::create(std::move(prepared), size, names_of_numbers(request.parameters));
     if (!renderer)
         return fail(renderer.error());
     const Photo photo(picture);

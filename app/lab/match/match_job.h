@@ -29,7 +29,7 @@ struct MatchJob {
 /// A match with what it was made from.
 struct MatchJobResult {
     std::string look;  // its id
-    Values values;  // that were found, by parameter
+    Values values;     // that were found, by parameter
     Matched matched;
     std::vector<std::pair<std::string, std::string>> types;  // parameter, label of its item
     MatchPictures pictures;                                  // empty if the match was stopped

@@ -165,6 +165,15 @@ Result<MatchedParameters> decay_parameters(const Document& document, const Match
     return matched;
 }
 
+std::set<std::string> names_of_numbers(const MatchedParameters& parameters) {
+    std::set<std::string> names;
+    for (const auto* list :
+         {&parameters.shape, &parameters.pitch, &parameters.lines, &parameters.amounts})
+        for (const Parameter* number : *list)
+            names.insert(number->name);
+    return names;
+}
+
 std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters) {
     std::vector<Unknown> unknowns;
     for (const Parameter* parameter : parameters)

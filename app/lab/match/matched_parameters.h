@@ -3,6 +3,7 @@
 #include "lab/document/document.h"
 #include "lab/match/unknown.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ Result<MatchedParameters> matched_parameters(const Document& document, const Mat
 /// light. Fails for unknown names, for parameters that are not one number, and if there is nothing
 /// to find.
 Result<MatchedParameters> decay_parameters(const Document& document, const MatchChoice& choice);
+
+/// The names of the numbers to find.
+std::set<std::string> names_of_numbers(const MatchedParameters& parameters);
 
 /// The unknowns of these parameters, with the ranges of their sliders.
 std::vector<Unknown> unknowns_of(const std::vector<const Parameter*>& parameters);

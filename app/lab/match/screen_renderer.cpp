@@ -13,7 +13,8 @@ int frames_of(const Look& look) {
 }
 }  // namespace
 
-Result<ScreenRenderer> ScreenRenderer::create(PreparedLook prepared, Extent size) {
+Result<ScreenRenderer> ScreenRenderer::create(PreparedLook prepared, Extent size,
+                                              std::set<std::string> moving) {
     constexpr double fps = 60.0;
     raise_precision(prepared.document);
     auto offline = Offline::create(std::move(prepared), size, fps);
@@ -24,15 +25,17 @@ Result<ScreenRenderer> ScreenRenderer::create(PreparedLook prepared, Extent size
     auto reader = SampleReader::make();
     if (!reader)
         return fail(reader.error());
-    return ScreenRenderer(std::move(*offline), std::move(*reader), size);
+    return ScreenRenderer(std::move(*offline), std::move(*reader), size, std::move(moving));
 }
 
-ScreenRenderer::ScreenRenderer(Offline offline, SampleReader reader, Extent size)
+ScreenRenderer::ScreenRenderer(Offline offline, SampleReader reader, Extent size,
+                               std::set<std::string> moving)
     : m_offline(std::move(offline)),
       m_reader(std::move(reader)),
       m_layout(size),
       m_document(m_offline.document()),
-      m_frames(frames_of(m_document.look())) {}
+      m_frames(frames_of(m_document.look())),
+      m_moving(std::move(moving)) {}
 
 Result<void> ScreenRenderer::draw(const Values& values) {
     m_document.amend([&](DocumentState& state) {
@@ -41,9 +44,21 @@ Result<void> ScreenRenderer::draw(const Values& values) {
     });
     if (auto begun = m_offline.start_again(m_document); !begun)
         return begun;
+    if (auto done = specialize(); !done)
+        return done;
     for (int frame = 0; frame < m_frames; ++frame)
         m_offline.advance();
     ++m_count;
+    return {};
+}
+
+// A mask that is only tried is not worth the time that programs take to compile.
+Result<void> ScreenRenderer::specialize() {
+    constexpr int tried = 6;
+    const bool is_specialized = m_offline.executor().programs().is_specialized();
+    m_generic_count = is_specialized ? 0 : m_generic_count + 1;
+    if (!m_moving.empty() && m_generic_count > tried)
+        return m_offline.specialize({}, m_moving);
     return {};
 }
 

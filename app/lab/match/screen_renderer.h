@@ -3,11 +3,16 @@
 #include "graph/compare/sample_reader.h"
 #include "lab/offline/offline.h"
 
+#include <set>
+#include <string>
+
 /// Draws a look with other values, for comparison with a photo.
 class ScreenRenderer {
 public:
-    /// Creates its own GL context.
-    static Result<ScreenRenderer> create(PreparedLook prepared, Extent size);
+    /// Creates its own GL context. `moving`: the parameters whose values change often. Programs are
+    /// specialised for the others.
+    static Result<ScreenRenderer> create(PreparedLook prepared, Extent size,
+                                         std::set<std::string> moving = {});
 
     /// Called by create(). With several instances, call it before using another one.
     void make_current() { m_offline.make_current(); }
@@ -22,13 +27,16 @@ public:
     int count() const { return m_count; }
 
 private:
-    ScreenRenderer(Offline offline, SampleReader reader, Extent size);
+    ScreenRenderer(Offline offline, SampleReader reader, Extent size, std::set<std::string> moving);
     Result<void> draw(const Values& values);
+    Result<void> specialize();
 
     Offline m_offline;
     SampleReader m_reader;
     SampleLayout m_layout;
     Document m_document;
     int m_frames = 1;  // per picture
+    std::set<std::string> m_moving;
+    int m_generic_count = 0;  // pictures since other values were set
     int m_count = 0;
 };

@@ -186,7 +186,12 @@ bool Offline::is_animated(const Parameter& parameter) const {
            m_script.cues.changes(parameter.name);
 }
 
-Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
+Result<void> Offline::specialize(const std::vector<std::string>& displayed,
+                                 const std::set<std::string>& moving) {
+    if (!moving.empty()) {
+        specialize_except(moving);
+        return {};
+    }
     const Look look = executor().look();
     // Specialised programs contain constants and sizes.
     const bool changes_constants =
@@ -212,6 +217,22 @@ Result<void> Offline::specialize(const std::vector<std::string>& displayed) {
     for (const bool is_read : read_dependencies_of(executor(), is_displayed))
         runs.push_back(is_read ? PassRun::drawn : PassRun::left_out);
     return m_executors.picture().set_runs(runs);
+}
+
+void Offline::specialize_except(const std::set<std::string>& moving) {
+    const Look& look = executor().look();
+    const auto stays = [&](const Parameter& parameter) {
+        return moving.contains(parameter.name) || is_animated(parameter);
+    };
+    if (m_generic || std::ranges::any_of(look.parameters, [&](const Parameter& parameter) {
+            return stays(parameter) && (parameter.is_constant || drives_size(look, parameter));
+        }))
+        return;
+    SpecializedTexts texts;
+    auto programs = build_programs(
+        specialized_look(look, m_document.values(), executor().plan(), stays, texts));
+    if (programs)
+        m_executors.picture().specialize(std::move(*programs), moving);
 }
 
 std::vector<bool> Offline::displayed_with_picture(const std::vector<std::string>& names) const {

@@ -15,6 +15,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,7 +45,11 @@ public:
     /// parameters stay uniforms. Passes that affect neither the picture nor the passes in
     /// `displayed` are omitted. Frames are cheaper, after compiling. If the driver refuses the
     /// programs, nothing changes. start_again() ends it.
-    Result<void> specialize(const std::vector<std::string>& displayed = {});
+    /// `moving`: further parameters that stay uniforms, for drawing with many of their values. Then
+    /// all passes are drawn, and start_again() keeps the programs while the others keep their
+    /// values.
+    Result<void> specialize(const std::vector<std::string>& displayed = {},
+                            const std::set<std::string>& moving = {});
     /// How NaN and infinity are handled. By default they are clamped, and the first one is reported
     /// with the problems.
     Result<void> set_nan_policy(NanPolicy policy) {
@@ -76,6 +81,7 @@ private:
     std::vector<bool> displayed_with_picture(const std::vector<std::string>& names) const;
     Result<void> show_to(const std::vector<bool>& displayed);
     Result<void> end_specialized();
+    void specialize_except(const std::set<std::string>& moving);
     Result<void> follow_constants();
     void apply_automation(double seconds);
     Result<void> load_signal();
