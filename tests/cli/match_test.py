@@ -270,7 +270,7 @@ class Photos(ProgramTest):
         self.assertLess(abs(pitch["value"] / 6.0 - 1.0), 0.01)
         self.assertGreater(found["explained"], 0.9)
         page = report.read_text()
-        self.assertIn("% of the light and dark in the photo.", page)
+        self.assertIn("% of the light and dark that were compared.", page)
         self.assertEqual(page.count("<img "), 3)
         self.assertIn("<td>mask_size</td>", page)
         self.assertEqual(json.loads((self.folder / "set.camera.json").read_text()), found["camera"])

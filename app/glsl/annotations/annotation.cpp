@@ -365,6 +365,8 @@ void check_together(const Parameter& parameter, const Hints& hints, Diagnostics&
                    errors);
         first = first ? first : hint;
     }
+    if (parameter.photo_role == PhotoRole::off && !parameter.identity)
+        report(find_hint(hints, "@photo"), "@photo off needs @identity", errors);
     if (!parameter.limit)
         return;
     const Limit& limit = *parameter.limit;

@@ -2,6 +2,7 @@
 
 #include "lab/match/beam_fit.h"
 #include "model/photo/beam_places.h"
+#include "model/picture/difference.h"
 
 #include <algorithm>
 #include <array>
@@ -11,9 +12,6 @@ namespace {
 // Of the lens and the sensor of a sharp photo, px.
 constexpr double usual_blur = 1.0;
 constexpr double blur_deviation = 0.4;
-
-constexpr int steps = 15;
-constexpr double precision = 1e-3;
 
 Result<std::vector<BeamPattern>> find_patterns(const Picture& photo, const LightMap& map,
                                                const MatchRequest& request, int lines) {
@@ -46,10 +44,10 @@ std::vector<Unknown> unknowns_at(const std::vector<const Parameter*>& amounts,
     return unknowns;
 }
 
-class Stages {
+class BeamStages {
 public:
-    Stages(BeamFit& fit, const BeamRenderer& renderer, const MatchRequest& request,
-           JobProgress& work)
+    BeamStages(BeamFit& fit, const BeamRenderer& renderer, const MatchRequest& request,
+               JobProgress& work)
         : m_fit(fit), m_renderer(renderer), m_request(request), m_work(work) {
         m_state = request.start;
         m_state.camera.blur = usual_blur;
@@ -59,12 +57,11 @@ public:
         const auto residual = find_best();
         if (!residual)
             return fail(residual.error());
-        const auto pictures = report("Camera's blur", {*residual, m_state});
+        const auto pictures = report("Camera's blur", m_state);
         const auto explained = m_fit.explained_share(m_state);
         if (!pictures || !explained)
             return fail(pictures ? explained.error() : pictures.error());
-        MatchedWithPictures found{{m_state, {}, std::sqrt(*residual), 0, true, *explained},
-                                  *pictures};
+        MatchedWithPictures found{{m_state, {}, rms_of(*pictures), 0, true, *explained}, *pictures};
         if (auto numbers = intervals())
             found.matched.numbers = std::move(*numbers);
         else if (!m_work.is_cancelled)
@@ -76,6 +73,8 @@ public:
     }
 
 private:
+    static constexpr int steps = 15;
+
     struct Start {
         double cost = 0.0;
         MatchState state;
@@ -94,7 +93,7 @@ private:
                 return fail(done.error());
             starts.push_back(std::move(start));
             if (i == 0)
-                if (auto reported = report("First values", starts.front()); !reported)
+                if (auto reported = report("First values", m_state); !reported)
                     return fail(reported.error());
         }
         std::ranges::sort(starts, {}, &Start::cost);
@@ -103,18 +102,22 @@ private:
             if (auto done = update(start, fit(start.state, first_steps)); !done)
                 return fail(done.error());
         const Start& best = *std::ranges::min_element(starts, {}, &Start::cost);
-        if (auto reported = report("Width and bloom", best); !reported)
+        if (auto reported = report("Width and bloom", best.state); !reported)
             return fail(reported.error());
         m_state = best.state;
         return fit(m_state, steps);
     }
 
-    Result<MatchPictures> report(std::string stage, const Start& start) {
-        auto pictures = m_fit.pictures(start.state);
+    Result<MatchPictures> report(std::string stage, const MatchState& state) {
+        auto pictures = m_fit.pictures(state);
         if (pictures && m_request.on_progress)
-            m_request.on_progress(
-                {std::move(stage), start.state, std::sqrt(start.cost), *pictures});
+            m_request.on_progress({std::move(stage), state, rms_of(*pictures), *pictures});
         return pictures;
+    }
+
+    // Of display values. Both have the same size.
+    static double rms_of(const MatchPictures& pictures) {
+        return difference_between(pictures.photo, pictures.seen, 0.0).value().rms;
     }
 
     static Result<void> update(Start& start, const Result<double>& cost) {
@@ -151,6 +154,7 @@ private:
     }
 
     Result<double> fit(MatchState& state, int most_steps) {
+        constexpr double precision = 1e-3;
         return minimise(m_fit, state, unknowns_at(m_request.parameters.amounts, state), most_steps,
                         precision);
     }
@@ -216,5 +220,5 @@ Result<MatchedWithPictures> match_beam(BeamRenderer& renderer, const Picture& ph
     if (!patterns)
         return fail(patterns.error());
     BeamFit fit(renderer, map, *patterns, work);
-    return Stages(fit, renderer, request, work).run();
+    return BeamStages(fit, renderer, request, work).run();
 }

@@ -406,8 +406,8 @@ private:
 
 std::string explained_text(const Matched& matched) {
     return fmt::format(
-        "The look explains {:.1f} % of the light and dark in the photo. The rest is noise, and "
-        "what the look can't draw.",
+        "The look explains {:.1f} % of the light and dark that were compared. The rest is noise, "
+        "and what the look can't draw.",
         100.0 * std::max(matched.explained, 0.0));
 }
 

@@ -47,6 +47,7 @@ Values found_values(const Matched& matched, const MatchedParameters& parameters)
         take(number.parameter);
     return values;
 }
+
 Result<MatchedWithPictures> match_with_beam(PreparedLook prepared, const Picture& photo,
                                             Extent size, const MatchRequest& request,
                                             JobProgress& work) {

@@ -44,12 +44,11 @@ Result<ChosenNames> resolved(const MatchChoice& choice, const Look& look) {
     return names;
 }
 
-// Without those that only a video shows. Only an identity can turn something off.
+// Without those that only a video shows.
 PhotoRole role_in_photos(const Parameter& parameter) {
     const PhotoRole role = parameter.photo_role;
-    const bool is_none = role == PhotoRole::tube || role == PhotoRole::decay ||
-                         (role == PhotoRole::off && !parameter.identity);
-    return is_none ? PhotoRole::none : role;
+    const bool is_for_videos = role == PhotoRole::tube || role == PhotoRole::decay;
+    return is_for_videos ? PhotoRole::none : role;
 }
 
 std::vector<const Parameter*>& list_of(MatchedParameters& matched, PhotoRole role) {

@@ -54,10 +54,10 @@ Result<void> ScreenRenderer::draw(const Values& values) {
 
 // A mask that is only tried is not worth the time that programs take to compile.
 Result<void> ScreenRenderer::specialize() {
-    constexpr int tried = 6;
+    constexpr int tried = 6;  // pictures
     const bool is_specialized = m_offline.executor().programs().is_specialized();
     m_generic_count = is_specialized ? 0 : m_generic_count + 1;
-    if (!m_moving.empty() && m_generic_count > tried)
+    if (!m_moving.empty() && m_generic_count == tried)  // once, even if it is refused
         return m_offline.specialize({}, m_moving);
     return {};
 }

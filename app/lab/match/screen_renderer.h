@@ -37,6 +37,6 @@ private:
     Document m_document;
     int m_frames = 1;  // per picture
     std::set<std::string> m_moving;
-    int m_generic_count = 0;  // pictures since other values were set
+    int m_generic_count = 0;  // pictures in a row with generic programs
     int m_count = 0;
 };

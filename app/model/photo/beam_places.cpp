@@ -1,8 +1,9 @@
 #include "model/photo/beam_places.h"
 
+#include "model/photo/pixel_index.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace {
 constexpr double small_reach = 24.0;  // px of the reduced photo
@@ -23,9 +24,7 @@ Blocks reduced(const Picture& photo, const LightMap& map, int side) {
             bool is_clipped = false;
             for (int row = y * side; row < (y + 1) * side; ++row)
                 for (int column = x * side; column < (x + 1) * side; ++column) {
-                    sum += map.light[static_cast<std::size_t>(row) *
-                                         static_cast<std::size_t>(map.extent.width) +
-                                     static_cast<std::size_t>(column)];
+                    sum += map.light[pixel_index(map.extent, column, row)];
                     const float* rgb = &photo.pixels[photo.index(column, row)];
                     is_clipped = is_clipped || std::max({rgb[0], rgb[1], rgb[2]}) >= highest;
                 }
@@ -44,9 +43,9 @@ struct Shape {
     bool is_clipped = false;
 };
 
-class Search {
+class BeamSearch {
 public:
-    Search(const Blocks& blocks, const Corners& corners, double reach)
+    BeamSearch(const Blocks& blocks, const Corners& corners, double reach)
         : m_blocks(blocks), m_reach(reach) {
         for (std::size_t i = 0; i < corners.size(); ++i)
             m_corners[i] = corners[i] / static_cast<double>(blocks.side);
@@ -62,7 +61,7 @@ public:
             for (int x = 0; x < m_blocks.map.extent.width; ++x)
                 if (light(x, y) > bright * m_most && is_inside(glm::dvec2(x, y) + 0.5))
                     consider(x, y);
-        return {place_of(m_line), place_of(m_dot), m_has_clipped};
+        return {place_of(m_line, true), place_of(m_dot, false), m_has_clipped};
     }
 
 private:
@@ -73,9 +72,7 @@ private:
     };
 
     float light(int x, int y) const {
-        return m_blocks.map.light[static_cast<std::size_t>(y) *
-                                      static_cast<std::size_t>(m_blocks.map.extent.width) +
-                                  static_cast<std::size_t>(x)];
+        return m_blocks.map.light[pixel_index(m_blocks.map.extent, x, y)];
     }
 
     // At least the reach from all sides of the screen, whose corners are clockwise.
@@ -110,8 +107,8 @@ private:
             best = found;
     }
 
-    // Whether the position is on the ridge of a line or dot whose middle is there too. That of a
-    // bent line lies beside its ridge.
+    // Whether the position is on the ridge of a line or dot whose middle is there too. A bent line
+    // has its middle at some distance from its ridge.
     bool is_on_ridge(int x, int y, const Shape& shape) const {
         const glm::dvec2 across(-shape.along.y, shape.along.x);
         const glm::dvec2 here = glm::dvec2(x, y) + 0.5;
@@ -183,15 +180,12 @@ private:
         return x >= 0 && y >= 0 && x < m_blocks.map.extent.width && y < m_blocks.map.extent.height;
     }
     bool is_clipped(int x, int y) const {
-        return m_blocks.is_clipped[static_cast<std::size_t>(y) *
-                                       static_cast<std::size_t>(m_blocks.map.extent.width) +
-                                   static_cast<std::size_t>(x)];
+        return m_blocks.is_clipped[pixel_index(m_blocks.map.extent, x, y)];
     }
 
-    std::optional<BeamPlace> place_of(const std::optional<Found>& found) const {
+    std::optional<BeamPlace> place_of(const std::optional<Found>& found, bool is_line) const {
         if (!found)
             return std::nullopt;
-        const bool is_line = &found == &m_line;
         return BeamPlace{(found->at + found->shape.middle) * static_cast<double>(m_blocks.side),
                          is_line ? found->shape.along : glm::dvec2(0.0)};
     }
@@ -210,5 +204,5 @@ BeamPlaces find_beam_places(const Picture& photo, const LightMap& map, const Cor
                             double reach) {
     const int side = std::max(static_cast<int>(std::lround(reach / small_reach)), 1);
     const Blocks blocks = reduced(photo, map, side);
-    return Search(blocks, corners, reach / side).run();
+    return BeamSearch(blocks, corners, reach / side).run();
 }

@@ -12,8 +12,8 @@ struct BeamPlaces {
     bool are_overexposed = false;   // others would have been found, with a channel at its maximum
 };
 
-/// Searches the screen between the corners. Of several lines, the one with the least light beside
-/// it; of several dots, the brightest. `photo`: display values, 3 or 4 channels. `map`: its light.
+/// Searches the screen between the corners. Of several lines, the narrowest; of several dots, the
+/// brightest. `photo`: display values, 3 or 4 channels. `map`: its light.
 /// `reach`: px.
 BeamPlaces find_beam_places(const Picture& photo, const LightMap& map, const Corners& corners,
                             double reach);

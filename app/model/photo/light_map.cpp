@@ -1,19 +1,13 @@
 #include "model/photo/light_map.h"
 
 #include "model/look/color.h"
+#include "model/photo/pixel_index.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace {
-std::size_t index_in(Extent extent, int x, int y) {
-    const int column = std::clamp(x, 0, extent.width - 1);
-    const int row = std::clamp(y, 0, extent.height - 1);
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(extent.width) +
-           static_cast<std::size_t>(column);
-}
-
 // The weights of the pixels at the distances 0, 1, 2, ... px.
 std::vector<float> gaussian(double sigma) {
     const int reach = static_cast<int>(std::ceil(4.0 * sigma));
@@ -33,22 +27,23 @@ LightMap blurred_along(const LightMap& map, const std::vector<float>& weights, g
     LightMap result{map.extent, std::vector<float>(map.light.size())};
     for (int y = 0; y < map.extent.height; ++y)
         for (int x = 0; x < map.extent.width; ++x) {
-            float sum = weights[0] * map.light[index_in(map.extent, x, y)];
+            float sum = weights[0] * map.light[pixel_index(map.extent, x, y)];
             for (int i = 1; i < static_cast<int>(weights.size()); ++i)
                 sum += weights[static_cast<std::size_t>(i)] *
-                       (map.light[index_in(map.extent, x + i * step.x, y + i * step.y)] +
-                        map.light[index_in(map.extent, x - i * step.x, y - i * step.y)]);
-            result.light[index_in(map.extent, x, y)] = sum;
+                       (map.light[pixel_index(map.extent, x + i * step.x, y + i * step.y)] +
+                        map.light[pixel_index(map.extent, x - i * step.x, y - i * step.y)]);
+            result.light[pixel_index(map.extent, x, y)] = sum;
         }
     return result;
 }
-// The channel with the largest sum.
+
+// The channel with the most light. Bright places count most, so dim light of the room does not.
 std::size_t strongest_channel(const Picture& picture) {
     const auto channels = static_cast<std::size_t>(picture.channels);
     std::array<double, 3> sums{};
     for (std::size_t i = 0; i + 2 < picture.pixels.size(); i += channels)
         for (std::size_t channel = 0; channel < 3; ++channel)
-            sums.at(channel) += static_cast<double>(picture.pixels[i + channel]);
+            sums.at(channel) += std::pow(static_cast<double>(picture.pixels[i + channel]), 4);
     return static_cast<std::size_t>(std::ranges::max_element(sums) - sums.begin());
 }
 
@@ -69,7 +64,7 @@ float LightMap::at(glm::dvec2 position) const {
     const glm::vec2 share(from_centre - base);
     const int x = static_cast<int>(base.x);
     const int y = static_cast<int>(base.y);
-    const auto pixel = [&](int dx, int dy) { return light[index_in(extent, x + dx, y + dy)]; };
+    const auto pixel = [&](int dx, int dy) { return light[pixel_index(extent, x + dx, y + dy)]; };
     return glm::mix(glm::mix(pixel(0, 0), pixel(1, 0), share.x),
                     glm::mix(pixel(0, 1), pixel(1, 1), share.x), share.y);
 }

@@ -1,5 +1,7 @@
 #include "model/photo/photo.h"
 
+#include "model/photo/pixel_index.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,13 +14,6 @@ std::array<float, 4> cubic_weights(float t) {
     const float c = s * t;
     return {-0.5F * t + s - 0.5F * c, 1.0F - 2.5F * s + 1.5F * c, 0.5F * t + 2.0F * s - 1.5F * c,
             -0.5F * s + 0.5F * c};
-}
-
-std::size_t index_in(Extent extent, int x, int y) {
-    const int column = std::clamp(x, 0, extent.width - 1);
-    const int row = std::clamp(y, 0, extent.height - 1);
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(extent.width) +
-           static_cast<std::size_t>(column);
 }
 }  // namespace
 
@@ -43,16 +38,16 @@ Photo::Photo(const Picture& picture) : m_extent(picture.extent) {
         for (int y = 0; y < extent.height; ++y)
             for (int x = 0; x < extent.width; ++x)
                 half.light.push_back(0.25F *
-                                     (fine.light[index_in(fine.extent, 2 * x, 2 * y)] +
-                                      fine.light[index_in(fine.extent, 2 * x + 1, 2 * y)] +
-                                      fine.light[index_in(fine.extent, 2 * x, 2 * y + 1)] +
-                                      fine.light[index_in(fine.extent, 2 * x + 1, 2 * y + 1)]));
+                                     (fine.light[pixel_index(fine.extent, 2 * x, 2 * y)] +
+                                      fine.light[pixel_index(fine.extent, 2 * x + 1, 2 * y)] +
+                                      fine.light[pixel_index(fine.extent, 2 * x, 2 * y + 1)] +
+                                      fine.light[pixel_index(fine.extent, 2 * x + 1, 2 * y + 1)]));
         m_levels.push_back(std::move(half));
     }
 }
 
 const glm::vec3& Photo::pixel(int x, int y) const {
-    return m_pixels[index_in(m_extent, x, y)];
+    return m_pixels[pixel_index(m_extent, x, y)];
 }
 
 glm::vec3 Photo::at(glm::dvec2 position) const {
@@ -76,8 +71,8 @@ glm::vec3 Photo::between_texels(const Level& level, glm::dvec2 texel) {
     const glm::dvec2 base = glm::floor(texel);
     const glm::vec2 share(texel - base);
     const auto at = [&](int dx, int dy) {
-        return level.light[index_in(level.extent, static_cast<int>(base.x) + dx,
-                                    static_cast<int>(base.y) + dy)];
+        return level.light[pixel_index(level.extent, static_cast<int>(base.x) + dx,
+                                       static_cast<int>(base.y) + dy)];
     };
     return glm::mix(glm::mix(at(0, 0), at(1, 0), share.x), glm::mix(at(0, 1), at(1, 1), share.x),
                     share.y);

@@ -229,6 +229,11 @@ TEST_CASE("every error in a list, a control or a name is reported on its own lin
     check_error("ivec2 a; // @point", "@point is only for vec2; 'a' is an ivec2");
     check_error("vec2 a; // @angle", "@angle is only for float; 'a' is a vec2");
     check_error("vec3 a; // @identity 1 2", "@identity takes one number or 3");
+    check_error("float a; // @photo off", "@photo off needs @identity");
+    check_error("float a; // @photo start",
+                "@photo start takes one number, such as @photo start 0");
+    check_error("float a; // @photo none",
+                "@photo must be shape, pitch, lines, type, amount, off, tube, decay or start");
     check_error("float a; // @was", "@was takes one name, the previous name of the parameter");
     check_error("float a; // @was a", "@was must be a previous name, not the current one");
     check_error("float a; // @hidden yes", "@hidden takes no arguments");
