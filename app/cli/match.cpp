@@ -289,7 +289,7 @@ Command add_match(CommandLine& program) {
         .between(1.0, 10000.0);
     options
         .add("--gamma N", arguments->gamma,
-             "Gamma of the camera, for beams and videos. Widths and time constants scale with it")
+             "Gamma of the camera, for beams and videos. Widths and time constants depend on it")
         .show_default()
         .between(1.0, 4.0);
     options.add("--lock NAME,...", arguments->locked, "Parameters that keep their values");
