@@ -1,5 +1,6 @@
 #include "cli/common.h"
 #include "lab/media/look_media.h"
+#include "model/plan/lead_in.h"
 
 #include <fmt/format.h>
 
@@ -24,6 +25,7 @@ bool is_good(const std::string& argument, const Library& library) {
     const Look& look = prepared->document.look();
     Diagnostics media = check_media(prepared->document);
     add_new(media, check_other_driver(look));
+    add_new(media, check_fading(look));
     report(media);
     if (has_errors(media))
         return false;

@@ -26,6 +26,7 @@ constexpr std::array verbs{
     Verb{"signal", add_signal},       Verb{"impulse", add_impulse}, Verb{"corpus", add_corpus},
     Verb{"export", add_export},       Verb{"golden", add_golden},   Verb{"pack", add_pack},
     Verb{"thumbnail", add_thumbnail}, Verb{"gallery", add_gallery}, Verb{"match", add_match},
+    Verb{"jobs", add_jobs},
 };
 
 std::string about() {

@@ -53,6 +53,7 @@ void LookOptions::add_to(Options& options, Take take) {
              "Set a parameter, such as decay=0.9 or, in a stack, crt/exposure=2")
         .repeated();
     m_takes_several = take == Take::several;
+    m_has_rate = take != Take::values;
     options
         .add("--signal SIGNAL", m_signals,
              "Signal of a scope look, such as lissajous:x=3,y=2 or audio:song.wav,mode=xy "
@@ -71,7 +72,7 @@ void LookOptions::add_to(Options& options, Take take) {
                               "(1080x1080) or portrait (1080x1920)");
     if (!m_size.empty())
         size.show_default();
-    if (take != Take::values)
+    if (m_has_rate)
         options.add("--fps N", m_request.fps, "Frames per second of the fixed clock")
             .show_default()
             .between(1.0, 1000.0);
@@ -91,6 +92,28 @@ RenderRequest LookOptions::request() const {
         request.values.emplace_back(assignment.substr(0, equals), assignment.substr(equals + 1));
     }
     return request;
+}
+
+void add_argument(std::vector<std::string>& arguments, const std::string& name,
+                  const std::string& value) {
+    if (!value.empty())
+        arguments.insert(arguments.end(), {name, value});
+}
+
+std::vector<std::string> LookOptions::arguments() const {
+    std::vector<std::string> arguments{m_request.look};
+    add_argument(arguments, "--preset", m_request.preset);
+    for (const std::string& assignment : m_set)
+        add_argument(arguments, "--set", assignment);
+    for (const std::string& signal : m_signals)
+        add_argument(arguments, "--signal", signal);
+    add_argument(arguments, "--source", m_request.source);
+    if (m_request.bpm > 0.0)
+        add_argument(arguments, "--tempo", fmt::format("{}", m_request.bpm));
+    add_argument(arguments, "--size", m_size);
+    if (m_has_rate)
+        add_argument(arguments, "--fps", fmt::format("{}", m_request.fps));
+    return arguments;
 }
 
 Result<Library> open_library(const DataFolders& data) {

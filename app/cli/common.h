@@ -4,6 +4,7 @@
 #include "cli/command_line.h"
 #include "lab/library/library.h"
 #include "lab/offline/offline.h"
+#include "lab/offline/sweep.h"
 
 #include <functional>
 #include <memory>
@@ -36,6 +37,8 @@ public:
 
     void add_to(Options& options, Take take);
     RenderRequest request() const;
+    /// The arguments that give the same request, for another call of the program.
+    std::vector<std::string> arguments() const;
     /// All values of --signal. request() has only the first.
     const std::vector<std::string>& signals() const { return m_signals; }
 
@@ -43,9 +46,14 @@ private:
     RenderRequest m_request;
     std::vector<std::string> m_signals;
     bool m_takes_several = false;
+    bool m_has_rate = false;
     std::vector<std::string> m_set;
     std::string m_size;
 };
+
+/// Adds `name` and `value`, unless the value is empty.
+void add_argument(std::vector<std::string>& arguments, const std::string& name,
+                  const std::string& value);
 
 /// The library of looks and presets in the folders of `data`.
 Result<Library> open_library(const DataFolders& data);
@@ -68,6 +76,9 @@ struct DrawingSteps {
 /// Prepares the look, checks, draws and reports errors. Returns the exit code of the command.
 int run_drawing(RenderRequest request, const DataFolders& data, const DrawingSteps& steps);
 
+/// The axes of --vary. Throws UsageError for more than two; fails for other wrong texts.
+Result<std::vector<SweepAxis>> sweep_axes(const std::vector<std::string>& texts, const Look& look);
+
 /// Each function adds its verb to the program. The returned function runs it after parsing.
 using Command = std::function<int(const DataFolders& data)>;
 Command add_list(CommandLine& program);
@@ -88,3 +99,4 @@ Command add_sweep(CommandLine& program);
 Command add_impulse(CommandLine& program);
 Command add_signal(CommandLine& program);
 Command add_corpus(CommandLine& program);
+Command add_jobs(CommandLine& program);

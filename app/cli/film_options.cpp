@@ -1,5 +1,7 @@
 #include "cli/film_options.h"
 
+#include "cli/common.h"
+
 #include <fmt/format.h>
 
 namespace {
@@ -60,6 +62,17 @@ FilmChoice FilmOptions::choice() const {
 
 std::optional<HdrLight> FilmOptions::hdr() const {
     return m_hdr.empty() ? std::nullopt : std::optional(m_light);
+}
+
+std::vector<std::string> FilmOptions::arguments() const {
+    std::vector<std::string> arguments;
+    add_argument(arguments, "--codec", m_choice.codec);
+    if (m_quality > 0.0)
+        add_argument(arguments, "--quality", fmt::format("{}", m_quality));
+    add_argument(arguments, "--audio-codec", m_choice.sound);
+    if (m_choice.keeps_alpha)
+        arguments.emplace_back("--alpha");
+    return arguments;
 }
 
 void FilmOptions::check(const std::string& output, bool is_film_file) const {

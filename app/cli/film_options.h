@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 /// The options for how a video is stored.
 class FilmOptions {
@@ -14,6 +15,8 @@ public:
     FilmChoice choice() const;
     /// The light that --hdr asks for; nullopt: without HDR.
     std::optional<HdrLight> hdr() const;
+    /// The arguments that give the same choice, without HDR.
+    std::vector<std::string> arguments() const;
     bool keeps_alpha() const { return m_choice.keeps_alpha; }
     /// Throws UsageError if an option needs a video file, and for other wrong usage.
     void check(const std::string& output, bool is_film_file) const;

@@ -31,11 +31,13 @@ constexpr std::array render_examples{
 struct RenderArguments {
     LookOptions look;
     std::string output;
-    int frames = 0;        // 0: not given
-    double start = 0.0;    // s, start of the output
-    double seconds = 0.0;  // duration of the output; 0: not given
+    int frames = 0;         // 0: not given
+    double start = 0.0;     // s, start of the output
+    double lead_in = -1.0;  // s; below 0: not given
+    double seconds = 0.0;   // duration of the output; 0: not given
     std::string pass;
     std::string all_passes;
+    std::string frames_from;
     std::string automation;
     std::string cues;
     bool joins = false;
@@ -107,6 +109,8 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
         throw UsageError(
             "--loop finds its first frame and its length: leave out --start and "
             "--frames");
+    if (arguments.loops && arguments.lead_in >= 0.0)
+        throw UsageError("--loop finds its first frame: leave out --lead-in");
     if (arguments.loops && !arguments.automation.empty())
         throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
     if (arguments.loops && !arguments.cues.empty())
@@ -118,6 +122,22 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
     if (arguments.loops)
         if (const auto fits = check_loop_rate(output, arguments.look.request().fps); !fits)
             throw UsageError(fits.error().front().message);
+}
+
+// The frames of --frames-from; nullopt: not given.
+std::optional<FrameNames> stored_frames(const RenderArguments& arguments) {
+    if (arguments.frames_from.empty())
+        return std::nullopt;
+    if (!is_film_output(arguments.output) || is_stream_output(arguments.output) || arguments.loops)
+        throw UsageError("--frames-from needs a video file, without --loop");
+    if (!arguments.all_passes.empty() || !arguments.pass.empty())
+        throw UsageError("--frames-from draws nothing: leave out --pass and --all-passes");
+    if (arguments.film.hdr())
+        throw UsageError("--frames-from has 8-bit pictures: leave out --hdr");
+    auto names = parse_frame_names(arguments.frames_from);
+    if (!names || !names->is_sequence())
+        throw UsageError("--frames-from: give numbered pictures, such as frames/%04d.png");
+    return std::move(*names);
 }
 
 // Checks the output before anything is drawn.
@@ -174,7 +194,7 @@ Result<ExportPart> part_to_write(const RenderArguments& arguments, const Offline
 Result<void> draw_picture(const std::filesystem::path& file, const ExportPart& part, int pass,
                           Offline& offline, const RecentMedia& recent) {
     Progress progress(Progress::Kind::rendering_frames, static_cast<int>(part.end));
-    for (std::int64_t frame = 1; frame <= part.end; ++frame) {
+    for (std::int64_t frame = offline.frame_number() + 1; frame <= part.end; ++frame) {
         frame < part.end ? offline.advance_unseen() : offline.advance();
         progress.show(static_cast<int>(frame));
     }
@@ -257,14 +277,22 @@ std::vector<std::string> seen_passes(const RenderArguments& arguments, const Loo
 }
 
 // Whether specialised programs are worth their compilation, which takes as long as a few frames.
-bool draws_many(const RenderArguments& arguments, const Look& look) {
+// Never for short parts of a film only: their bytes could differ from those of the whole film.
+bool draws_many(const RenderArguments& arguments, const FrameNames& names, const Look& look) {
     constexpr double many = 60;
+    if (is_film_output(arguments.output) || names.is_sequence())
+        return true;
+    const int frames = arguments.frames > 0 ? arguments.frames : look.settle_frames;
+    return arguments.seconds * arguments.look.request().fps >= many || frames >= many;
+}
+
+// The frames before the output that are not drawn.
+std::int64_t skipped_frames(const RenderArguments& arguments) {
+    if (arguments.lead_in < 0.0)
+        return 0;
     const double fps = arguments.look.request().fps;
-    if (arguments.frames > 0)
-        return arguments.frames >= many;
-    const double usual = is_film_output(arguments.output) ? many : look.settle_frames;
-    const double written = arguments.seconds > 0.0 ? arguments.seconds * fps : usual;
-    return arguments.start * fps + written >= many;
+    const auto lead_in = static_cast<std::int64_t>(std::ceil(arguments.lead_in * fps - 1e-6));
+    return std::max<std::int64_t>(0, part_of(arguments.start, 0.0, fps).first - lead_in);
 }
 
 int drawn_subframes(const RenderArguments& arguments, const Offline& offline) {
@@ -281,7 +309,7 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
         arguments.loops ? Result<ExportPart>(ExportPart{}) : part_to_write(arguments, offline);
     if (!part)
         return fail(part.error());
-    if (draws_many(arguments, offline.executor().look()))
+    if (draws_many(arguments, names, offline.executor().look()))
         if (auto specialized =
                 offline.specialize(seen_passes(arguments, offline.executor().look(), *pass));
             !specialized)
@@ -290,12 +318,13 @@ Result<void> draw(const RenderArguments& arguments, const FrameNames& names, Off
                   .pass = *pass,
                   .fps = arguments.look.request().fps,
                   .film = arguments.film.choice(),
-                  .subframes = drawn_subframes(arguments, offline)};
+                  .subframes = drawn_subframes(arguments, offline),
+                  .stored = stored_frames(arguments)};
     auto done = arguments.loops ? draw_loop(arguments, std::move(job), offline)
                 : is_film_output(arguments.output) || names.is_sequence()
                     ? draw_frames(arguments, std::move(job), offline)
                     : draw_picture(names.name(0), *part, *pass, offline, recent);
-    if (done)
+    if (done && arguments.frames_from.empty())
         print_readouts(offline);
     if (!done || arguments.all_passes.empty())
         return done;
@@ -306,12 +335,14 @@ int render_film(const RenderArguments& arguments, RenderRequest request, const D
     request.automation = arguments.automation;
     request.cues = arguments.cues;
     request.draws_subframes = arguments.has_subframes;
+    request.start_frame = skipped_frames(arguments);
     request.hdr = arguments.film.hdr();
     request.raises_precision = (arguments.all_passes.empty() || arguments.film.hdr()) &&
                                is_deep_film(arguments.output, arguments.film.choice());
     if (arguments.timeout > 0.0)
         request.sender_seconds = arguments.timeout;
     const FrameNames names = output_names(arguments);
+    static_cast<void>(stored_frames(arguments));  // checks it
     const auto check = [&](const PreparedLook&) { return check_outputs(arguments, names); };
     const auto work = [&](Offline& offline, const Library& library) {
         return draw(arguments, names, offline, RecentMedia(library.roots()));
@@ -320,7 +351,7 @@ int render_film(const RenderArguments& arguments, RenderRequest request, const D
         [&](const PreparedLook& prepared) -> std::optional<std::vector<std::string>> {
         const Look& look = prepared.document.look();
         const auto pass = chosen_pass(arguments, look);
-        if (!pass || !draws_many(arguments, look))
+        if (!pass || !draws_many(arguments, names, look))
             return std::nullopt;
         return seen_passes(arguments, look, *pass);
     };
@@ -393,6 +424,27 @@ int render(const RenderArguments& arguments, const DataFolders& data) {
         request.joined.push_back(signals[i]);
     return render_film(arguments, std::move(request), data);
 }
+
+// Which frames are drawn.
+void add_length(Options& options, RenderArguments& arguments) {
+    Option frames = options.add("--frames N", arguments.frames,
+                                "Number of frames to render, from t = 0 (default: until the look "
+                                "has settled, or for a video the default of --seconds)");
+    frames.between(1, 10000000);
+    options.add("--start S", arguments.start, "Skip the first S seconds (they are still simulated)")
+        .between(0.0, 86400.0);
+    options
+        .add("--lead-in S", arguments.lead_in,
+             "With --start: draw only this much before it, from an empty history (default: all "
+             "from t = 0)")
+        .between(0.0, 86400.0);
+    options
+        .add("--seconds S", arguments.seconds,
+             "Duration of the output in seconds (default for a video: the length of the sound or "
+             "of the video that is drawn, else 10)")
+        .between(0.001, 86400.0)
+        .excludes(frames);
+}
 }  // namespace
 
 /// afterglow render LOOK -o OUT
@@ -411,19 +463,7 @@ Command add_render(CommandLine& program) {
              "0000), video (.mp4, .mov, .mkv, .webm, .gif), - for y4m on standard output, or a "
              "virtual camera (pipewire:NAME, v4l2:/dev/videoN), which runs until Ctrl+C")
         .required();
-    Option frames = options.add("--frames N", arguments->frames,
-                                "Number of frames to render, from t = 0 (default: until the look "
-                                "has settled, or for a video the default of --seconds)");
-    frames.between(1, 10000000);
-    options
-        .add("--start S", arguments->start, "Skip the first S seconds (they are still simulated)")
-        .between(0.0, 86400.0);
-    options
-        .add("--seconds S", arguments->seconds,
-             "Duration of the output in seconds (default for a video: the length of the sound or "
-             "of the video that is drawn, else 10)")
-        .between(0.001, 86400.0)
-        .excludes(frames);
+    add_length(options, *arguments);
     arguments->film.add_to(options);
     options.add_flag(
         "--loop", arguments->loops,
@@ -448,5 +488,8 @@ Command add_render(CommandLine& program) {
                 "Save the target of this pass instead of the picture");
     options.add("--all-passes FOLDER", arguments->all_passes,
                 "Also save the targets of all passes as EXR in this folder, after the last frame");
+    options.add("--frames-from FILES", arguments->frames_from,
+                "Make the video of pictures that exist, such as frames/%04d.png, with the sound of "
+                "the signal or source. Frame numbers are as in -o frames/%04d.png");
     return [arguments](const DataFolders& data) { return render(*arguments, data); };
 }

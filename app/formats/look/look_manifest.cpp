@@ -103,6 +103,18 @@ void read_images(ObjectReader& reader, LookFolder& folder, Look& look) {
             look.images.push_back(std::move(*image));
 }
 
+void read_fading(ObjectReader& reader, Look& look) {
+    const JsonValue* member = reader.find("fading");
+    if (!member || !reader.expect(*member, JsonValue::Kind::object))
+        return;
+    ObjectReader fading(*member, reader.file(), reader.problems());
+    fading.require("time_constant");
+    fading.require("peak");
+    look.fading =
+        Fading{fading.text("time_constant"), fading.text("peak"), {look.manifest, member->line}};
+    fading.report_unknown_keys();
+}
+
 void read_groups(ObjectReader& reader, Look& look) {
     const JsonValue* groups = reader.find("groups");
     if (!groups || !reader.expect(*groups, JsonValue::Kind::array))
@@ -138,6 +150,7 @@ void read_look(ObjectReader& reader, LookFolder& folder, Look& look, bool is_pic
     look.source_encoding = reader.choice("source_encoding", encoding_names(), Encoding::linear);
     look.output = reader.choice("output", encoding_names(), Encoding::display);
     look.settle_frames = reader.whole("settle_frames", 1, 1, max_settle_frames);
+    read_fading(reader, look);
     look.subframes = read_count(reader, "subframes", 1, {1, max_subframes});
     look.has_orbit = reader.boolean("orbit", false);
     read_groups(reader, look);

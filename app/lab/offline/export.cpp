@@ -151,9 +151,25 @@ FramePipeline::Stages watched_stages(const ExportJob& job) {
     return {make, deliver, job.stages.steps_back};
 }
 
+namespace {
+// The picture of the next frame, drawn or stored.
+Result<void> make_frame(Offline& offline, const ExportJob& job, PipedFrame& frame) {
+    if (!job.stored) {
+        offline.read(job.pass, frame.picture);
+        return {};
+    }
+    const auto picture = load_picture(job.stored->name(static_cast<int>(frame.number)));
+    if (!picture)
+        return fail(picture.error());
+    frame.picture = raw_of(*picture);
+    return {};
+}
+}  // namespace
+
 Result<bool> export_frames(Offline& offline, const ExportJob& job) {
     FramePipeline pipeline(watched_stages(job));
-    for (std::int64_t number = 0; number < job.part.end; ++number) {
+    const std::int64_t begin = job.stored ? job.part.first : offline.frame_number();
+    for (std::int64_t number = begin; number < job.part.end; ++number) {
         if (!job.should_continue(number)) {
             pipeline.cancel();
             return false;
@@ -162,12 +178,16 @@ Result<bool> export_frames(Offline& offline, const ExportJob& job) {
             offline.advance_unseen();
             continue;
         }
-        offline.advance();
+        if (!job.stored)
+            offline.advance();
         PipedFrame* const frame = pipeline.next();
         if (!frame)
             break;
         frame->number = number;
-        offline.read(job.pass, frame->picture);
+        if (auto made = make_frame(offline, job, *frame); !made) {
+            pipeline.cancel();
+            return fail(made.error());
+        }
         pipeline.push(frame);
     }
     if (auto done = pipeline.finish(); !done)

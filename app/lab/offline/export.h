@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 
 class Offline;
 
@@ -36,6 +37,8 @@ struct ExportJob {
     FramePipeline::Stages stages = {};
     FlashLog* flashes = nullptr;  // null: not counted
     int subframes = 1;            // whose mean the flashes count as one frame
+    // Pictures that exist, which are read instead of drawn; nullopt: none.
+    std::optional<FrameNames> stored = {};
     /// Reports the number of drawn frames; false: cancel.
     std::function<bool(std::int64_t drawn)> should_continue = {};
 };
@@ -61,7 +64,7 @@ FramePipeline::Stages watched_stages(const ExportJob& job);
 inline constexpr std::int64_t endless_frames = std::numeric_limits<int>::max();
 
 /// Draws from a fresh start and writes on background threads. Each file is complete or missing.
-/// False: cancelled.
+/// False: cancelled. Stored pictures must all exist.
 Result<bool> export_frames(Offline& offline, const ExportJob& job);
 
 /// The sound of the frames: that of the signal, or of the video that the look processes at its own

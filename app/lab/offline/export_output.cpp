@@ -92,8 +92,9 @@ Result<OpenOutput> open_film(const std::string& output, const Offline& offline,
                                           .encoding = *encoding});
     if (!film)
         return fail(film.error());
-    const FrameAlpha alpha =
-        encoding->keeps_alpha ? alpha_of(pass_of(offline, job), true) : FrameAlpha::none;
+    // Stored pictures have their alpha already.
+    const FrameAlpha kept = job.stored ? FrameAlpha::own : alpha_of(pass_of(offline, job), true);
+    const FrameAlpha alpha = encoding->keeps_alpha ? kept : FrameAlpha::none;
     FramePipeline::Stages stages =
         encoding->hdr ? hdr_film_stages(**film, stored_light(offline, job, encoding->hdr->light))
                       : film_stages(**film, alpha);

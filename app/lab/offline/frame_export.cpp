@@ -75,9 +75,13 @@ Result<ExportPart> loop_to_export(Offline& offline, Extent size, const ExportSet
 }
 }  // namespace
 
-Result<void> check_export(const Document& document, const ExportSettings& settings) {
+bool draws_live_signal(const Document& document) {
     const SignalKind* kind = find_kind(document.state().signal.kind);
-    if (document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent))
+    return document.look().driven_by == Driver::signal && kind && (kind->is_live || kind->is_sent);
+}
+
+Result<void> check_export(const Document& document, const ExportSettings& settings) {
+    if (draws_live_signal(document))
         return fail({{}, 0, "live input can't be exported. Choose another signal."});
     if (settings.loops)
         if (auto fits = check_loop_rate(settings.file.string(), settings.fps); !fits)

@@ -45,6 +45,9 @@ struct CuedDocument {
     CuePlan plan() const { return cues ? *cues : CuePlan{}; }
 };
 
+/// Whether the document draws sound that is played, or the beam of another program.
+bool draws_live_signal(const Document& document);
+
 /// Fails if the document can't be exported to this file: live input, a file type that is not known,
 /// a codec that does not fit, a folder that can't be written. Draws nothing.
 Result<void> check_export(const Document& document, const ExportSettings& settings);

@@ -49,7 +49,7 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
     const auto displayed = prepared.displayed;
     PassSwitches switches = known_switches(look, prepared.switches);
     switches.frozen.clear();
-    const double start_seconds = prepared.start_seconds;
+    const std::int64_t start_frame = prepared.start_frame;
     const auto hdr = prepared.hdr;
     Offline offline(std::move(*context), std::move(prepared), std::move(*programs), size, fps);
     offline.m_executors.inputs().hdr = hdr;
@@ -67,9 +67,15 @@ Result<Offline> Offline::create(PreparedLook prepared, Extent size, double fps) 
         return fail(done.error());
     if (auto done = offline.load_pictures(); !done)
         return fail(done.error());
-    if (start_seconds > 0.0)
-        offline.m_player->seek(start_seconds);
+    if (start_frame > 0)
+        offline.skip_to(start_frame);
     return offline;
+}
+
+void Offline::skip_to(std::int64_t frame) {
+    const int subframes =
+        m_script.draws_subframes ? subframes_of(executor().look(), m_document.values()) : 1;
+    m_player->skip_to(frame / subframes * subframes, subframes);
 }
 
 void Offline::take_values() {

@@ -75,6 +75,7 @@ public:
     void read(int pass, RawPicture& raw) const;
 
 private:
+    void skip_to(std::int64_t frame);
     void take_values();
     bool is_animated(const Parameter& parameter) const;
     bool turns_sharing() const;

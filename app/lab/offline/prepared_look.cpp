@@ -192,6 +192,18 @@ Result<void> join_sounds(const RenderRequest& request, PreparedLook& prepared) {
 }
 }  // namespace
 
+std::set<std::string> moving_parameters(const PreparedLook& prepared) {
+    std::set<std::string> moving;
+    for (const AutomationPoint& point : prepared.automation)
+        moving.insert(point.name);
+    for (const auto& [name, modulation] : prepared.document.state().modulations)
+        moving.insert(name);
+    for (const Parameter& parameter : prepared.document.look().parameters)
+        if (prepared.cues.changes(parameter.name))
+            moving.insert(parameter.name);
+    return moving;
+}
+
 Result<PreparedLook> prepare(const RenderRequest& request, const Library& library) {
     auto preset = requested(request, library);
     if (!preset)
@@ -237,6 +249,7 @@ Result<PreparedLook> prepare(const RenderRequest& request, const Library& librar
     if (request.raises_precision)
         raise_precision(prepared.document);
     prepared.draws_subframes = request.draws_subframes;
+    prepared.start_frame = request.start_frame;
     prepared.hdr = request.hdr;
     return prepared;
 }

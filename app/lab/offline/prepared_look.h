@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,7 @@ struct RenderRequest {
     double bpm = 0.0;                      // tempo; 0: the preset's, else the default
     bool raises_precision = false;         // see raise_precision()
     bool draws_subframes = false;          // as in PreparedLook
+    std::int64_t start_frame = 0;          // likewise
     std::optional<HdrLight> hdr = {};      // as in PreparedLook
     Extent size{1280, 720};
     double fps = 60.0;
@@ -50,7 +52,8 @@ struct PreparedLook {
     PassProgress* progress = nullptr;
     // Timeout for the first point of another program's beam.
     double sender_seconds = std::numeric_limits<double>::infinity();
-    double start_seconds = 0.0;        // of the first frame on the look's clock
+    // The frame of the clock after which drawing starts, with an empty history.
+    std::int64_t start_frame = 0;
     std::optional<HdrLight> hdr = {};  // of the display that pictures are for; nullopt: SDR
     // Each sub-frame is a frame of the clock. Otherwise source frames are whole.
     bool draws_subframes = false;
@@ -61,6 +64,8 @@ struct PreparedLook {
     // picture. Others then need no memory. nullopt: all passes can be displayed.
     std::optional<std::vector<std::string>> displayed = {};
 };
+/// The parameters that automation, modulations or cues change over time.
+std::set<std::string> moving_parameters(const PreparedLook& prepared);
 Result<PreparedLook> prepare(const RenderRequest& request, const Library& library);
 
 /// Reads the look of a document again if the constants in its texts have other values than when it

@@ -82,12 +82,11 @@ Result<ExportResult> export_still(const CuedDocument& cued, const StillSettings&
         return fail(done.error());
     if (is_deep_still(settings))
         raise_precision(changed);
-    const double settling = std::max(document.look().settle_frames, 1) / fps;
-    const double start = std::max(0.0, settings.seconds - settling);
-    const auto frames = std::max<std::int64_t>(1, std::llround((settings.seconds - start) * fps));
+    const auto end = std::max<std::int64_t>(1, std::llround(settings.seconds * fps));
+    const auto frames = std::min<std::int64_t>(end, std::max(document.look().settle_frames, 1));
     auto offline = Offline::create({.document = std::move(changed),
                                     .cues = cued.plan(),
-                                    .start_seconds = start,
+                                    .start_frame = end - frames,
                                     .switches = settings.switches},
                                    settings.size, fps);
     if (!offline)

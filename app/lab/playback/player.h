@@ -38,6 +38,8 @@ public:
     void step() { m_transport.step(); }
     void restart();
     void seek(double seconds);
+    /// As Transport::restart(), for offline drawing.
+    void skip_to(std::int64_t after, int subframes) { m_transport.restart(after, subframes); }
     /// As seek(), with a past of up to this number of frames, so that they can be replayed.
     void seek_with_past(double seconds, std::size_t frames);
     /// Seeks to the end of a past frame, if it is still stored.

@@ -15,10 +15,10 @@ void Transport::set_longest_frame(double seconds) {
     m_longest_frame = std::clamp(seconds, 1.0 / 240.0, longest_frame_limit);
 }
 
-void Transport::restart() {
-    m_frame = 0;
-    m_subframe = {};
-    m_source_frame = 0;
+void Transport::restart(std::int64_t after, int subframes) {
+    m_frame = after;
+    m_subframe = {subframes - 1, subframes};  // the next one begins a source frame
+    m_source_frame = after / subframes;
     m_past.clear();
     seek(0.0);
 }

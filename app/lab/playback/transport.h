@@ -45,8 +45,9 @@ public:
     void set_longest_frame(double seconds);
     /// Makes take_step() return a frame.
     void step() { m_is_stepping = true; }
-    /// Starts again at time 0 with frame 1, without a past.
-    void restart();
+    /// Starts again without a past, at time 0 with frame 1. `after`: for advance_fixed(), with the
+    /// frame after this one. It must be a multiple of the sub-frames of a source frame.
+    void restart(std::int64_t after = 0, int subframes = 1);
     void seek(double seconds);
     /// Replaces the past by up to this number of frames of 1/60 s.
     void fill_past(std::size_t frames);

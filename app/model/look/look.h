@@ -131,6 +131,15 @@ struct Heading {
     bool operator==(const Heading&) const = default;
 };
 
+/// How the light of earlier frames fades: expressions of parameters, see plan/lead_in.h.
+struct Fading {
+    std::string time_constant;  // s, of the slowest part
+    std::string peak;           // the most that it adds to a picture, in linear light; 1: white
+    Location declared;
+
+    bool operator==(const Fading&) const = default;
+};
+
 enum class Driver { signal, picture, nothing };
 
 constexpr int max_settle_frames = 100000;
@@ -154,7 +163,8 @@ struct Look {
     Encoding output = Encoding::display;
     bool is_scrgb_in_hdr = false;  // with HDR, the last pass writes light in units of 80 cd/m2
     int settle_frames = 1;
-    Count subframes = 1;  // frames per source picture, see subframes_of()
+    std::optional<Fading> fading = std::nullopt;  // nullopt: not known, or nothing to fade
+    Count subframes = 1;                          // frames per source picture, see subframes_of()
     bool has_orbit = false;
     std::vector<Pass> passes;
     std::vector<Image> images;

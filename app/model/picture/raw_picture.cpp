@@ -29,3 +29,14 @@ Picture picture_of(const RawPicture& raw) {
         raw.pixels);
     return picture;
 }
+
+RawPicture raw_of(const Picture& picture) {
+    RawPicture raw{picture.extent, picture.channels, picture.encoding, RawPicture::Floats()};
+    auto& pixels = std::get<RawPicture::Floats>(raw.pixels);
+    pixels.reserve(picture.pixels.size());
+    for (int y = picture.extent.height - 1; y >= 0; --y) {
+        const auto row = picture.pixels.begin() + static_cast<std::ptrdiff_t>(picture.index(0, y));
+        pixels.insert(pixels.end(), row, row + static_cast<std::ptrdiff_t>(raw.row_length()));
+    }
+    return raw;
+}

@@ -32,3 +32,5 @@ inline float number_of(float number) {
 
 /// The same pixels as floats, row 0 at the top.
 Picture picture_of(const RawPicture& raw);
+/// The same pixels, as floats.
+RawPicture raw_of(const Picture& picture);

@@ -163,8 +163,8 @@ private:
         }
         expect(')');
         static const std::map<std::string, double (*)(double)> functions{
-            {"abs", std::fabs},  {"ceil", std::ceil},   {"finite", finite}, {"floor", std::floor},
-            {"log2", std::log2}, {"round", std::round}, {"sqrt", std::sqrt}};
+            {"abs", std::fabs}, {"ceil", std::ceil}, {"finite", finite},    {"floor", std::floor},
+            {"log", std::log},  {"log2", std::log2}, {"round", std::round}, {"sqrt", std::sqrt}};
         const auto function = functions.find(name);
         return function == functions.end() ? stop(fmt::format("unknown function '{}'", name))
                                            : function->second(a);

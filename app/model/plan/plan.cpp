@@ -2,6 +2,7 @@
 
 #include "model/plan/common_pictures.h"
 #include "model/plan/expression.h"
+#include "model/plan/numbers.h"
 #include "model/plan/parameter_use.h"
 
 #include <fmt/format.h>
@@ -55,16 +56,9 @@ struct Measures {
         std::map<std::string, double>& names = found->second;
         if (!is_new)
             return names;
-        names = {{"WIDTH", viewport.width}, {"HEIGHT", viewport.height}};
-        for (const Parameter& parameter : look.parameters) {
-            if (!parameter.name.starts_with(pass.scope))
-                continue;
-            const std::string name = parameter.name.substr(pass.scope.size());
-            const Value& value = value_of(parameter, values);
-            names[name] = value.number();
-            for (std::size_t i = 0; i < value.numbers.size() && i < 4; ++i)
-                names[name + '.' + "xyzw"[i]] = value.numbers[i];
-        }
+        names = numbers_of(look, values, pass.scope);
+        names["WIDTH"] = viewport.width;
+        names["HEIGHT"] = viewport.height;
         return names;
     }
 };

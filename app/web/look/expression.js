@@ -6,6 +6,7 @@ const expressionFunctions = {
     ceil: Math.ceil,
     finite: (a) => (Number.isFinite(a) ? a : 0),
     floor: Math.floor,
+    log: Math.log,
     log2: Math.log2,
     // Halves are rounded away from zero.
     round: (a) => Math.sign(a) * Math.floor(Math.abs(a) + 0.5),

@@ -17,9 +17,9 @@ void main() {
 )";
 
 /// A lab with a fading light: factor `kept` per frame, starting with `kept_first` in frame 1.
-class Fading : public SmallLab {
+class FadingLab : public SmallLab {
 public:
-    Fading(const std::string& kept, const std::string& kept_first) {
+    FadingLab(const std::string& kept, const std::string& kept_first) {
         std::string text = replaced(fading, "KEPT_FIRST", kept_first);
         write_by_rename("sum.frag", replaced(text, "KEPT", kept));
         REQUIRE(update_until([&] { return find_parameter(document().look(), "decay"); }));
@@ -50,7 +50,7 @@ TEST_CASE("looks are compared at a time when a frame of every rate ends") {
 }
 
 TEST_CASE("a decay per second is equal at every rate") {
-    Fading lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
+    FadingLab lab("pow(decay, 60.0 * u_time_delta)", "pow(decay, 60.0 * u_time_delta)");
     const auto found = lab.compare();
     REQUIRE(found.has_value());
     CHECK(found->size == Extent{8, 6});
@@ -59,7 +59,7 @@ TEST_CASE("a decay per second is equal at every rate") {
 }
 
 TEST_CASE("a decay per frame differs, and the most different rates are reported") {
-    Fading lab("decay", "decay");
+    FadingLab lab("decay", "decay");
     const auto found = lab.compare();
     REQUIRE(found.has_value());
     CHECK(found->worst().first == 24.0);
@@ -73,7 +73,7 @@ TEST_CASE("a decay per frame differs, and the most different rates are reported"
 }
 
 TEST_CASE("a rate comparison runs in the background and can be cancelled and restarted") {
-    Fading lab("decay", "1.0");
+    FadingLab lab("decay", "1.0");
     lab.lab().jobs().compare_rates();
     CHECK(lab.lab().jobs().rates().is_running());
     lab.lab().jobs().cancel_rates();

@@ -67,6 +67,23 @@ TEST_CASE("the preset in a picture keeps dithering and the formats of the look")
     CHECK(preset->values.at("dither") == Value(1.0));
 }
 
+TEST_CASE("a picture of a later time shows that time") {
+    EightBits lab;
+    lab.write_by_rename(
+        "show.frag",
+        "#version 410 core\nuniform float u_time;\nuniform sampler2D image;\n"
+        "in vec2 uv;\nout vec4 color;\n"
+        "void main() { color = vec4(u_time / 10.0) + 0.0 * texture(image, uv); }\n");
+    REQUIRE(lab.update_until([&] { return !find_parameter(lab.document().look(), "dither"); }));
+    JobProgress work;
+    const auto file = lab.folder() / "later.png";
+    REQUIRE(export_still({lab.document()},
+                         {.file = file, .png_bits = 8, .size = {8, 6}, .seconds = 5.0}, lab.roots(),
+                         work)
+                .has_value());
+    CHECK(std::abs(red(load_picture(file)) - 0.5) <= 1.0 / 255.0);
+}
+
 TEST_CASE("a picture in another size has the displayed pass and the bypassed ones") {
     EightBits lab;
     constexpr double step = 1.0 / 65535.0;
