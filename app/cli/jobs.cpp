@@ -16,10 +16,9 @@
 
 namespace {
 constexpr std::array jobs_examples{
-    "afterglow jobs phosphor --signal audio:song.flac --frames-per-job 600 --for slurm "
-    "--join song.mp4 -o farm",
-    "afterglow jobs crt --source clip.mp4 --frames-per-job 300 --for parallel -o farm",
-    "afterglow jobs phosphor --vary decay=0.5:0.99:100 --frames-per-job 10 --for make -o farm",
+    "afterglow jobs phosphor --frames-per-job 60 --for slurm --join a.mp4 -o farm",
+    "afterglow jobs crt --seconds 60 --frames-per-job 600 --for parallel -o crt",
+    "afterglow jobs crt --vary exposure=1:4:9 --frames-per-job 3 --for make -o exp",
 };
 
 struct JobsArguments {

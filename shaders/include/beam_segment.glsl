@@ -109,19 +109,12 @@ int beam_segment_readings(float sigma) {
     return clamp(int(ceil(0.75 / sigma)), 1, 16);
 }
 
-// Offset of one of n * n samples from the pixel's centre, px.
+// Offset of one of n * n samples from the pixel's centre, px. Use do loops for the samples, because
+// software GL evaluates the code after a loop's first condition once too often.
 vec2 beam_segment_reading(ivec2 reading, int n) {
     return (vec2(reading) + 0.5) / float(n) - 0.5;
 }
 
-// The next of n * n samples; false after the last one. Call it at the end of a do loop, because
-// software GL evaluates the code after a loop's first condition once too often.
-bool beam_segment_has_next(inout ivec2 reading, int n) {
-    reading.x += 1;
-    if (reading.x == n)
-        reading = ivec2(0, reading.y + 1);
-    return reading.y < n;
-}
 
 // Converts px of the picture to px along and across a segment.
 vec2 beam_segment_place(vec2 place, vec2 start, vec2 end) {
@@ -137,11 +130,17 @@ float beam_segment_over_pixel(vec2 middle, vec2 start, vec2 end, float sigma, fl
     int n = beam_segment_readings(sigma);
     float segment_length = distance(start, end);
     float sum = 0.0;
-    ivec2 reading = ivec2(0);
+    int y = 0;
     do {
-        vec2 at = beam_segment_place(middle + beam_segment_reading(reading, n), start, end);
-        sum += beam_segment_light(at, segment_length, sigma, fade, charges);
-    } while (beam_segment_has_next(reading, n));
+        int x = 0;
+        do {
+            vec2 reading = beam_segment_reading(ivec2(x, y), n);
+            vec2 at = beam_segment_place(middle + reading, start, end);
+            sum += beam_segment_light(at, segment_length, sigma, fade, charges);
+            ++x;
+        } while (x < n);
+        ++y;
+    } while (y < n);
     return sum / float(n * n);
 }
 

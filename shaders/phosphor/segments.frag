@@ -49,10 +49,16 @@ vec4 charge_at(vec2 place, float sigma, vec3 rates) {
 vec4 charge_over_pixel(float sigma, vec3 rates) {
     int n = beam_segment_readings(sigma);
     vec4 sum = vec4(0.0);
-    ivec2 reading = ivec2(0);
-    do
-        sum += charge_at(gl_FragCoord.xy + beam_segment_reading(reading, n), sigma, rates);
-    while (beam_segment_has_next(reading, n));
+    int y = 0;
+    do {
+        int x = 0;
+        do {
+            vec2 reading = beam_segment_reading(ivec2(x, y), n);
+            sum += charge_at(gl_FragCoord.xy + reading, sigma, rates);
+            ++x;
+        } while (x < n);
+        ++y;
+    } while (y < n);
     return sum / float(n * n);
 }
 

@@ -35,10 +35,16 @@ vec2 light_at(vec2 place, float segment_length) {
 vec2 light_over_pixel(float segment_length) {
     int n = beam_segment_readings(sigma);
     vec2 sum = vec2(0.0);
-    ivec2 reading = ivec2(0);
-    do
-        sum += light_at(gl_FragCoord.xy + beam_segment_reading(reading, n), segment_length);
-    while (beam_segment_has_next(reading, n));
+    int y = 0;
+    do {
+        int x = 0;
+        do {
+            vec2 reading = beam_segment_reading(ivec2(x, y), n);
+            sum += light_at(gl_FragCoord.xy + reading, segment_length);
+            ++x;
+        } while (x < n);
+        ++y;
+    } while (y < n);
     return sum / float(n * n);
 }
 

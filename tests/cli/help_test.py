@@ -20,7 +20,7 @@ class Help(ProgramTest):
 
     def test_each_help_fits_80_columns_and_ends_with_its_own_examples(self):
         commands = self.commands()
-        self.assertEqual(len(commands), 18, commands)
+        self.assertEqual(len(commands), 19, commands)
         for command in ((), *((name,) for name in commands)):
             with self.subTest(command):
                 done = run(*command, "--help")

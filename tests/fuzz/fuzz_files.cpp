@@ -51,6 +51,10 @@ void FuzzFolder::fill(std::string_view input) {
     }
 }
 
+void FuzzFolder::write(std::size_t index, std::string_view bytes) {
+    std::ofstream(file(index), std::ios::binary) << bytes;
+}
+
 void require(bool is_kept, const char* rule) {
     if (is_kept)
         return;
@@ -62,6 +66,12 @@ void require_reasons(const Diagnostics& errors) {
     require(has_errors(errors), "what is refused says why");
     for (const Diagnostic& error : errors)
         require(!error.message.empty() && !error.file.empty(), "a reason names its file");
+}
+
+void require_messages(const Diagnostics& errors) {
+    require(has_errors(errors), "what is refused says why");
+    for (const Diagnostic& error : errors)
+        require(!error.message.empty(), "an error has a message");
 }
 
 void require_locations(const Stage& stage) {

@@ -22,6 +22,9 @@ public:
     /// deleted.
     void fill(std::string_view input);
 
+    /// Writes one file, with any bytes.
+    void write(std::size_t index, std::string_view bytes);
+
     /// The path of the file with this index.
     std::filesystem::path file(std::size_t index) const { return m_folder / m_names[index]; }
 
@@ -40,6 +43,9 @@ void require(bool is_kept, const char* rule);
 
 /// Requires a reason and a file in each error.
 void require_reasons(const Diagnostics& errors);
+
+/// The same for readers of texts that have no file.
+void require_messages(const Diagnostics& errors);
 
 /// Requires an origin for every line of a stage.
 void require_locations(const Stage& stage);

@@ -211,6 +211,8 @@ Result<Look> read_look_of(const fs::path& file, SlangFiles& files, const LoadOpt
     add_new(loaded.warnings, chain->preset.warnings);
     for (const SlangShader& shader : chain->shaders)
         add_new(loaded.warnings, shader.warnings);
+    for (const Translation& translation : chain->translations)
+        add_new(loaded.warnings, translation.warnings);
     const Filter filter = chosen_filter(help);
     auto look = look_of_chain(*chain, {filter}, loaded.warnings);
     if (!look)

@@ -10,6 +10,7 @@
 #include "glsl/limits/large_declarations.h"
 #include "glsl/limits/stage_cost.h"
 #include "glsl/limits/start.h"
+#include "glsl/limits/unbounded_loops.h"
 #include "glsl/text/include.h"
 #include "glsl/text/tokens.h"
 #include "glsl/text/uniform_lines.h"
@@ -125,6 +126,10 @@ void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& pro
 }
 }  // namespace
 
+constexpr const char* no_end =
+    "nothing limits this loop, and a loop without an end hangs the graphics driver. Count its "
+    "rounds, and end it at a maximum.";
+
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
     auto fault = find_limit_violation(stage.text);
     if (!fault)
@@ -137,6 +142,10 @@ void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& p
 
 void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits& limits,
                 Diagnostics& problems) {
+    for (const int line : unbounded_loops(shader)) {
+        const Location at = author_location(stage, line);
+        add_new(problems, {{at.file, at.line, no_end, Severity::warning}});
+    }
     const auto exceeded = find_exceeded(estimate_cost(shader), limits);
     if (!exceeded)
         return;

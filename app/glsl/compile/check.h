@@ -46,7 +46,7 @@ Result<Reflection> check_program(const Stage& vertex, const Stage& fragment,
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems);
 
 /// Reports a shader, parsed without errors, that exceeds a limit. The error is at the author's line
-/// if a line causes it.
+/// if a line causes it. Loops without a bound are warnings.
 void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits& limits,
                 Diagnostics& problems);
 

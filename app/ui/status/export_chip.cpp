@@ -111,6 +111,16 @@ void draw_progress(double share, float scale) {
                        {low.x + (high.x - low.x) * static_cast<float>(share), high.y},
                        theme::packed(theme::accent));
 }
+
+// Left of the text, so that it stays in place while the text changes.
+void draw_cancel(const ExportQueue& queue, float scale, Edits& edits) {
+    if (quiet_button("×###cancel_export"))
+        edits.change(
+            [id = queue.running()->id](BackgroundJobs& jobs) { jobs.exports().cancel(id); });
+    edits.mark("export_cancel");
+    tooltip("Cancel this export");
+    ImGui::SameLine(0.0f, 2.0f * scale);
+}
 }  // namespace
 
 void draw_export_chip(const Scene& scene, Edits& edits) {
@@ -119,6 +129,8 @@ void draw_export_chip(const Scene& scene, Edits& edits) {
         return;
     const bool is_running = queue.running() != nullptr;
     ImGui::SameLine();
+    if (is_running)
+        draw_cancel(queue, scene.scale, edits);
     {
         const ScopedColor color(ImGuiCol_Text, color_of(queue));
         const std::string text = is_running           ? running_text(queue)
@@ -131,14 +143,6 @@ void draw_export_chip(const Scene& scene, Edits& edits) {
     if (is_running)
         draw_progress(queue.share(), scene.scale);
     tooltip("Click to list the exports.");
-    if (is_running) {
-        ImGui::SameLine(0.0f, 2.0f * scene.scale);
-        if (quiet_button("×###cancel_export"))
-            edits.change(
-                [id = queue.running()->id](BackgroundJobs& jobs) { jobs.exports().cancel(id); });
-        edits.mark("export_cancel");
-        tooltip("Cancel this export");
-    }
     if (ImGui::BeginPopup(popup)) {
         draw_list(queue, edits);
         ImGui::EndPopup();

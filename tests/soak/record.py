@@ -1,0 +1,82 @@
+"""The results of long tests in docs/reliability.md: sections with commit and date, and which of them are too old."""
+
+import datetime
+import re
+import subprocess
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs/reliability.md"
+MOST_SECONDS = 55 * 60  # of one run of a part
+STATES = "states"
+# The code that each part tests. A change of it makes the part's results old.
+CODE = {
+    "fuzz": ("app/base", "app/formats", "app/glsl", "app/io", "app/model", "app/pictures", "app/signals", "tests/fuzz"),
+}
+
+
+class Budget:
+    """The time that is left for this run of a part."""
+
+    def __init__(self, seconds=MOST_SECONDS):
+        self._end = time.monotonic() + seconds
+
+    def left(self):
+        return self._end - time.monotonic()
+
+
+def git(*arguments):
+    return subprocess.run(["git", "-C", str(ROOT), *arguments], capture_output=True, text=True, check=True).stdout.strip()
+
+
+def commit():
+    return git("rev-parse", "--short=8", "HEAD")
+
+
+def has_changed(since, paths):
+    """Whether files in `paths` were committed after the commit `since`, or are changed now."""
+    known = subprocess.run(["git", "-C", str(ROOT), "cat-file", "-e", f"{since}^{{commit}}"], capture_output=True,
+                           check=False).returncode == 0
+    return not known or bool(git("log", "--format=%h", f"{since}..HEAD", "--", *paths)) or bool(
+        git("status", "--porcelain", "--", *paths))
+
+
+def stamp():
+    """The commit and the date of a result."""
+    return f"Commit {commit()}, {datetime.date.today().isoformat()}."
+
+
+def replaced(text, name, lines):
+    """The text of the page with these lines in the section of that name."""
+    begin, end = f"<!-- {name} -->\n", f"<!-- end of {name} -->"
+    before, rest = text.split(begin)
+    return before + begin + "\n".join(lines) + "\n" + end + rest.split(end)[1]
+
+
+def section(text, name):
+    return text.split(f"<!-- {name} -->\n")[1].split(f"<!-- end of {name} -->")[0]
+
+
+def states(text):
+    """One row per part: its commit, its date, and whether its code has changed since then."""
+    rows = ["| part | commit | date | state |", "| --- | --- | --- | --- |"]
+    for name, paths in CODE.items():
+        found = re.search(r"Commit ([0-9a-f]+), (\d{4}-\d\d-\d\d)\.", section(text, name))
+        if not found:
+            rows.append(f"| `{name}` | | | not run |")
+            continue
+        state = "older than the code" if has_changed(found[1], paths) else "current"
+        rows.append(f"| `{name}` | {found[1]} | {found[2]} | {state} |")
+    return rows
+
+
+def write(name, lines):
+    """Writes the results of a part, and the states of all parts."""
+    text = replaced(PAGE.read_text(), name, lines)
+    PAGE.write_text(replaced(text, STATES, states(text)))
+
+
+if __name__ == "__main__":
+    page = PAGE.read_text()
+    PAGE.write_text(replaced(page, STATES, states(page)))
