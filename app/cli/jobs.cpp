@@ -25,7 +25,7 @@ struct JobsArguments {
     LookOptions look;
     std::string output;
     std::string engine;
-    int per_job = 0;
+    int per_job = 300;
     std::string join;  // "": none
     int frames = 0;    // 0: not given
     double start = 0.0;
@@ -248,7 +248,7 @@ void add_length(Options& options, JobsArguments& arguments) {
 }
 }  // namespace
 
-/// afterglow jobs LOOK --frames-per-job N --for ENGINE -o FOLDER
+/// afterglow jobs LOOK --for ENGINE -o FOLDER
 Command add_jobs(CommandLine& program) {
     Options options = program.add_verb(
         "jobs",
@@ -268,7 +268,7 @@ Command add_jobs(CommandLine& program) {
     options
         .add("--frames-per-job N", arguments->per_job,
              "Frames of a job; with --vary, pictures of a job")
-        .required()
+        .show_default()
         .between(1, 10000000);
     options.add("--join FILE", arguments->join,
                 "Then make a video of all frames, with sound; with --vary, a contact sheet");

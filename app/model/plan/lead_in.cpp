@@ -50,7 +50,7 @@ Result<double> evaluated(const Look& look, const char* key, const std::string& e
                          const Values& values, double fps) {
     auto names = numbers_of(look, values);
     names["FPS"] = fps;
-    const auto value = evaluate(expression, names);
+    auto value = evaluate(expression, names);
     if (!value)
         return fail({look.fading->declared.file, look.fading->declared.line,
                      fmt::format("'{}' of 'fading': {}", key, value.error().front().message)});
@@ -60,10 +60,10 @@ Result<double> evaluated(const Look& look, const char* key, const std::string& e
 Result<double> seconds_of(const Look& look, const Values& values, double fps) {
     constexpr double half_step = 0.5 / 255.0;
     constexpr double steepest_encoding = 12.92;
-    const auto constant = evaluated(look, "time_constant", look.fading->time_constant, values, fps);
+    auto constant = evaluated(look, "time_constant", look.fading->time_constant, values, fps);
     if (!constant)
         return constant;
-    const auto peak = evaluated(look, "peak", look.fading->peak, values, fps);
+    auto peak = evaluated(look, "peak", look.fading->peak, values, fps);
     if (!peak)
         return peak;
     return std::max(0.0, *constant) *
