@@ -28,7 +28,6 @@ OURS = {
     "show": "cue files, drawings as text",
     "slang_preset": "slang presets",
     "slang_shader": "slang shaders",
-    "svg": "SVG drawings",
     "toy_json": "Shadertoy JSON",
     "toy_text": "Shadertoy texts",
     "words": "signals, sources, expressions, conditions, commands",
@@ -37,6 +36,7 @@ LIBRARIES = {
     "look": "whole looks: glslang, SPIRV-Cross",
     "picture": "PNG, JPEG, EXR, HDR, TGA, BMP, TIFF, GIF, WebP: OpenImageIO",
     "sound": "WAV, FLAC, OGG, MP3, AIFF: libsndfile",
+    "svg": "SVG drawings: librsvg, pugixml",
     "zip": "ZIP: libzip",
 }
 SLICE_SECONDS = 120
