@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <compare>
+#include <initializer_list>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 using glslang::TIntermTyped;
 using glslang::TOperator;
@@ -55,9 +58,9 @@ public:
 
 /// A change of a variable in a loop.
 struct Write {
-    TIntermNode* node = nullptr;
     Place place;
-    int direction = 0;  // 1: up, -1: down, 2: by a factor; 0: not a step
+    int direction = 0;        // 1: up, -1: down, 2: by a factor; 0: not a step
+    bool is_certain = false;  // happens in every round
     std::set<long long> step_reads = {};
 };
 
@@ -94,43 +97,66 @@ int factor_of(TIntermTyped& step, double least) {
 /// All changes of variables in some code.
 class Writes : public glslang::TIntermTraverser {
 public:
-    explicit Writes(TIntermNode* node) {
+    /// `is_certain`: every round reaches the code.
+    Writes(TIntermNode* node, bool is_certain) : m_is_certain(is_certain) {
         if (node)
             node->traverse(this);
+    }
+
+    bool visitSelection(glslang::TVisit, glslang::TIntermSelection* node) override {
+        node->getCondition()->traverse(this);
+        perhaps({node->getTrueBlock(), node->getFalseBlock()});
+        return false;
+    }
+
+    bool visitSwitch(glslang::TVisit, glslang::TIntermSwitch* node) override {
+        node->getCondition()->traverse(this);
+        perhaps({node->getBody()});
+        return false;
+    }
+
+    bool visitLoop(glslang::TVisit, glslang::TIntermLoop* node) override {
+        perhaps({node->getTest(), node->getBody(), node->getTerminal()});
+        return false;
     }
 
     bool visitUnary(glslang::TVisit, glslang::TIntermUnary* node) override {
         const TOperator op = node->getOp();
         if (op == glslang::EOpPreIncrement || op == glslang::EOpPostIncrement)
-            add(*node, *node->getOperand(), 1, nullptr);
+            add(*node->getOperand(), 1, nullptr);
         if (op == glslang::EOpPreDecrement || op == glslang::EOpPostDecrement)
-            add(*node, *node->getOperand(), -1, nullptr);
+            add(*node->getOperand(), -1, nullptr);
         return true;
     }
 
     bool visitBinary(glslang::TVisit, glslang::TIntermBinary* node) override {
         TIntermTyped& step = *node->getRight();
+        if (node->getOp() == glslang::EOpLogicalAnd || node->getOp() == glslang::EOpLogicalOr) {
+            node->getLeft()->traverse(this);
+            perhaps({&step});
+            return false;
+        }
         switch (node->getOp()) {
             case glslang::EOpAddAssign:
-                add(*node, *node->getLeft(), sign_of(step), &step);
+                add(*node->getLeft(), sign_of(step), &step);
                 break;
             case glslang::EOpSubAssign:
-                add(*node, *node->getLeft(), -sign_of(step), &step);
+                add(*node->getLeft(), -sign_of(step), &step);
                 break;
             case glslang::EOpMulAssign:
             case glslang::EOpDivAssign:
-                add(*node, *node->getLeft(), factor_of(step, 1.0), &step);
+                add(*node->getLeft(), factor_of(step, 1.0), &step);
                 break;
             case glslang::EOpLeftShiftAssign:
             case glslang::EOpRightShiftAssign:
-                add(*node, *node->getLeft(), factor_of(step, 0.0), &step);
+                add(*node->getLeft(), factor_of(step, 0.0), &step);
                 break;
             case glslang::EOpAssign:
                 add_assignment(*node);
                 break;
             default:
                 if (node->modifiesState())
-                    add(*node, *node->getLeft(), 0, nullptr);
+                    add(*node->getLeft(), 0, nullptr);
         }
         return true;
     }
@@ -141,16 +167,26 @@ public:
         const glslang::TQualifierList& qualifiers = node->getQualifierList();
         for (std::size_t i = 0; i < node->getSequence().size() && i < qualifiers.size(); ++i)
             if (qualifiers[i] == glslang::EvqOut || qualifiers[i] == glslang::EvqInOut)
-                add(*node, *node->getSequence()[i]->getAsTyped(), 0, nullptr);
+                add(*node->getSequence()[i]->getAsTyped(), 0, nullptr);
         return true;
     }
 
     std::vector<Write> all;
 
 private:
-    void add(TIntermNode& node, TIntermTyped& target, int direction, TIntermTyped* step) {
+    // Code that a round does not always reach.
+    void perhaps(std::initializer_list<TIntermNode*> code) {
+        const bool was_certain = std::exchange(m_is_certain, false);
+        for (TIntermNode* part : code)
+            if (part)
+                part->traverse(this);
+        m_is_certain = was_certain;
+    }
+
+    void add(TIntermTyped& target, int direction, TIntermTyped* step) {
         const auto place = place_of(target);
-        Write write{&node, place.value_or(Place{variable_of(target)}), place ? direction : 0};
+        Write write{place.value_or(Place{variable_of(target)}), place ? direction : 0,
+                    m_is_certain};
         if (step)
             write.step_reads = Reads(*step).all;
         all.push_back(std::move(write));
@@ -161,23 +197,25 @@ private:
         const glslang::TIntermBinary* sum = node.getRight()->getAsBinaryNode();
         const auto place = place_of(*node.getLeft());
         if (!sum || !place || place_of(*sum->getLeft()) != place)
-            return add(node, *node.getLeft(), 0, nullptr);
+            return add(*node.getLeft(), 0, nullptr);
         TIntermTyped& step = *sum->getRight();
         switch (sum->getOp()) {
             case glslang::EOpAdd:
-                return add(node, *node.getLeft(), sign_of(step), &step);
+                return add(*node.getLeft(), sign_of(step), &step);
             case glslang::EOpSub:
-                return add(node, *node.getLeft(), -sign_of(step), &step);
+                return add(*node.getLeft(), -sign_of(step), &step);
             case glslang::EOpMul:
             case glslang::EOpDiv:
-                return add(node, *node.getLeft(), factor_of(step, 1.0), &step);
+                return add(*node.getLeft(), factor_of(step, 1.0), &step);
             case glslang::EOpLeftShift:
             case glslang::EOpRightShift:
-                return add(node, *node.getLeft(), factor_of(step, 0.0), &step);
+                return add(*node.getLeft(), factor_of(step, 0.0), &step);
             default:
-                return add(node, *node.getLeft(), 0, nullptr);
+                return add(*node.getLeft(), 0, nullptr);
         }
     }
+
+    bool m_is_certain;
 };
 
 /// Whether some code continues the loop that it is in.
@@ -207,6 +245,11 @@ bool ends_loop(TIntermNode* node) {
     return branch && branch->getFlowOp() != glslang::EOpContinue;
 }
 
+bool is_step_operator(TOperator op) {
+    return op == glslang::EOpPreIncrement || op == glslang::EOpPostIncrement ||
+           op == glslang::EOpPreDecrement || op == glslang::EOpPostDecrement;
+}
+
 bool is_conversion(glslang::TIntermUnary& node) {
     return node.getType().getBasicType() != node.getOperand()->getType().getBasicType();
 }
@@ -217,7 +260,7 @@ bool grows_with_counter(TIntermTyped& node) {
         return true;
     if (glslang::TIntermUnary* unary = node.getAsUnaryNode())
         return (unary->getOp() == glslang::EOpNegative || is_conversion(*unary) ||
-                Writes(unary).all.size() == 1) &&
+                is_step_operator(unary->getOp())) &&
                grows_with_counter(*unary->getOperand());
     glslang::TIntermBinary* binary = node.getAsBinaryNode();
     if (!binary)
@@ -228,45 +271,70 @@ bool grows_with_counter(TIntermTyped& node) {
            grows_with_counter(*binary->getLeft()) && grows_with_counter(*binary->getRight());
 }
 
-/// The statements that every round of a loop reaches.
-std::vector<TIntermNode*> reached_in(glslang::TIntermLoop& loop) {
-    std::vector<TIntermNode*> reached;
-    if (TIntermNode* body = loop.getBody()) {
-        std::vector<TIntermNode*> statements{body};
-        if (const glslang::TIntermAggregate* sequence = sequence_of(body))
-            statements.assign(sequence->getSequence().begin(), sequence->getSequence().end());
-        for (TIntermNode* statement : statements) {
-            if (statement)
-                reached.push_back(statement);
-            if (statement && Continues(*statement).found)
-                break;
-        }
+/// A statement of a loop's body, outside of inner blocks.
+struct Statement {
+    TIntermNode* code = nullptr;
+    bool is_certain = true;  // every round reaches it
+};
+
+// A `continue` skips the statements after it.
+void add_statements(TIntermNode* code, bool& is_certain, std::vector<Statement>& statements) {
+    if (!code)
+        return;
+    if (const glslang::TIntermAggregate* sequence = sequence_of(code)) {
+        for (TIntermNode* part : sequence->getSequence())
+            add_statements(part, is_certain, statements);
+        return;
     }
-    if (loop.getTerminal())
-        reached.push_back(loop.getTerminal());
-    return reached;
+    statements.push_back({code, is_certain});
+    is_certain = is_certain && !Continues(*code).found;
 }
+
+/// How a variable or component changes in a loop.
+struct Change {
+    bool is_certain = false;  // at least one step happens in every round
+    bool is_up = false;
+    bool is_down = false;
+    bool is_other = false;  // not a step, or a step by something that the loop changes
+
+    void add(const Change& other) {
+        is_certain = is_certain || other.is_certain;
+        is_up = is_up || other.is_up;
+        is_down = is_down || other.is_down;
+        is_other = is_other || other.is_other;
+    }
+};
 
 /// One loop.
 class Loop {
 public:
-    explicit Loop(glslang::TIntermLoop& loop) : m_loop(loop), m_reached(reached_in(loop)) {
-        for (TIntermNode* part : {loop.getBody(), static_cast<TIntermNode*>(loop.getTerminal()),
-                                  static_cast<TIntermNode*>(loop.getTest())}) {
-            const Writes writes(part);
-            m_writes.insert(m_writes.end(), writes.all.begin(), writes.all.end());
-        }
-        for (const Write& write : m_writes)
+    explicit Loop(glslang::TIntermLoop& loop) : m_loop(loop) {
+        bool is_certain = true;
+        add_statements(loop.getBody(), is_certain, m_statements);
+        std::vector<Write> writes;
+        const auto read = [&](TIntermNode* code, bool is_reached) {
+            const Writes found(code, is_reached);
+            writes.insert(writes.end(), found.all.begin(), found.all.end());
+        };
+        for (const Statement& statement : m_statements)
+            read(statement.code, statement.is_certain);
+        read(loop.getTerminal(), true);
+        read(loop.getTest(), true);
+        for (const Write& write : writes)
             m_changed.insert(write.place.symbol);
+        for (const Write& write : writes)
+            m_changes[write.place].add(change_of(write));
     }
 
     bool is_bounded() const {
         if (TIntermTyped* test = m_loop.getTest(); test && is_bounding(*test, true))
             return true;
-        return std::ranges::any_of(m_reached, [&](TIntermNode* statement) {
-            if (ends_loop(statement))
+        return std::ranges::any_of(m_statements, [&](const Statement& statement) {
+            if (!statement.is_certain)
+                return false;
+            if (ends_loop(statement.code))
                 return true;
-            glslang::TIntermSelection* choice = statement->getAsSelectionNode();
+            glslang::TIntermSelection* choice = statement.code->getAsSelectionNode();
             return choice && ((ends_loop(choice->getTrueBlock()) &&
                                is_bounding(*choice->getCondition(), false)) ||
                               (ends_loop(choice->getFalseBlock()) &&
@@ -275,6 +343,14 @@ public:
     }
 
 private:
+    Change change_of(const Write& write) const {
+        const bool is_step =
+            write.direction != 0 && std::ranges::none_of(write.step_reads, [&](long long read) {
+                return m_changed.contains(read);
+            });
+        return {is_step && write.is_certain, write.direction == 1, write.direction == -1, !is_step};
+    }
+
     // Whether the loop can go on for a bounded time only while `condition` is `value`.
     bool is_bounding(TIntermTyped& condition, bool value) const {
         if (const glslang::TIntermConstantUnion* constant = condition.getAsConstantUnion())
@@ -323,12 +399,23 @@ private:
         if (!grows_with_counter(side) || std::ranges::any_of(Reads(bound).all, is_changed) ||
             std::ranges::count_if(reads, is_changed) != 1)
             return false;
-        const auto place = counted_place(side);
-        return std::ranges::any_of(m_writes, [&](const Write& write) {
-            return reads.contains(write.place.symbol) &&
-                   (!place || !are_apart(write.place, *place)) &&
-                   is_step(write, place ? direction : 0);
-        });
+        const auto counted = counted_place(side);
+        const Change change =
+            change_in(counted.value_or(Place{*std::ranges::find_if(reads, is_changed)}));
+        const int asked = counted ? direction : 0;
+        return change.is_certain && !change.is_other && !(asked == 1 && change.is_down) &&
+               !(asked == -1 && change.is_up) && !(asked == 0 && change.is_up && change.is_down);
+    }
+
+    // The changes of a place, of its parts, and of what it is a part of.
+    Change change_in(const Place& place) const {
+        Change sum;
+        for (auto known = m_changes.lower_bound({place.symbol});
+             known != m_changes.end() && known->first.symbol == place.symbol; ++known)
+            if (place.component < 0 || known->first.component < 0 ||
+                known->first.component == place.component)
+                sum.add(known->second);
+        return sum;
     }
 
     // nullopt: the direction of a variable is not that of the expression.
@@ -342,46 +429,10 @@ private:
         return place_of(*node);
     }
 
-    // Whether they are different variables, or different components of one.
-    static bool are_apart(const Place& one, const Place& other) {
-        return one.symbol != other.symbol ||
-               (one.component >= 0 && other.component >= 0 && one.component != other.component);
-    }
-
-    // Whether a write happens in every round, and all writes of its place are such steps.
-    bool is_step(const Write& step, int direction) const {
-        if (step.direction == 0 || !is_reached(*step.node))
-            return false;
-        return std::ranges::all_of(m_writes, [&](const Write& write) {
-            if (are_apart(write.place, step.place))
-                return true;
-            const bool has_direction =
-                write.direction == 2 || direction == 0 || write.direction == direction;
-            return write.direction != 0 && has_direction &&
-                   std::ranges::none_of(write.step_reads,
-                                        [&](long long read) { return m_changed.contains(read); });
-        });
-    }
-
-    bool is_reached(const TIntermNode& write) const {
-        if (m_loop.getTest() && has_write(m_loop.getTest(), write))
-            return true;
-        return std::ranges::any_of(m_reached, [&](TIntermNode* statement) {
-            return !statement->getAsSelectionNode() && !statement->getAsSwitchNode() &&
-                   !statement->getAsLoopNode() && has_write(statement, write);
-        });
-    }
-
-    static bool has_write(TIntermNode* code, const TIntermNode& write) {
-        const Writes writes(code);
-        return std::ranges::any_of(writes.all,
-                                   [&](const Write& one) { return one.node == &write; });
-    }
-
     glslang::TIntermLoop& m_loop;
-    std::vector<TIntermNode*> m_reached;
-    std::vector<Write> m_writes;
-    std::set<long long> m_changed;
+    std::vector<Statement> m_statements;
+    std::set<long long> m_changed;  // variables
+    std::map<Place, Change> m_changes;
 };
 
 class Loops : public glslang::TIntermTraverser {

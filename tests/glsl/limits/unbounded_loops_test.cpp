@@ -1,5 +1,6 @@
 #include "glsl/compile/check.h"
 #include "glsl/shader_texts.h"
+#include "in_a_moment.h"
 
 #include <doctest/doctest.h>
 
@@ -66,10 +67,21 @@ TEST_CASE("a loop that depends on data alone is warned about at its line") {
     CHECK_FALSE(is_bounded("while (i < count || sum < reach) ++i;"));
     CHECK_FALSE(is_bounded("while (i < count) at.x += 1;"));
     CHECK_FALSE(is_bounded("while (sin(t) < 2.0) t += 0.1;"));
+    CHECK_FALSE(is_bounded("while (i < count) { { if (uv.x > 0.5) ++i; } }"));
+    CHECK_FALSE(is_bounded("while (i < count) sum += uv.x > 0.5 ? float(++i) : 0.0;"));
+    CHECK_FALSE(is_bounded("bool b; while (i < count) b = uv.x > 0.5 && ++i > 3;"));
+    CHECK_FALSE(is_bounded("while (i < count) for (int k = 0; k < count; ++k) ++i;"));
     CHECK_FALSE(is_bounded("for (; at.x < count; ++at.y) sum += 1.0;"));
 }
 
 TEST_CASE("each loop of a nest is judged alone") {
     CHECK(warned("float t = 0.0;\nfor (int i = 0; i < 4; ++i)\nwhile (t < reach)\nt *= uv.x;") ==
           std::vector<int>{11});
+}
+
+TEST_CASE("a loop with many counters and ends is judged in a moment") {
+    std::string body = "int i = 0;\nwhile (true) {\n";
+    for (int n = 0; n < 5000; ++n)
+        body += "++i; if (i > count || uv.x > 0.5) { if (uv.y > 0.5) ++i; }\n";
+    CHECK(is_done_in_a_moment([&] { CHECK(warned(body + "}") == std::vector<int>{10}); }));
 }
