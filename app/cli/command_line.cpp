@@ -84,6 +84,12 @@ std::string unexpected_argument(const std::string& argument) {
     return fmt::format("unexpected argument '{}'", argument);
 }
 
+void add_argument(std::vector<std::string>& arguments, const std::string& name,
+                  const std::string& value) {
+    if (!value.empty())
+        arguments.insert(arguments.end(), {name, value});
+}
+
 std::string or_list(const std::vector<std::string>& words) {
     if (words.size() == 1)
         return words.front();

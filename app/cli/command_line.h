@@ -25,6 +25,10 @@ public:
 /// The error message for an argument that no option or command takes.
 std::string unexpected_argument(const std::string& argument);
 
+/// Adds `name` and `value` for another call of the program, unless the value is empty.
+void add_argument(std::vector<std::string>& arguments, const std::string& name,
+                  const std::string& value);
+
 /// The words as a list, such as "looks, presets or signals".
 std::string or_list(const std::vector<std::string>& words);
 

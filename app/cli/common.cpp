@@ -94,12 +94,6 @@ RenderRequest LookOptions::request() const {
     return request;
 }
 
-void add_argument(std::vector<std::string>& arguments, const std::string& name,
-                  const std::string& value) {
-    if (!value.empty())
-        arguments.insert(arguments.end(), {name, value});
-}
-
 std::vector<std::string> LookOptions::arguments() const {
     std::vector<std::string> arguments{m_request.look};
     add_argument(arguments, "--preset", m_request.preset);
@@ -114,6 +108,25 @@ std::vector<std::string> LookOptions::arguments() const {
     if (m_has_rate)
         add_argument(arguments, "--fps", fmt::format("{}", m_request.fps));
     return arguments;
+}
+
+Result<std::vector<SweepAxis>> sweep_axes(const std::vector<std::string>& texts, const Look& look) {
+    if (texts.size() > 2)
+        throw UsageError("--vary can be given at most twice: one parameter across and one down");
+    std::vector<SweepAxis> axes;
+    Diagnostics problems;
+    for (const std::string& text : texts) {
+        auto axis = parse_sweep_axis(text, look);
+        if (axis)
+            axes.push_back(std::move(*axis));
+        else
+            problems.insert(problems.end(), axis.error().begin(), axis.error().end());
+    }
+    if (!problems.empty())
+        return fail(std::move(problems));
+    if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
+        return fail({{}, 0, fmt::format("'{}' is varied twice", axes[0].parameter)});
+    return axes;
 }
 
 Result<Library> open_library(const DataFolders& data) {

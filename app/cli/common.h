@@ -51,10 +51,6 @@ private:
     std::string m_size;
 };
 
-/// Adds `name` and `value`, unless the value is empty.
-void add_argument(std::vector<std::string>& arguments, const std::string& name,
-                  const std::string& value);
-
 /// The library of looks and presets in the folders of `data`.
 Result<Library> open_library(const DataFolders& data);
 

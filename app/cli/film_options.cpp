@@ -1,7 +1,5 @@
 #include "cli/film_options.h"
 
-#include "cli/common.h"
-
 #include <fmt/format.h>
 
 namespace {

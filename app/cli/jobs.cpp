@@ -1,17 +1,19 @@
-#include "base/text.h"
 #include "cli/common.h"
 #include "cli/film_options.h"
 #include "io/files/atomic_file.h"
 #include "lab/farm/farm_engine.h"
 #include "lab/offline/export.h"
-#include "lab/offline/export_output.h"
 #include "lab/offline/frame_export.h"
+#include "lab/offline/sheet.h"
+#include "model/look/subframe.h"
 #include "model/picture/source_spec.h"
 #include "model/plan/lead_in.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <iostream>
 
 namespace {
@@ -75,6 +77,19 @@ Result<void> check_content(const PreparedLook& prepared) {
     return {};
 }
 
+// What would otherwise fail only after all parts.
+Result<void> check_join(const JobsArguments& arguments, const std::vector<SweepAxis>& axes) {
+    if (arguments.join.empty())
+        return {};
+    if (auto good = check_writable(arguments.join); !good)
+        return good;
+    const Extent size = arguments.look.request().size;
+    if (arguments.is_sweep())
+        return check_sheet(size, static_cast<int>(sweep_cells(axes).size()), sheet_columns(axes));
+    const auto encoding = film_encoding(arguments.join, arguments.film.choice());
+    return encoding ? check_film_extent(*encoding, size) : fail(encoding.error());
+}
+
 // "afterglow render" or "afterglow sweep", with the arguments that all parts share.
 std::vector<std::string> command_of(const JobsArguments& arguments) {
     std::vector<std::string> command{"afterglow"};
@@ -97,13 +112,15 @@ std::vector<std::string> command_of(const JobsArguments& arguments) {
     return command;
 }
 
-FarmWork start_of_work(const JobsArguments& arguments, const Look& look) {
+Result<FarmWork> start_of_work(const JobsArguments& arguments, const Look& look) {
     FarmWork work;
     for (const char letter : look.id)
         work.name += std::isalnum(static_cast<unsigned char>(letter)) ? letter : '-';
     work.name = "afterglow-" + work.name;
     std::error_code error;
     work.directory = std::filesystem::current_path(error);
+    if (error)
+        return fail({{}, 0, fmt::format("the current folder can't be read: {}", error.message())});
     work.command = command_of(arguments);
     if (arguments.join.empty())
         return work;
@@ -130,7 +147,7 @@ Result<ExportPart> whole_film(const JobsArguments& arguments, const Offline& off
     return whole;
 }
 
-// --start, --frames and --lead-in of frames `first` to `end` - 1.
+// --start and --frames of frames `first` to `end` - 1.
 std::vector<std::string> range_of(const FarmPart& part, double fps) {
     std::vector<std::string> arguments;
     if (part.first > 0)
@@ -140,10 +157,9 @@ std::vector<std::string> range_of(const FarmPart& part, double fps) {
     return arguments;
 }
 
-FarmWork film_work(const JobsArguments& arguments, const ExportPart& whole, const LeadIn& lead_in,
-                   const Look& look) {
+void split_film(FarmWork& work, const JobsArguments& arguments, const ExportPart& whole,
+                const LeadIn& lead_in) {
     const double fps = arguments.look.request().fps;
-    FarmWork work = start_of_work(arguments, look);
     if (arguments.film.keeps_alpha())
         work.command.emplace_back("--alpha");
     work.parts = split(whole.first, whole.end, arguments.per_job);
@@ -154,23 +170,17 @@ FarmWork film_work(const JobsArguments& arguments, const ExportPart& whole, cons
                          fmt::format("{}", static_cast<double>(*lead_in.frames) / fps));
     }
     if (work.join.empty())
-        return work;
+        return;
     for (std::string& argument : range_of({whole.first, whole.end, {}}, fps))
         work.join.push_back(std::move(argument));
-    add_argument(work.join, "--output", arguments.join);
-    return work;
 }
 
-FarmWork sweep_work(const JobsArguments& arguments, std::size_t pictures, const Look& look) {
-    FarmWork work = start_of_work(arguments, look);
+void split_sweep(FarmWork& work, const JobsArguments& arguments, std::size_t pictures) {
     work.parts = split(0, static_cast<std::int64_t>(pictures), arguments.per_job);
     for (FarmPart& part : work.parts) {
         add_argument(part.arguments, "--first", std::to_string(part.first));
         add_argument(part.arguments, "--count", std::to_string(part.end - part.first));
     }
-    if (!work.join.empty())
-        add_argument(work.join, "--output", arguments.join);
-    return work;
 }
 
 std::string lead_in_text(const LeadIn& lead_in) {
@@ -182,8 +192,15 @@ std::string lead_in_text(const LeadIn& lead_in) {
                        *lead_in.frames == 1 ? "frame" : "frames");
 }
 
-Result<void> write_work(const JobsArguments& arguments, const FarmWork& work,
-                        const std::string& note) {
+Result<void> write_work(const JobsArguments& arguments, FarmWork work, const std::string& note) {
+    constexpr std::size_t most_parts = 100'000;
+    if (work.parts.size() > most_parts)
+        return fail({{},
+                     0,
+                     fmt::format("{} parts are too many; the limit is {}. Raise --frames-per-job.",
+                                 work.parts.size(), most_parts)});
+    if (!work.join.empty())
+        add_argument(work.join, "--output", arguments.join);
     const std::filesystem::path folder(arguments.output);
     if (auto done = write_farm_folder(folder, work, engine_of(arguments.engine)); !done)
         return done;
@@ -211,18 +228,25 @@ int jobs(JobsArguments arguments, const DataFolders& data) {
         axes = std::move(*read);
         if (auto good = check_content(prepared); !good)
             return good;
-        return arguments.join.empty() ? Result<void>() : check_writable(arguments.join);
+        return check_join(arguments, axes);
     };
     const auto work = [&](Offline& offline, const Library&) -> Result<void> {
         const Look& look = offline.executor().look();
-        if (arguments.is_sweep())
-            return write_work(arguments, sweep_work(arguments, sweep_cells(axes).size(), look), "");
+        auto farm = start_of_work(arguments, look);
+        if (!farm)
+            return fail(farm.error());
+        if (arguments.is_sweep()) {
+            split_sweep(*farm, arguments, sweep_cells(axes).size());
+            return write_work(arguments, std::move(*farm), "");
+        }
         const auto whole = whole_film(arguments, offline);
         if (!whole)
             return fail(whole.error());
-        const LeadIn lead_in = lead_in_of(look, offline.document().values(), request.fps, moving);
-        return write_work(arguments, film_work(arguments, *whole, lead_in, look),
-                          lead_in_text(lead_in));
+        const Values& values = offline.document().values();
+        const int subframes = arguments.has_subframes ? subframes_of(look, values) : 1;
+        const LeadIn lead_in = lead_in_of(look, values, request.fps, subframes, moving);
+        split_film(*farm, arguments, *whole, lead_in);
+        return write_work(arguments, std::move(*farm), lead_in_text(lead_in));
     };
     return run_drawing(request, data, {check, work});
 }

@@ -109,8 +109,8 @@ void check_film_options(const RenderArguments& arguments, const FrameNames& name
         throw UsageError(
             "--loop finds its first frame and its length: leave out --start and "
             "--frames");
-    if (arguments.loops && arguments.lead_in >= 0.0)
-        throw UsageError("--loop finds its first frame: leave out --lead-in");
+    if (arguments.lead_in >= 0.0 && arguments.start == 0.0)
+        throw UsageError("--lead-in needs --start");
     if (arguments.loops && !arguments.automation.empty())
         throw UsageError("--loop: an automation file does not repeat. Leave out --moves.");
     if (arguments.loops && !arguments.cues.empty())

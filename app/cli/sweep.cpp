@@ -1,5 +1,3 @@
-#include "lab/offline/sweep.h"
-
 #include "cli/common.h"
 #include "cli/progress.h"
 #include "io/files/atomic_file.h"
@@ -25,34 +23,13 @@ struct SweepArguments {
     LookOptions look{"320x180"};
     std::vector<std::string> axes;
     std::string output;
-    int columns = 5;
+    int columns = usual_sheet_columns;
     int frames = 0;  // 0: the look's settle_frames
     int first = 0;
     int count = 0;  // 0: all
     std::string frames_from;
 };
-}  // namespace
 
-Result<std::vector<SweepAxis>> sweep_axes(const std::vector<std::string>& texts, const Look& look) {
-    if (texts.size() > 2)
-        throw UsageError("--vary can be given at most twice: one parameter across and one down");
-    std::vector<SweepAxis> axes;
-    Diagnostics problems;
-    for (const std::string& text : texts) {
-        auto axis = parse_sweep_axis(text, look);
-        if (axis)
-            axes.push_back(std::move(*axis));
-        else
-            problems.insert(problems.end(), axis.error().begin(), axis.error().end());
-    }
-    if (!problems.empty())
-        return fail(std::move(problems));
-    if (axes.size() == 2 && axes[0].parameter == axes[1].parameter)
-        return fail({{}, 0, fmt::format("'{}' is varied twice", axes[0].parameter)});
-    return axes;
-}
-
-namespace {
 Result<Picture> drawn(const Document& start, const SweepCell& cell, int frames, Offline& offline) {
     Document document = start;
     for (const auto& [name, value] : cell.values)
@@ -80,8 +57,7 @@ Result<void> draw_sheet(const SweepArguments& arguments, const std::vector<Sweep
                         Extent size, Offline& offline) {
     const Document start = offline.document();
     const int frames = frames_of(arguments, start);
-    const int columns =
-        axes.size() > 1 ? static_cast<int>(axes[0].stops.size()) : arguments.columns;
+    const int columns = sheet_columns(axes, arguments.columns);
     const std::vector<SweepCell> cells = sweep_cells(axes);
     const int count = static_cast<int>(cells.size());
     if (auto fits = check_sheet(size, count, columns); !fits)

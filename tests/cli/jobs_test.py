@@ -174,8 +174,15 @@ class JobsTest(ProgramTest):
         for more, words in ((("--join", "film.txt"), "--join: the file name must end in"),
                             (("--hdr", "hdr10"), "--hdr: the parts are 8-bit pictures"),
                             (("--vary", "exposure=1:2:2", "--start", "1"), "--vary draws separate pictures"),
-                            (("--codec", "h264"), "need a video file")):
+                            (("--codec", "h264"), "need a video file"),
+                            (("--vary", "a=1:2:2", "--vary", "b=1:2:2", "--vary", "c=1:2:2"), "at most twice")):
             self.assert_refused(run("jobs", *film, *more, "-o", farm), words, code=2)
+        large = ("--size", "8000x8000", "--vary", "exposure=1:4:50", "--join", self.folder / "sheet.png")
+        self.assert_refused(run("jobs", *film, *large, "-o", farm), "the limit")
+        self.assert_refused(run("jobs", *film[:1], "--for", "make", "--frames-per-job", "1", "--frames", "200000", "-o", farm),
+                            "200000 parts are too many")
+        self.assert_refused(run("render", "crt", "--lead-in", "1", "-o", self.folder / "x_%04d.png"),
+                            "--lead-in needs --start", code=2)
         self.assertFalse(farm.exists())
         self.assert_refused(run("render", "crt", "--frames-from", self.folder / "no_%04d.png", "--frames", "2", "-o",
                                 self.folder / "film.mp4"), "no_0000.png")

@@ -239,10 +239,10 @@ tl::unexpected<Diagnostics> not_made(const fs::path& folder, const std::error_co
 
 const std::vector<FarmEngine>& farm_engines() {
     static const std::vector<FarmEngine> engines{
-        {"slurm", "sbatch", slurm_files},
-        {"parallel", "parallel", parallel_files},
-        {"make", "make", make_files},
-        {"opencue", "python3", opencue_files},
+        {"slurm", slurm_files},
+        {"parallel", parallel_files},
+        {"make", make_files},
+        {"opencue", opencue_files},
     };
     return engines;
 }

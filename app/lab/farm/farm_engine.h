@@ -18,8 +18,7 @@ struct FarmFile {
 
 /// A program that runs jobs on several cores or machines: one row of farm_engines().
 struct FarmEngine {
-    std::string name;     // on the command line
-    std::string program;  // that `run` needs
+    std::string name;  // on the command line
     /// Its own files. `run` is one of them.
     std::vector<FarmFile> (*files)(const FarmWork& work);
 };

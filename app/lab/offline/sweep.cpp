@@ -117,3 +117,7 @@ std::vector<SweepCell> sweep_cells(const std::vector<SweepAxis>& axes) {
     }
     return cells;
 }
+
+int sheet_columns(const std::vector<SweepAxis>& axes, int with_one_axis) {
+    return axes.size() > 1 ? static_cast<int>(axes[0].stops.size()) : with_one_axis;
+}

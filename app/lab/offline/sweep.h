@@ -33,3 +33,8 @@ struct SweepCell {
 
 /// All combinations; the first axis varies fastest.
 std::vector<SweepCell> sweep_cells(const std::vector<SweepAxis>& axes);
+
+/// The columns of a sheet with one axis.
+inline constexpr int usual_sheet_columns = 5;
+/// The columns of the sheet of a sweep: with two axes, the first one goes across.
+int sheet_columns(const std::vector<SweepAxis>& axes, int with_one_axis = usual_sheet_columns);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace {
 // Whether earlier frames of the pass affect it without end.
@@ -46,28 +48,38 @@ std::set<std::string> names_in(const std::string& expression) {
     return names;
 }
 
+/// The two expressions at some values; not finite: nothing fades.
+struct Numbers {
+    double time_constant = 0.0;
+    double peak = 0.0;
+};
+
 Result<double> evaluated(const Look& look, const char* key, const std::string& expression,
-                         const Values& values, double fps) {
-    auto names = numbers_of(look, values);
-    names["FPS"] = fps;
-    auto value = evaluate(expression, names);
-    if (!value)
+                         const std::map<std::string, double>& names) {
+    const auto finite = evaluate(fmt::format("finite({})", expression), names);
+    if (!finite)
         return fail({look.fading->declared.file, look.fading->declared.line,
-                     fmt::format("'{}' of 'fading': {}", key, value.error().front().message)});
-    return value;
+                     fmt::format("'{}' of 'fading': {}", key, finite.error().front().message)});
+    return evaluate(expression, names).value_or(std::numeric_limits<double>::infinity());
 }
 
-Result<double> seconds_of(const Look& look, const Values& values, double fps) {
+Result<Numbers> numbers_at(const Look& look, const Values& values, double fps) {
+    auto names = numbers_of(look, values);
+    names["FPS"] = fps;
+    const auto constant = evaluated(look, "time_constant", look.fading->time_constant, names);
+    if (!constant)
+        return fail(constant.error());
+    const auto peak = evaluated(look, "peak", look.fading->peak, names);
+    if (!peak)
+        return fail(peak.error());
+    return Numbers{std::max(0.0, *constant), *peak};
+}
+
+double seconds_of(const Numbers& numbers) {
     constexpr double half_step = 0.5 / 255.0;
     constexpr double steepest_encoding = 12.92;
-    auto constant = evaluated(look, "time_constant", look.fading->time_constant, values, fps);
-    if (!constant)
-        return constant;
-    auto peak = evaluated(look, "peak", look.fading->peak, values, fps);
-    if (!peak)
-        return peak;
-    return std::max(0.0, *constant) *
-           std::log(std::max(1.0, *peak * steepest_encoding / half_step));
+    return numbers.time_constant *
+           std::log(std::max(1.0, numbers.peak * steepest_encoding / half_step));
 }
 
 std::optional<std::string> moving_name(const Fading& fading, const std::set<std::string>& moving) {
@@ -79,12 +91,12 @@ std::optional<std::string> moving_name(const Fading& fading, const std::set<std:
 }
 }  // namespace
 
-LeadIn lead_in_of(const Look& look, const Values& values, double fps,
+LeadIn lead_in_of(const Look& look, const Values& values, double fps, int subframes,
                   const std::set<std::string>& moving) {
     const auto accumulates = std::ranges::find(look.passes, true, &Pass::accumulate);
     if (accumulates != look.passes.end())
         return {.reason = fmt::format("pass '{}' accumulates", accumulates->name)};
-    const std::int64_t depth = depth_of(look);
+    const std::int64_t depth = depth_of(look) * subframes;
     bool is_endless = false;
     for (std::size_t pass = 0; pass < look.passes.size(); ++pass)
         is_endless = is_endless || has_endless_history(look, pass);
@@ -96,19 +108,22 @@ LeadIn lead_in_of(const Look& look, const Values& values, double fps,
         return {.reason = fmt::format("'{}' changes over time, and the fading of earlier frames "
                                       "depends on it",
                                       *name)};
-    const auto seconds = seconds_of(look, values, fps);
-    if (!seconds)
+    const auto numbers = numbers_at(look, values, fps);
+    if (!numbers)
+        return {.reason = numbers.error().front().message};
+    const double seconds = seconds_of(*numbers);
+    if (!std::isfinite(seconds))
         return {.reason = "at these values, earlier frames do not fade"};
     constexpr double longest = 86400.0;
-    if (*seconds > longest)
+    if (seconds > longest)
         return {.reason = "earlier frames fade over more than a day"};
-    return {.frames = static_cast<std::int64_t>(std::ceil(*seconds * fps)) + depth};
+    return {.frames = static_cast<std::int64_t>(std::ceil(seconds * fps)) + depth};
 }
 
 Diagnostics check_fading(const Look& look) {
     constexpr double usual_fps = 60.0;
     if (!look.fading)
         return {};
-    const auto seconds = seconds_of(look, {}, usual_fps);
-    return seconds ? Diagnostics() : seconds.error();
+    const auto numbers = numbers_at(look, {}, usual_fps);
+    return numbers ? Diagnostics() : numbers.error();
 }

@@ -41,6 +41,7 @@ TEST_CASE("a history that ends is drawn as far back as it reaches") {
     look.passes.push_back(pass_of("second", "first", 3));
     look.passes.push_back(pass_of("show", "second", 2));
     CHECK(lead_in_of(look, {}, 60.0) == LeadIn{.frames = 5});
+    CHECK(lead_in_of(look, {}, 60.0, 4) == LeadIn{.frames = 20});
 }
 
 TEST_CASE("light is drawn until less than half an 8-bit step of its peak remains") {
@@ -80,10 +81,10 @@ TEST_CASE("without a known fading, all earlier frames are drawn") {
     CHECK(lead_in_of(held, {{"decay", Value(1.0)}}, 60.0).reason ==
           "at these values, earlier frames do not fade");
 
-    const LeadIn moving = lead_in_of(fading_look(), {}, 60.0, {"decay"});
+    const LeadIn moving = lead_in_of(fading_look(), {}, 60.0, 1, {"decay"});
     CHECK_FALSE(moving.frames.has_value());
     CHECK(moving.reason.starts_with("'decay' changes over time"));
-    CHECK(lead_in_of(fading_look(), {}, 60.0, {"other"}).frames.has_value());
+    CHECK(lead_in_of(fading_look(), {}, 60.0, 1, {"other"}).frames.has_value());
 }
 
 TEST_CASE("two passes that read each other have a history without an end") {
@@ -97,6 +98,9 @@ TEST_CASE("two passes that read each other have a history without an end") {
 TEST_CASE("a wrong expression of 'fading' is an error with its line") {
     Look look = fading_look();
     CHECK(check_fading(look).empty());
+    look.fading->time_constant = "1 / ($decay - 0.25)";  // infinite at the default
+    CHECK(check_fading(look).empty());
+    CHECK(lead_in_of(look, {}, 60.0).reason == "at these values, earlier frames do not fade");
     look.fading->peak = "$decays";
     const Diagnostics problems = check_fading(look);
     REQUIRE(problems.size() == 1);
