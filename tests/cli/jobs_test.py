@@ -69,6 +69,13 @@ class JobsTest(ProgramTest):
                                self.folder / "farm/film.mkv"], check=True, capture_output=True, text=True)
         self.assertEqual(json.loads(told.stdout)["streams"][0]["nb_read_frames"], "11")
 
+    def test_sub_frames_are_the_same_in_parts_that_begin_within_a_source_frame(self):
+        film = ("rolling-scan", "--source", "pattern:glyph-rain", "--subframes", *PLAIN, "--frames", "14")
+        self.whole(*film)
+        self.split(*film, "--frames-per-job", "3")
+        self.assert_done(self.start())
+        self.assert_same(14)
+
     def test_fading_light_differs_by_at_most_one_step(self):
         for look, *values in (("phosphor", "decay=0.8"), ("phosphor", "tube=P32", "time_scale=2"),
                               ("phosphor", "as_written=true", "decay=0.7"), ("vector-beam", "decay_time=80")):

@@ -49,3 +49,15 @@ void require_messages(const Diagnostics& errors);
 
 /// Requires an origin for every line of a stage.
 void require_locations(const Stage& stage);
+
+/// Requires that what `read` accepts is written by `written` so that it reads the same.
+template <class Read, class Written>
+void require_round_trip(std::string_view text, const Read& read, const Written& written) {
+    const auto first = read(text, "first.txt");
+    if (!first)
+        return require_reasons(first.error());
+    const std::string once = written(*first);
+    const auto again = read(once, "again.txt");
+    require(again.has_value(), "what was written can be read");
+    require(written(*again) == once, "what was read stays the same");
+}

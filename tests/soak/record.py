@@ -1,6 +1,7 @@
 """The results of long tests in docs/reliability.md: sections with commit and date, and which of them are too old."""
 
 import datetime
+import functools
 import re
 import subprocess
 import time
@@ -34,6 +35,7 @@ def commit():
     return git("rev-parse", "--short=8", "HEAD")
 
 
+@functools.lru_cache
 def has_changed(since, paths):
     """Whether files in `paths` were committed after the commit `since`, or are changed now."""
     known = subprocess.run(["git", "-C", str(ROOT), "cat-file", "-e", f"{since}^{{commit}}"], capture_output=True,
