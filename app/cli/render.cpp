@@ -277,7 +277,7 @@ std::vector<std::string> seen_passes(const RenderArguments& arguments, const Loo
 }
 
 // Whether specialised programs are worth their compilation, which takes as long as a few frames.
-// Never for short parts of a film only: their bytes could differ from those of the whole film.
+// Every film and sequence gets them, so that a part has the same bytes as the whole film.
 bool draws_many(const RenderArguments& arguments, const FrameNames& names, const Look& look) {
     constexpr double many = 60;
     if (is_film_output(arguments.output) || names.is_sequence())
