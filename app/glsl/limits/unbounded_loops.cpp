@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 #include <utility>
 
 using glslang::TIntermTyped;
@@ -20,7 +21,10 @@ struct Place {
     long long symbol = 0;
     int component = -1;  // -1: the whole variable
 
-    auto operator<=>(const Place&) const = default;
+    bool operator==(const Place&) const = default;
+    bool operator<(const Place& other) const {
+        return std::tie(symbol, component) < std::tie(other.symbol, other.component);
+    }
 };
 
 // nullopt: neither a variable nor a component of one.
