@@ -1,7 +1,10 @@
-// Cue files, and drawings as text.
+// Cue files, drawings as text, and automation. The first letter selects the reader; none selects
+// cue files.
 
 #include "formats/cues/cue_sheet.h"
+#include "formats/preset/sample_preset.h"
 #include "fuzz/fuzz_files.h"
+#include "lab/document/automation_file.h"
 #include "signals/drawing/drawing.h"
 
 namespace {
@@ -25,10 +28,22 @@ void check_drawing(std::string_view text) {
     require(again.has_value(), "a written drawing can be read");
     require(to_text(*again) == to_text(*drawing), "a drawing stays the same");
 }
+
+void check_automation(std::string_view text) {
+    static const Look look = sample_look();
+    require_round_trip(
+        text,
+        [](std::string_view lines, const char* file) {
+            return parse_automation(lines, file, look);
+        },
+        [](const AutomationPoints& points) { return automation_text(points, look); });
+}
 }  // namespace
 
 void fuzz_one(std::string_view input) {
     if (input.starts_with('d'))
         return check_drawing(input.substr(1));
+    if (input.starts_with('a'))
+        return check_automation(input.substr(1));
     check_cues(input);
 }

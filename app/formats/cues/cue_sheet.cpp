@@ -108,7 +108,7 @@ Result<Cue> parse_preset_cue(Cue cue, CueWords words) {
 
 // The value can have several words: `parameter tint 0.1 0.2 0.3 over 2`.
 Result<Cue> parse_parameter_cue(Cue cue, CueWords words) {
-    if (words.size() < 2)
+    if (words.size() < 2 || words.front().text.empty())
         return cue_problem("expected a parameter and its value, such as parameter decay 0.9");
     cue.name = words.front().text;
     words = words.subspan(1);
@@ -170,7 +170,7 @@ std::string quoted_name(const std::string& text) {
     return '"' + replace_all(replace_all(text, "\\", "\\\\"), "\"", "\\\"") + '"';
 }
 
-// A value as one word if necessary: a label with blanks, or the word 'over'.
+// A name or a value as one word if necessary: a label with blanks, or the word 'over'.
 std::string value_word(const std::string& value) {
     const bool is_plain = value.find_first_not_of("0123456789.-+eE, ") == std::string::npos ||
                           value.find_first_of(" \t#\"\\") == std::string::npos;
@@ -216,7 +216,7 @@ std::string cue_text(const Cue& cue) {
             return start + " " + quoted_name(cue.name) +
                    (cue.over > 0.0 ? " morph " + format_number(cue.over) : "");
         case Cue::Command::parameter:
-            return start + " " + cue.name + " " + value_word(cue.value) +
+            return start + " " + value_word(cue.name) + " " + value_word(cue.value) +
                    (cue.over > 0.0 ? " over " + format_number(cue.over) : "");
         case Cue::Command::blackout:
             return start + (cue.is_on ? " on" : " off");

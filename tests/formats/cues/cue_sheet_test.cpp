@@ -89,23 +89,24 @@ TEST_CASE("a new cue is inserted before the first later one") {
 }
 
 TEST_CASE("every cue reads back from its text") {
-    for (const Cue& cue :
-         std::vector<Cue>{{.seconds = 0.0625, .name = "A \"quoted\" \\ name # 1", .over = 0.125},
-                          {.seconds = 59.999,
-                          .command = Command::parameter,
-                          .name = "crt/mask",
-                          .value = "Slot mask"},
-                          {.seconds = 60.0,
-                          .command = Command::parameter,
-                          .name = "a",
-                          .value = "over",
-                          .over = 3.0},
-                          {.seconds = 3600.0,
-                          .command = Command::parameter,
-                          .name = "tint",
-                          .value = "0.1, 0.2, -3e-05"},
-                          {.seconds = 1.0, .command = Command::blackout, .is_on = false},
-                          {.seconds = 2.0, .command = Command::restart}}) {
+    for (const Cue& cue : std::vector<Cue>{
+             {.seconds = 0.0625, .name = "A \"quoted\" \\ name # 1", .over = 0.125},
+             {.seconds = 59.999,
+             .command = Command::parameter,
+             .name = "crt/mask",
+             .value = "Slot mask"},
+             {.seconds = 60.0,
+             .command = Command::parameter,
+             .name = "a",
+             .value = "over",
+             .over = 3.0},
+             {.seconds = 3600.0,
+             .command = Command::parameter,
+             .name = "tint",
+             .value = "0.1, 0.2, -3e-05"},
+             {.seconds = 3601.0, .command = Command::parameter, .name = "a name # 1", .value = "1"},
+             {.seconds = 1.0, .command = Command::blackout, .is_on = false},
+             {.seconds = 2.0, .command = Command::restart}}) {
         const auto read = parse_cue(cue_text(cue));
         REQUIRE(read.has_value());
         Cue expected = cue;
@@ -126,7 +127,8 @@ TEST_CASE("all errors are reported with their lines") {
                     "0:01 preset \"amber\n"
                     "0:01 parameter decay\n"
                     "0:01 blackout maybe\n"
-                    "0:01 restart now\n") ==
+                    "0:01 restart now\n"
+                    "0:01 parameter \"\" 1\n") ==
           "show.txt:1: error: expected a time up to 24:00:00, such as 1:23.5 or 83.5, got '1:2x'\n"
           "show.txt:2: error: expected a time up to 24:00:00, such as 1:23.5 or 83.5, got '1:75'\n"
           "show.txt:3: error: unknown command 'prest' (did you mean 'preset'?); use one of: "
@@ -139,7 +141,8 @@ TEST_CASE("all errors are reported with their lines") {
           "show.txt:9: error: missing closing quote (\")\n"
           "show.txt:10: error: expected a parameter and its value, such as parameter decay 0.9\n"
           "show.txt:11: error: expected 'blackout on' or 'blackout off'\n"
-          "show.txt:12: error: 'restart' takes no arguments, got 'now'\n");
+          "show.txt:12: error: 'restart' takes no arguments, got 'now'\n"
+          "show.txt:13: error: expected a parameter and its value, such as parameter decay 0.9\n");
 }
 
 TEST_CASE("times have hours, minutes and seconds") {
