@@ -68,6 +68,13 @@ Result<void> check_spec(const OIIO::ImageSpec& spec, const fs::path& file) {
             {file, 0,
              fmt::format("the picture must have 1 (grey), 3 (RGB) or 4 (RGBA) channels, got {}",
                          spec.nchannels)});
+    // OpenImageIO allocates all rows of a TIFF's strip, also those below the picture.
+    const std::int64_t rows = spec.get_int_attribute("tiff:RowsPerStrip", 1);
+    if (rows > spec.height &&
+        rows * static_cast<std::int64_t>(spec.scanline_bytes(true)) > max_bytes)
+        return fail({file, 0,
+                     fmt::format("the picture is damaged: its strips have {} rows, but it has {}",
+                                 rows, spec.height)});
     return {};
 }
 

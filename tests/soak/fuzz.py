@@ -49,7 +49,8 @@ class Fuzzing:
     def __init__(self, build, folder, runs):
         self.build, self.file, self.runs = build, folder / "fuzz.jsonl", runs
         rows = [json.loads(line) for line in self.file.read_text().splitlines()] if self.file.exists() else []
-        self.rows = [row for row in rows if not record.has_changed(row["commit"], record.CODE["fuzz"])]
+        self.rows = [row for row in rows if not record.has_changed(
+            row["commit"], record.sources_of(f"tests/fuzz/{row['reader']}_fuzz.cpp"))]
         self.budget = record.Budget()
         self.findings = []
 

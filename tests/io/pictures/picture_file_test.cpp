@@ -1,6 +1,7 @@
 #include "io/pictures/picture_file.h"
 
 #include "about.h"
+#include "base/file.h"
 #include "io/captured_errors.h"
 #include "io/pictures/png_chunks.h"
 #include "io/pictures/png_encoder.h"
@@ -238,6 +239,20 @@ TEST_CASE("an absurd picture size is rejected before memory is allocated") {
     store(folder / "wide.exr", OIIO::ImageSpec(16385, 1, 1, OIIO::TypeDesc::HALF),
           std::vector<float>(16385));
     CHECK(error_of(folder / "wide.exr").starts_with("the picture is too large: 16385 x 1 px"));
+}
+
+TEST_CASE("a TIFF with an absurd strip is rejected before memory is allocated") {
+    const TemporaryFolder folder;
+    store(folder / "a.tif", OIIO::ImageSpec(8, 8, 3, OIIO::TypeDesc::UINT8),
+          std::vector<float>(8 * 8 * 3));
+    std::string bytes = read_bytes(folder / "a.tif").value();
+    const std::size_t rows_per_strip =
+        bytes.find(std::string("\x16\x01\x03\x00\x01\x00\x00\x00", 8));
+    REQUIRE(rows_per_strip != std::string::npos);
+    bytes.replace(rows_per_strip, 12,
+                  std::string("\x16\x01\x04\x00\x01\x00\x00\x00\x00\x00\x00\x40", 12));
+    CHECK(error_of(folder.write("b.tif", bytes)) ==
+          "the picture is damaged: its strips have 1073741824 rows, but it has 8");
 }
 
 TEST_CASE("a truncated or damaged picture never crashes and gives an error") {
