@@ -5,7 +5,6 @@ A reader of ours gets RUNS runs (default: 1,000,000), one that is mostly a libra
 FOLDER, so a stopped run goes on, until the code has changed. Failing inputs are kept in BUILD/found.
 """
 
-import json
 import os
 import re
 import subprocess
@@ -47,10 +46,9 @@ class Fuzzing:
     """The runs so far, and those that are missing."""
 
     def __init__(self, build, folder, runs):
-        self.build, self.file, self.runs = build, folder / "fuzz.jsonl", runs
-        rows = [json.loads(line) for line in self.file.read_text().splitlines()] if self.file.exists() else []
-        self.rows = [row for row in rows if not record.has_changed(
-            row["commit"], record.sources_of(f"tests/fuzz/{row['reader']}_fuzz.cpp"))]
+        self.build, self.runs = build, runs
+        self.rows = record.Rows(folder / "fuzz.jsonl",
+                                lambda row: record.sources_of(f"tests/fuzz/{row['reader']}_fuzz.cpp"))
         self.budget = record.Budget()
         self.findings = []
 
@@ -58,7 +56,7 @@ class Fuzzing:
         return self.runs if reader in OURS else self.runs // 10
 
     def done(self, reader):
-        return sum(row["runs"] for row in self.rows if row["reader"] == reader)
+        return self.rows.total("runs", reader=reader)
 
     def fuzz(self, reader):
         """Slices of SLICE_SECONDS, until all runs are done or the time is over."""
@@ -67,9 +65,7 @@ class Fuzzing:
             if row is None:
                 self.findings.append(reader)
                 return
-            self.rows.append(row)
-            with self.file.open("a") as kept:
-                kept.write(json.dumps(row) + "\n")
+            self.rows.add(**row)
             print(f"{reader}: {self.done(reader)} of {self.wanted(reader)} runs", flush=True)
 
     def slice(self, reader, count):
@@ -89,7 +85,7 @@ class Fuzzing:
         if code != 0 or not ended:
             print(f"{reader}: a finding\n" + "\n".join(told.splitlines()[-40:]), flush=True)
             return None
-        return {"reader": reader, "runs": int(ended[1]), "seconds": int(ended[2]), "commit": record.commit()}
+        return {"reader": reader, "runs": int(ended[1]), "seconds": int(ended[2])}
 
     def lines(self):
         lines = [record.stamp() + " Address and undefined-behaviour sanitizers.", "",
@@ -104,7 +100,6 @@ class Fuzzing:
 def main():
     build, folder = Path(sys.argv[1]), Path(sys.argv[2])
     runs = int(sys.argv[3]) if len(sys.argv) > 3 else 1_000_000
-    folder.mkdir(parents=True, exist_ok=True)
     fuzzing = Fuzzing(build, folder, runs)
     programs = sorted(file.name.removesuffix("_fuzz") for file in (build / "tests/fuzz").glob("*_fuzz"))
     assert programs == sorted(OURS | LIBRARIES), programs

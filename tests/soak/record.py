@@ -2,6 +2,7 @@
 
 import datetime
 import functools
+import json
 import re
 import subprocess
 import time
@@ -37,7 +38,12 @@ def fuzzed_sources():
 
 
 # The code that each part tests. A change of it makes the part's results old.
-CODE = {"fuzz": fuzzed_sources()}
+CODE = {
+    "fuzz": fuzzed_sources(),
+    "reloads": ("app/glsl", "app/gpu", "app/graph", "app/io/files", "app/lab/reload"),
+    "kills": ("app/formats/pack", "app/formats/preset", "app/formats/settings", "app/io/files", "app/io/pictures",
+              "app/io/video", "app/lab/session"),
+}
 
 
 class Budget:
@@ -65,6 +71,26 @@ def has_changed(since, paths):
                            check=False).returncode == 0
     return not known or bool(git("log", "--format=%h", f"{since}..HEAD", "--", *paths)) or bool(
         git("status", "--porcelain", "--", *paths))
+
+
+class Rows:
+    """The results of a part so far, one line of JSON each. Those of older code are left out: `sources` gives the paths
+    that a row's result depends on."""
+
+    def __init__(self, file, sources):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        self._file = file
+        rows = [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+        self.rows = [row for row in rows if not has_changed(row["commit"], sources(row))]
+
+    def add(self, **row):
+        self.rows.append({**row, "commit": commit()})
+        with self._file.open("a") as kept:
+            kept.write(json.dumps(self.rows[-1]) + "\n")
+
+    def total(self, key, **wanted):
+        """The sum of `key` over the rows with these values."""
+        return sum(row[key] for row in self.rows if wanted.items() <= row.items())
 
 
 def stamp():

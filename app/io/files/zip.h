@@ -16,7 +16,7 @@ struct ZipLimits {
 
 /// Writes all files of a folder to a ZIP file, with a fixed date, so that the same files give the
 /// same bytes. Pictures, sounds and videos are stored without compression. The file is complete or
-/// unchanged.
+/// unchanged. The archive is made in memory.
 Result<void> zip_folder(const std::filesystem::path& folder, const std::filesystem::path& zip);
 
 /// Fails for paths that are absolute, lead outside or differ in case only (ASCII), for links and

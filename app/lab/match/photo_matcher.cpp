@@ -1,5 +1,6 @@
 #include "lab/match/photo_matcher.h"
 
+#include "base/file.h"
 #include "gpu/objects/texels.h"
 #include "io/files/atomic_file.h"
 #include "lab/match/photo_check.h"
@@ -133,10 +134,11 @@ Result<void> PhotoMatcher::attach_to(const fs::path& preset) const {
         return {};
     fs::path copy = preset;
     copy.replace_extension(".photo" + m_photo->file.extension().string());
-    std::error_code error;
-    fs::copy_file(m_photo->file, copy, fs::copy_options::overwrite_existing, error);
-    if (error)
-        return fail({copy, 0, "the photo can't be copied: " + error.message()});
+    const auto photo = read_bytes(m_photo->file);
+    if (!photo)
+        return fail(photo.error());
+    if (auto copied = write_atomically(copy, *photo); !copied)
+        return copied;
     fs::path camera = preset;
     camera.replace_extension(".camera.json");
     return write_atomically(camera, camera_json(**outcome));

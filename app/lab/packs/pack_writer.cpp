@@ -1,5 +1,6 @@
 #include "lab/packs/pack_writer.h"
 
+#include "base/file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/scratch_folder.h"
 #include "io/files/zip.h"
@@ -151,10 +152,13 @@ Result<WrittenPack> write_pack(const PackRequest& request, const Library& librar
     auto zipped = zip_folder(folder, archive);
     if (zipped)
         zipped = check_zip(archive, pack_limits);
-    if (zipped)
-        zipped = zip_folder(folder, request.path);
     if (!zipped)
         return fail(zipped.error());
+    const auto bytes = read_bytes(archive);
+    if (!bytes)
+        return fail(bytes.error());
+    if (auto saved = write_atomically(request.path, *bytes); !saved)
+        return fail(saved.error());
     WrittenPack written;
     std::error_code error;
     written.files = contents->files.size() + contents->texts.size() + thumbnails.count() + 1;

@@ -1,6 +1,7 @@
 #include "ui/window/state_file.h"
 
 #include "base/text.h"
+#include "gpu/objects/live_objects.h"
 #include "lab/commands/preset_commands.h"
 #include "lab/document/content_edits.h"
 #include "lab/document/morphing.h"
@@ -250,6 +251,13 @@ std::string presets_text(const Scene& scene) {
         scene.window.presets.only_starred);
 }
 
+std::string gl_objects_text() {
+    std::vector<std::string> counts;
+    for (const auto& [kind, count] : gpu::live_objects())
+        counts.push_back(fmt::format("{}:{}", json_string(kind), count));
+    return fmt::format(R"(,"gl_objects":{{{}}})", fmt::join(counts, ","));
+}
+
 // Accepted and rejected messages, the last reason, and the mapped commands.
 std::string remote_text(const RemoteControl& remote) {
     const RemoteLog& log = remote.log();
@@ -324,7 +332,7 @@ std::string state_text(const Scene& scene, const Edits& edits) {
         probe_text(scene) + inspection_text(scene) + texels_text(scene) + pins_text(scene) +
             gains_text(scene) + comparison_text(scene) + non_finite_text(lab.frames.nan_guard()) +
             flashes_text(scene) + switches_text(lab.frames.passes().switches()) +
-            tryouts_text(scene) + presets_text(scene) + dialog_text(scene),
+            tryouts_text(scene) + presets_text(scene) + dialog_text(scene) + gl_objects_text(),
         problems_json(lab.messages), widget_rects_text(edits));
 }
 
