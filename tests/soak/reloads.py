@@ -17,9 +17,26 @@ sys.path.insert(0, str(record.ROOT / "tests/window"))
 from program import Program  # noqa: E402
 from screen import Screen  # noqa: E402
 
-LOOK, SHADER = "crt", "crt.frag"
-DEFAULT = "exposure = 1.0;"
-ANCHOR = "in vec2 uv;"
+LOOK = {"format": "afterglow-look", "version": 1, "name": "Small", "driven_by": "picture",
+        "default_source": "pattern:smpte", "passes": [
+            {"name": "first", "fragment": "first.frag", "inputs": {"scene": "source"}},
+            {"name": "second", "fragment": "second.frag", "inputs": {"image": "first", "previous": "second@1"}}]}
+TINT = "vec3 tinted(vec3 light) {{ return light * vec3(1.0, {}, 0.5); }}\n"
+FIRST = """#version 410 core
+#include "tint.glsl"
+uniform sampler2D scene;
+uniform float gain = {default};  // @range 0 1
+{more}in vec2 uv;
+out vec4 color;
+void main() {{ color = vec4(tinted(texture(scene, uv).rgb) * gain * {factor}, 1.0); }}
+"""
+SECOND = """#version 410 core
+uniform sampler2D image;
+uniform sampler2D previous;
+in vec2 uv;
+out vec4 color;
+void main() { color = mix(texture(image, uv), texture(previous, uv), 0.5); }
+"""
 PER_ROW = 100
 WARM_UP = 1000  # reloads of a process that do not count: caches fill
 MOST_GROWTH = {"memory_mb": 1.05, "gl_objects": 1.0, "descriptors": 1.0, "threads": 1.0}
@@ -28,34 +45,42 @@ PLOT = record.ROOT / "docs/reliability/reloads.svg"
 
 
 class Edits:
-    """Changes of the look's files, each with its own default of a parameter, by which the reload is seen."""
+    """Changes of a look of two passes, each with its own default of a parameter, by which the reload is seen."""
 
     def __init__(self, program):
         self.program = program
-        folder = program.folder / f"data/shaders/{LOOK}"
-        self.shader, self.manifest = folder / SHADER, folder / "look.json"
-        self.text, self.look = self.shader.read_text(), json.loads(self.manifest.read_text())
-        assert DEFAULT in self.text and ANCHOR in self.text
+        self.folder = program.folder / "data/shaders/small"
+        self.folder.mkdir()
         self.count = 0
+        self.save("look.json", json.dumps(LOOK))
+        self.save("tint.glsl", TINT.format(0.5))
+        self.save("second.frag", SECOND)
+        self.save("first.frag", FIRST.format(default=0.5, factor="1.0", more=""))
+
+    def save(self, name, text):
+        (self.folder / name).write_text(text)
 
     def apply(self, number):
-        """One of ten kinds, in turn: new defaults, an error, a further parameter, another format of a target."""
+        """One of ten kinds, in turn: other code, an error, a further parameter, an include, another format."""
         self.count += 1
-        name, wanted = DEFAULT.split(" ")[0], round(0.2 + 0.8 * (self.count % 9973) / 9973, 6)
-        text = self.text.replace(DEFAULT, f"{name} = {wanted};")
+        wanted = round(0.1 + 0.8 * (self.count % 9973) / 9973, 6)
+        changes = {"default": wanted, "factor": "1.0", "more": ""}
         kind = number % 10
         if kind == 6:
-            self.shader.write_text(text.replace(ANCHOR, "missing_type broken;\n" + ANCHOR))
+            self.save("first.frag", FIRST.format(**{**changes, "factor": "missing"}))
             self.program.wait("the error is shown", lambda s: s["problems"] and not s["is_loading"])
             return
-        if kind == 8:
-            text = text.replace(ANCHOR, "uniform float further = 0.0;  // @range 0 1\n" + ANCHOR)
-            text = text.replace("vec3(", "(1.0 + further) * vec3(")
         if kind in (3, 4):
-            self.look["passes"][0]["format"] = "rgba32f" if kind == 3 else "rgba16f"
-            self.manifest.write_text(json.dumps(self.look))
-        self.shader.write_text(text)
-        self.program.wait("the look is reloaded", lambda s: s["values"][name] == [wanted] and not s["problems"] and
+            LOOK["passes"][1]["format"] = "rgba32f" if kind == 3 else "rgba16f"
+            self.save("look.json", json.dumps(LOOK))
+        if kind == 5:
+            self.save("tint.glsl", TINT.format(wanted))
+        if kind == 8:
+            changes.update(more="uniform float further = 1.0;  // @range 0 1\n", factor="further")
+        if kind == 9:
+            changes["factor"] = f"{1.0 - wanted:.6f}"
+        self.save("first.frag", FIRST.format(**changes))
+        self.program.wait("the look is reloaded", lambda s: s["values"].get("gain") == [wanted] and not s["problems"] and
                           ("further" in s["values"]) == (kind == 8))
 
 
@@ -68,16 +93,16 @@ def figures(program):
 
 def reload_often(executable, rows, wanted, budget):
     with tempfile.TemporaryDirectory(prefix="afterglow-reloads-", ignore_cleanup_errors=True) as folder, \
-            Screen(1000, 700) as screen:
+            Screen(480, 360) as screen:
         program = Program(executable, record.ROOT, Path(folder), screen)
-        program.arrange(1000, 700, [240, 180])
+        program.arrange(480, 360, [96, 72])
         session = json.loads(program.session().read_text())
-        session["look"] = str(Path(folder) / f"data/shaders/{LOOK}/look.json")
+        session["look"] = str(Path(folder) / "data/shaders/small/look.json")
         program.session().write_text(json.dumps(session))
         run = 1 + max((row["run"] for row in rows.rows), default=0)
+        edits = Edits(program)
         try:
             program.start()
-            edits = Edits(program)
             while rows.total("reloads") < wanted and budget.left() > 0:
                 for number in range(PER_ROW):
                     edits.apply(number)

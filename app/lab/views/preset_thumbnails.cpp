@@ -58,6 +58,7 @@ void PresetThumbnails::update(const Lab& lab, Use use, double wall_seconds,
     }
     take_one();
     m_seconds_left -= wall_seconds;
+    m_rest_left -= wall_seconds;
     if (m_seconds_left <= 0.0) {
         constexpr double pause_seconds = 0.5;
         m_seconds_left = pause_seconds;
@@ -65,7 +66,7 @@ void PresetThumbnails::update(const Lab& lab, Use use, double wall_seconds,
     }
     const bool is_any_wanted =
         std::ranges::any_of(m_entries, [this](const auto& e) { return is_wanted(e.second); });
-    if (is_any_wanted && m_work.is_free() &&
+    if (is_any_wanted && m_rest_left <= 0.0 && m_work.is_free() &&
         m_basket->is_empty())  // otherwise the picture may be there
         start(lab);
 }
@@ -85,7 +86,7 @@ bool differs_in_constants(const Look& before, const Look& now) {
 }
 }  // namespace
 
-// Edited presets are drawn again. The previous pictures stay until then.
+// Edited presets are drawn again, after a rest. The previous pictures stay until then.
 void PresetThumbnails::list(const Lab& lab, const std::optional<Content>& content) {
     const Look& look = lab.document()->look();
     const bool is_other = !m_look || m_look->id != look.id;
@@ -94,6 +95,9 @@ void PresetThumbnails::list(const Lab& lab, const std::optional<Content>& conten
     const bool is_edited = !is_other && ((!is_turned && *m_look != look) || shows_other);
     if (is_turned)
         m_look = look;
+    constexpr double rest_seconds = 2.0;  // the next edit should not wait for pictures of this one
+    if (!is_other && !is_turned && *m_look != look)
+        m_rest_left = rest_seconds;
     if (is_other)
         m_entries.clear();
     if (is_other || is_edited) {

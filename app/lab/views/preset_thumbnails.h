@@ -17,7 +17,8 @@ class Lab;
 class PresetThumbnailRenderer;
 
 /// Thumbnails of all presets of the open look. A background thread draws them one after the other
-/// while they are visible. They are drawn again after a preset or the look has changed.
+/// while they are visible. They are drawn again after a preset has changed, and two seconds after
+/// the last edit of the look.
 class PresetThumbnails {
 public:
     /// The displayed state of a preset.
@@ -72,6 +73,7 @@ private:
     std::map<std::filesystem::path, Entry> m_entries;
     std::shared_ptr<Basket> m_basket;  // shared with the background thread
     double m_seconds_left = 0.0;       // until the folders are read again
+    double m_rest_left = 0.0;          // s, until an edited look's pictures are drawn
     int m_drawn = 0;
     Use m_use = Use::hidden;
     BackgroundWork<bool> m_work;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <thread>
 
 namespace {
 // A look whose second pass shows `gain` / 100, as an 8-bit picture stores it.
@@ -133,6 +134,24 @@ TEST_CASE("pictures are drawn only while displayed, and a broken preset reports 
     CHECK(pictures.of(broken).problem.empty());
     CHECK(pictures.of({}).image.handle == handle);  // the others are unchanged
     CHECK(pictures.drawn() == 3);
+}
+
+TEST_CASE("pictures of an edited look wait for a rest of two seconds") {
+    Painting small;
+    PresetThumbnails pictures;
+    small.look_at(pictures, {{}});
+    small.write("show.frag",
+                replaced(small_look::show, "texture(image, uv) * gain", "vec4(gain / 50.0)"));
+    REQUIRE(small.update_until([&] { return std::abs(small.shown() - 0.02f) < 1e-4f; }));
+    pictures.update(small.lab(), PresetThumbnails::Use::drawn, 1.0);
+    for (int update = 0; update < 40; ++update) {
+        pictures.update(small.lab(), PresetThumbnails::Use::drawn, 0.02);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    CHECK(pictures.of({}).is_due);
+    CHECK(pictures.drawn() == 1);
+    small.look_at(pictures, {{}});
+    CHECK(pictures.drawn() == 2);
 }
 
 TEST_CASE("a preset's picture follows the file that the preset references") {
