@@ -191,6 +191,18 @@ def bare_heading(heading):
     return re.sub(r"!?\[([^\]]*)\]\([^)]*\)", r"\1", heading).replace("`", "")
 
 
+def named_test_problems(root, page, text):
+    """Tests that a page names, such as `test_nothing_is_overwritten`, and that do not exist."""
+    named = {(number, name) for number, line in enumerate(text.split("\n"), 1)
+             for name in re.findall(r"`(test_\w+)`", line)}
+    if not named:
+        return []
+    code = "\n".join(file.read_text(encoding="utf-8") for file in root.glob("tests/**/*.py"))
+    known = set(re.findall(r"def (test_\w+)\(", code))
+    return [f"{page.relative_to(root)}:{number}: error: there is no test '{name}'"
+            for number, name in sorted(named) if name not in known]
+
+
 def link_problems(root, page, text):
     """Links of a page to files and headings of the tree that do not exist."""
     errors = []
@@ -232,7 +244,7 @@ def check_tree(root):
     for page in pages:
         if page.exists():
             found, warned = page_problems(str(page.relative_to(root)), read(page))
-            errors += found + link_problems(root, page, read(page))
+            errors += found + link_problems(root, page, read(page)) + named_test_problems(root, page, read(page))
             warnings += warned
     readme = root / "README.md"
     if readme.exists() and len(read(readme).splitlines()) > MOST_README_LINES:

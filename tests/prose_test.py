@@ -119,6 +119,12 @@ class ProseTest(unittest.TestCase):
         self.assert_error("docs/a.md", "[b](#b)\n", "a.md:1: error: the link '#b' leads nowhere")
         self.assert_none("docs/a.md", "[b](https://example.org/b.md)\n")
 
+    def test_tests_that_a_page_names_exist(self):
+        test = {"tests/cli/a_test.py": "class A:\n    def test_it_works(self):\n        pass\n"}
+        self.assertEqual(errors_in({**test, "docs/a.md": "`test_it_works`\n"}), [])
+        self.assertEqual(errors_in({**test, "docs/a.md": "one\n`test_it_failed`\n"}),
+                         ["docs/a.md:2: error: there is no test 'test_it_failed'"])
+
     def test_every_page_at_the_top_level_is_read(self):
         self.assert_error("CONTRIBUTING.md", "word\n" * 36, "CONTRIBUTING.md:1: error: a sentence of 36 words")
         self.assert_error("SECURITY.md", "[b](docs/b.md)\n", "SECURITY.md:1: error: the link 'docs/b.md' leads nowhere")

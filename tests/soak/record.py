@@ -41,6 +41,7 @@ def fuzzed_sources():
 CODE = {
     "fuzz": fuzzed_sources(),
     "reloads": ("app/glsl", "app/gpu", "app/graph", "app/io/files", "app/lab/reload"),
+    "edits": ("app/glsl", "app/gpu", "app/graph", "app/lab/reload", "app/ui/window"),
     "kills": ("app/formats/pack", "app/formats/preset", "app/formats/settings", "app/io/files", "app/io/pictures",
               "app/io/video", "app/lab/session"),
 }
