@@ -1,10 +1,12 @@
-"""The results of long tests in docs/reliability.md: sections with commit and date, and which of them are too old."""
+"""record.py [PART...]: the results of long tests in docs/reliability.md: sections with commit and date, and which of them
+are too old. Writes that the named parts have passed."""
 
 import datetime
 import functools
 import json
 import re
 import subprocess
+import sys
 import time
 from pathlib import Path
 
@@ -44,6 +46,11 @@ CODE = {
     "edits": ("app/glsl", "app/gpu", "app/graph", "app/lab/reload", "app/ui/window"),
     "kills": ("app/formats/pack", "app/formats/preset", "app/formats/settings", "app/io/files", "app/io/pictures",
               "app/io/video", "app/lab/session"),
+    "match": ("app/lab/match", "app/model/photo"),
+    "slurm": ("app/cli/jobs.cpp", "app/cli/render.cpp", "app/lab/farm", "app/model/plan/lead_in.cpp"),
+    "export": ("app/formats/isf_export", "app/formats/mpv_export", "app/formats/portable", "app/formats/reshade_export",
+               "app/formats/slang_export", "app/lab/export"),
+    "package": ("CMakeLists.txt", "app/CMakeLists.txt", "app/lab/packs", "app/package", "tests/soak/package.sh"),
 }
 
 
@@ -130,5 +137,7 @@ def write(name, lines):
 
 
 if __name__ == "__main__":
+    for passed in sys.argv[1:]:
+        write(passed, [stamp()])
     page = PAGE.read_text()
     PAGE.write_text(replaced(page, STATES, states(page)))
