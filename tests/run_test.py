@@ -3,6 +3,7 @@
 import json
 import os
 import pty
+import re
 import shutil
 import subprocess
 import tempfile
@@ -306,6 +307,18 @@ class RunTest(unittest.TestCase):
         self.assertIn("./run check", done.stdout)
         self.assertIn("check LOOK", done.stdout)
         self.assertEqual(self.log(), "")
+
+
+class RegisteredTests(unittest.TestCase):
+    def test_every_class_of_the_window_runs(self):
+        window = SOURCE / "tests/window"
+        files = [file for file in window.glob("*.py") if not file.stem.endswith("_test")]
+        classes = {name for file in files
+                   for name in re.findall(r"^class (\w+)\(Person\)", file.read_text(encoding="utf-8"), re.MULTILINE)}
+        listed = re.search(r"foreach\(class ([^)]*)\)", (SOURCE / "tests/CMakeLists.txt").read_text(encoding="utf-8"))[1]
+        self.assertEqual(set(listed.split()), classes)
+        bases = re.search(r"class WindowTest\(([^)]*)\)", (window / "window_test.py").read_text(encoding="utf-8"))[1]
+        self.assertEqual(set(re.split(r",\s*", bases)), classes)
 
 
 if __name__ == "__main__":

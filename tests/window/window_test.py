@@ -33,7 +33,7 @@ Person.executable = Path(sys.argv[1]).resolve()
 
 
 class WindowTest(Capturing, Choosing, Collecting, Comparing, Drawing, Driving, Editing, Exporting, Filing, Foreign,
-                 Helping, Keeping, Keyboard, Listing, Looking, Moving, Owning, Remoting, Sequencing,
+                 Helping, Keeping, Keyboard, Listing, Looking, Matching, Moving, Owning, Remoting, Sequencing,
                  Trying, Tuning):
     """All tests with one window, for pictures of the manual."""
 

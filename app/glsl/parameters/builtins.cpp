@@ -17,6 +17,9 @@ const std::vector<BuiltInDeclaration>& builtin_uniforms() {
         {"u_view", {Scalar::floating, 4, 4}},               // orbit: rotation of the object
         {"u_camera", {Scalar::floating, 4, 4}},             // orbit: rotation of the camera
         {"u_drawn_onto", {Scalar::boolean, 1, 1}},          // see "onto" in look.json
+        {"u_subframe", {Scalar::integer, 1, 1}},            // from 0
+        {"u_subframes", {Scalar::integer, 1, 1}},           // per source frame
+        {"u_peak", {Scalar::floating, 1, 1}},               // largest light of the display
     };
     return all;
 }

@@ -1,5 +1,6 @@
 #include "glsl/parameters/parameters.h"
 
+#include "glsl/parameters/builtins.h"
 #include "glsl/shader_texts.h"
 
 #include <doctest/doctest.h>
@@ -94,6 +95,8 @@ TEST_CASE("built-in uniforms are not parameters, and their type is checked") {
           "a.frag:3: error: Afterglow sets 'u_time', so it must be a float, got an int\n");
     CHECK(errors_of(look_with("uniform vec2 u_mouse[2];")) ==
           "a.frag:2: error: Afterglow sets 'u_mouse', so it must be a vec2, got a vec2[2]\n");
+    for (const BuiltInUniform& uniform : own_built_ins())
+        CHECK_MESSAGE(find_builtin_uniform(uniform.name), uniform.name);
 }
 
 TEST_CASE("a uniform set by a pass has no slider there, but keeps it elsewhere") {
