@@ -108,7 +108,8 @@ void draw_half_size_offer(const Scene& scene, Edits& edits) {
         "about four times faster.");
 }
 
-/// The cost of a frame. Only the time is highlighted if it is over the budget.
+/// The cost of a frame. Only the time is highlighted if it is over the budget. Each part keeps its
+/// width, so that what follows stays in place.
 struct Cost {
     std::string before;
     std::string time;
@@ -123,7 +124,8 @@ Cost cost_of(const Scene& scene) {
     const double memory =
         static_cast<double>(memory_of(renderer->executor().plan())) / (1024.0 * 1024.0);
     const int draws = renderer->executor().drawer().draw_calls();
-    return {pace_text(scene) + "   ", fmt::format("{:.2f} ms", all),
+    return {fmt::format("{:<7}  ", pace_text(scene)),
+            fmt::format("{:>9}", fmt::format("{:.2f} ms", all)),
             draws == 1 ? fmt::format("   1 draw   {:.1f} MiB", memory)
                        : fmt::format("   {} draws   {:.1f} MiB", draws, memory)};
 }
@@ -188,10 +190,10 @@ void draw_status_bar(const Scene& scene, Edits& edits) {
     }
     ImGui::SameLine();
     draw_cost(scene, edits);
+    draw_export_chip(scene, edits);
     draw_lag(scene, edits);
     draw_drops(scene, edits);
     draw_half_size_offer(scene, edits);
-    draw_export_chip(scene, edits);
     draw_readouts(scene);
     const std::string pointer = pointer_text(scene);
     if (pointer.empty())
