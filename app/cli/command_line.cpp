@@ -151,6 +151,11 @@ Option& Option::excludes(const Option& other) {
     return *this;
 }
 
+Option& Option::hidden() {
+    m_option->group("");
+    return *this;
+}
+
 Option Options::add(const std::string& names, std::string& value, const std::string& help) {
     return Option(*added(*m_app, names, value, help).check(complaint_of_empty));
 }

@@ -49,6 +49,8 @@ public:
     /// For a list: without values, the option gives the list `value`.
     Option& or_alone(const std::string& value);
     Option& excludes(const Option& other);
+    /// Leaves it out of the help, for an option that is refused with a reason.
+    Option& hidden();
 
 private:
     CLI::Option* m_option;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace {
 std::string codec_list() {
     std::vector<std::string> texts;
@@ -21,7 +23,7 @@ std::string sound_codec_list() {
 constexpr const char* hlg = "hlg";
 }  // namespace
 
-void FilmOptions::add_to(Options& options) {
+void FilmOptions::add_to(Options& options, Hdr hdr) {
     options.add("--codec NAME", m_choice.codec,
                 fmt::format("Picture codec of a video: {} (default: by file type)", codec_list()));
     options
@@ -32,18 +34,22 @@ void FilmOptions::add_to(Options& options) {
     options.add(
         "--audio-codec NAME", m_choice.sound,
         fmt::format("Sound codec of a video: {} (default: by file type)", sound_codec_list()));
-    options
-        .add("--hdr NAME", m_hdr,
-             "HDR signal of a video with 10 bits and BT.2020 colours: hdr10 or hlg (default: none)")
-        .one_of({"hdr10", hlg});
-    options
-        .add("--paper-white NITS", m_light.paper_white,
-             "With --hdr: light of white in cd/m2 (default: 203)")
-        .between(hdr_paper_whites[0], hdr_paper_whites[1]);
-    options
-        .add("--peak NITS", m_light.peak,
-             "With --hdr: brightest light of the display in cd/m2 (default: 1000)")
-        .between(hdr_peaks[0], hdr_peaks[1]);
+    std::vector<Option> light{
+        options
+            .add("--hdr NAME", m_hdr,
+                 "HDR signal of a video with 10 bits and BT.2020 colours: hdr10 or hlg (default: "
+                 "none)")
+            .one_of({"hdr10", hlg}),
+        options
+            .add("--paper-white NITS", m_light.paper_white,
+                 "With --hdr: light of white in cd/m2 (default: 203)")
+            .between(hdr_paper_whites[0], hdr_paper_whites[1]),
+        options
+            .add("--peak NITS", m_light.peak,
+                 "With --hdr: brightest light of the display in cd/m2 (default: 1000)")
+            .between(hdr_peaks[0], hdr_peaks[1])};
+    if (hdr == Hdr::refused)
+        std::ranges::for_each(light, &Option::hidden);
     options.add_flag("--alpha", m_choice.keeps_alpha,
                      "Keep transparency. A look without its own becomes transparent where it is "
                      "black.");

@@ -10,7 +10,9 @@
 /// The options for how a video is stored.
 class FilmOptions {
 public:
-    void add_to(Options& options);
+    /// Whether the options for HDR are in the help, or are refused by the command.
+    enum class Hdr { listed, refused };
+    void add_to(Options& options, Hdr hdr = Hdr::listed);
 
     FilmChoice choice() const;
     /// The light that --hdr asks for; nullopt: without HDR.

@@ -298,7 +298,7 @@ Command add_jobs(CommandLine& program) {
                 "Then make a video of all frames, with sound; with --vary, a contact sheet");
     options.add("--vary NAME=VALUES", arguments->axes, "Draw a sweep, as in 'sweep'").repeated();
     add_length(options, *arguments);
-    arguments->film.add_to(options);
+    arguments->film.add_to(options, FilmOptions::Hdr::refused);
     options.add_flag("--subframes", arguments->has_subframes, "As in 'render'");
     options.add("--moves FILE", arguments->automation, "Automation file, as in 'render'");
     options.add("--cues FILE", arguments->cues, "Cue file, as in 'render'");
