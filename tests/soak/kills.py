@@ -67,7 +67,7 @@ def leftovers(folder):
 
 def wait_randomly(span):
     """Up to the span, in seconds, and a bit longer. Half of all waits are zero: the event itself is late."""
-    time.sleep(max(0.0, random.uniform(-1.1, 1.1) * span))
+    time.sleep(max(0.0, random.uniform(-1.5, 1.5) * span))
 
 
 class Command:

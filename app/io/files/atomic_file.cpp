@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <fstream>
 #include <optional>
 #include <sys/stat.h>
 
@@ -138,4 +139,22 @@ Result<void> write_atomically(const fs::path& file, std::string_view bytes, Left
     if (auto done = written->write(bytes); !done)
         return done;
     return written->finish();
+}
+
+Result<void> copy_atomically(const fs::path& from, const fs::path& to) {
+    std::ifstream source(from, std::ios::binary);
+    if (!source)
+        return fail({from, 0, fmt::format("can't read the file: {}", system_reason())});
+    auto copy = AtomicFile::create(to);
+    if (!copy)
+        return fail(copy.error());
+    std::string part(std::size_t{1} << 20, '\0');
+    while (source.read(part.data(), static_cast<std::streamsize>(part.size())) ||
+           source.gcount() > 0)
+        if (auto written = copy->write({part.data(), static_cast<std::size_t>(source.gcount())});
+            !written)
+            return written;
+    if (source.bad())
+        return fail({from, 0, fmt::format("can't read the file: {}", system_reason())});
+    return copy->finish();
 }

@@ -47,6 +47,9 @@ private:
 Result<void> write_atomically(const std::filesystem::path& file, std::string_view bytes,
                               Leftovers leftovers = Leftovers::removed);
 
+/// The same with the content of another file of any size, without holding it in memory.
+Result<void> copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Whether write_atomically could write `file`, as far as can be checked in advance. For use before
 /// long work whose result goes there.
 Result<void> check_writable(const std::filesystem::path& file);

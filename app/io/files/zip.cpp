@@ -1,7 +1,6 @@
 #include "io/files/zip.h"
 
 #include "base/text.h"
-#include "io/files/atomic_file.h"
 
 #include <fmt/format.h>
 
@@ -63,24 +62,7 @@ bool add(zip_t* archive, const fs::path& folder, const fs::path& file) {
 struct Close {
     void operator()(zip_t* archive) const { zip_discard(archive); }
     void operator()(zip_file_t* file) const { zip_fclose(file); }
-    void operator()(zip_source_t* source) const { zip_source_free(source); }
 };
-using Archive = std::unique_ptr<zip_t, Close>;
-using Source = std::unique_ptr<zip_source_t, Close>;
-
-// All bytes of a source; nullopt: they can't be read.
-std::optional<std::string> content_of(zip_source_t* source) {
-    zip_stat_t stat;
-    zip_stat_init(&stat);
-    if (zip_source_stat(source, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0 ||
-        zip_source_open(source) != 0)
-        return std::nullopt;
-    std::string content(stat.size, '\0');
-    const bool is_read = zip_source_read(source, content.data(), content.size()) ==
-                         static_cast<zip_int64_t>(content.size());
-    zip_source_close(source);
-    return is_read ? std::optional(std::move(content)) : std::nullopt;
-}
 
 /// A file in an archive.
 struct Entry {
@@ -234,14 +216,10 @@ Result<void> extract(zip_t* archive, const Entry& entry, const fs::path& folder,
 }  // namespace
 
 Result<void> zip_folder(const fs::path& folder, const fs::path& zip) {
-    zip_error_t error;
-    zip_error_init(&error);
-    const Source bytes(zip_source_buffer_create(nullptr, 0, 0, &error));
-    Archive archive(bytes ? zip_open_from_source(bytes.get(), ZIP_CREATE | ZIP_TRUNCATE, &error)
-                          : nullptr);
+    int code = 0;
+    std::unique_ptr<zip_t, Close> archive(zip_open(zip.c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
     if (!archive)
-        return fail({zip, 0, fmt::format("can't create: {}", zip_error_strerror(&error))});
-    zip_source_keep(bytes.get());  // the archive owns a reference too
+        return fail({zip, 0, fmt::format("can't create: {}", text_of(code))});
     for (const fs::path& file : files_in(folder))
         if (!add(archive.get(), folder, file))
             return fail(
@@ -250,13 +228,12 @@ Result<void> zip_folder(const fs::path& folder, const fs::path& zip) {
     if (zip_close(archive.get()) != 0)
         return fail({zip, 0, fmt::format("can't write: {}", zip_strerror(archive.get()))});
     (void)archive.release();  // NOLINT(bugprone-unused-return-value): zip_close() has freed it
-    const auto content = content_of(bytes.get());
-    if (!content)
-        return fail({zip, 0, "can't write: out of memory"});
-    return write_atomically(zip, *content);
+    return {};
 }
 
 namespace {
+using Archive = std::unique_ptr<zip_t, Close>;
+
 Result<Archive> opened(const fs::path& zip) {
     int code = 0;
     Archive archive(zip_open(zip.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, &code));

@@ -15,8 +15,8 @@ struct ZipLimits {
 };
 
 /// Writes all files of a folder to a ZIP file, with a fixed date, so that the same files give the
-/// same bytes. Pictures, sounds and videos are stored without compression. The file is complete or
-/// unchanged. The archive is made in memory.
+/// same bytes. Pictures, sounds and videos are stored without compression. `zip` is in a
+/// scratch folder: the library leaves a file of its own when it is killed.
 Result<void> zip_folder(const std::filesystem::path& folder, const std::filesystem::path& zip);
 
 /// Fails for paths that are absolute, lead outside or differ in case only (ASCII), for links and

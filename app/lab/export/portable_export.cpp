@@ -100,8 +100,11 @@ Result<ExportedLook> export_zip(const ExportRequest& request) {
     auto made = export_folder(unpacked);
     if (!made)
         return made;
-    if (auto written = zip_folder(unpacked.path, request.path); !written)
-        return fail(written.error());
+    const fs::path archive = scratch->path() / "look.zip";
+    if (auto zipped = zip_folder(unpacked.path, archive); !zipped)
+        return fail(zipped.error());
+    if (auto saved = copy_atomically(archive, request.path); !saved)
+        return fail(saved.error());
     std::error_code error;
     return ExportedLook{request.path, made->files, fs::file_size(request.path, error)};
 }

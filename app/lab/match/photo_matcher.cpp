@@ -1,6 +1,5 @@
 #include "lab/match/photo_matcher.h"
 
-#include "base/file.h"
 #include "gpu/objects/texels.h"
 #include "io/files/atomic_file.h"
 #include "lab/match/photo_check.h"
@@ -134,10 +133,7 @@ Result<void> PhotoMatcher::attach_to(const fs::path& preset) const {
         return {};
     fs::path copy = preset;
     copy.replace_extension(".photo" + m_photo->file.extension().string());
-    const auto photo = read_bytes(m_photo->file);
-    if (!photo)
-        return fail(photo.error());
-    if (auto copied = write_atomically(copy, *photo); !copied)
+    if (auto copied = copy_atomically(m_photo->file, copy); !copied)
         return copied;
     fs::path camera = preset;
     camera.replace_extension(".camera.json");

@@ -1,6 +1,5 @@
 #include "lab/packs/pack_writer.h"
 
-#include "base/file.h"
 #include "io/files/atomic_file.h"
 #include "io/files/scratch_folder.h"
 #include "io/files/zip.h"
@@ -154,10 +153,7 @@ Result<WrittenPack> write_pack(const PackRequest& request, const Library& librar
         zipped = check_zip(archive, pack_limits);
     if (!zipped)
         return fail(zipped.error());
-    const auto bytes = read_bytes(archive);
-    if (!bytes)
-        return fail(bytes.error());
-    if (auto saved = write_atomically(request.path, *bytes); !saved)
+    if (auto saved = copy_atomically(archive, request.path); !saved)
         return fail(saved.error());
     WrittenPack written;
     std::error_code error;

@@ -38,6 +38,24 @@ TEST_CASE("a new file is written with its parent folders, and no temporary file 
     CHECK(count_of(folder / "a/b") == 1);
 }
 
+TEST_CASE("a file of any size is copied over another one, and a missing one changes nothing") {
+    const TemporaryFolder folder;
+    for (const std::size_t size :
+         {std::size_t{0}, std::size_t{1}, std::size_t{1} << 20, (std::size_t{1} << 20) + 7}) {
+        std::string bytes(size, 'a');
+        if (size > 0)
+            bytes.back() = 'z';
+        folder.write("to", "before");
+        REQUIRE(copy_atomically(folder.write("from", bytes), folder / "to"));
+        CHECK(content_of(folder / "to") == bytes);
+    }
+    folder.write("to", "before");
+    const auto failed = copy_atomically(folder / "none", folder / "to");
+    REQUIRE_FALSE(failed.has_value());
+    CHECK(failed.error().front().file == folder / "none");
+    CHECK(content_of(folder / "to") == "before");
+}
+
 TEST_CASE("an existing file is replaced and keeps its permissions") {
     const TemporaryFolder folder;
     const fs::path file = folder.write("file", "a long old content");
