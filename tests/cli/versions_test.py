@@ -1,4 +1,4 @@
-"""Files that version 0.9.0 wrote still open: tests/inputs/versions/."""
+"""Files that earlier versions wrote still open: tests/inputs/versions/."""
 
 import json
 import shutil

@@ -2,7 +2,8 @@
 """fuzz.py BUILD FOLDER [RUNS]: fuzzes every reader, and writes the numbers of runs to docs/reliability.md.
 
 A reader of ours gets RUNS runs (default: 1,000,000), one that is mostly a library's a tenth of them. Results are kept in
-FOLDER, so a stopped run goes on, until the code has changed. Failing inputs are kept in BUILD/found.
+FOLDER, so a stopped run goes on, until the code has changed. In a new FOLDER the numbers of the page go on. Failing inputs
+are kept in BUILD/found.
 """
 
 import os
@@ -42,13 +43,21 @@ LIBRARIES = {
 SLICE_SECONDS = 120
 
 
+def runs_on_page():
+    """The rows of the page's table, at its commit. A reader with a finding has none."""
+    text = record.section(record.PAGE.read_text(), "fuzz")
+    commit = re.search(r"Commit ([0-9a-f]+),", text)
+    rows = re.findall(r"^\| `(\w+)` \|.*\| ([\d,]+) \| none \|$", text, re.MULTILINE)
+    return [{"reader": reader, "runs": int(runs.replace(",", "")), "commit": commit[1]} for reader, runs in rows]
+
+
 class Fuzzing:
     """The runs so far, and those that are missing."""
 
     def __init__(self, build, folder, runs):
         self.build, self.runs = build, runs
         self.rows = record.Rows(folder / "fuzz.jsonl",
-                                lambda row: record.sources_of(f"tests/fuzz/{row['reader']}_fuzz.cpp"))
+                                lambda row: record.sources_of(f"tests/fuzz/{row['reader']}_fuzz.cpp"), runs_on_page())
         self.budget = record.Budget()
         self.findings = []
 

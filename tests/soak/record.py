@@ -83,12 +83,14 @@ def has_changed(since, paths):
 
 class Rows:
     """The results of a part so far, one line of JSON each. Those of older code are left out: `sources` gives the paths
-    that a row's result depends on."""
+    that a row's result depends on. A new file begins with the rows `first`."""
 
-    def __init__(self, file, sources):
+    def __init__(self, file, sources, first=()):
         file.parent.mkdir(parents=True, exist_ok=True)
+        if not file.exists():
+            file.write_text("".join(json.dumps(row) + "\n" for row in first))
         self._file = file
-        rows = [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
+        rows = [json.loads(line) for line in file.read_text().splitlines()]
         self.rows = [row for row in rows if not has_changed(row["commit"], sources(row))]
 
     def add(self, **row):

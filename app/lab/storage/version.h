@@ -1,4 +1,4 @@
 #pragma once
 
-/// The version of the program: "0.9.0".
+/// The version of the program: "1.0.0".
 const char* program_version();
