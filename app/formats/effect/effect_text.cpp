@@ -151,7 +151,7 @@ std::string renamed_word(const WordChanges& words, const std::string& word) {
 }
 
 WordChanges renamed_built_ins(std::string_view text) {
-    static const std::vector<std::string> functions =
+    const std::vector<std::string>& functions =
         find_built_in_names({.version = 450, .is_vulkan = true}).functions;
     const std::vector<std::string> names = global_names(text);
     WordChanges words;

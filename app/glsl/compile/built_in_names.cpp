@@ -7,7 +7,10 @@
 #include <glslang/MachineIndependent/Initialize.h>
 
 #include <limits>
+#include <map>
+#include <mutex>
 #include <set>
+#include <tuple>
 
 namespace {
 /// Memory for glslang's strings on this thread, instead of the current shader's.
@@ -32,9 +35,8 @@ void add_names(std::string_view declarations, BuiltInNames& names, std::set<std:
         if (known.insert(variable.name).second)
             names.variables.push_back(variable.name);
 }
-}  // namespace
 
-BuiltInNames find_built_in_names(const Dialect& dialect) {
+BuiltInNames read_names(const Dialect& dialect) {
     start_glslang();
     const PoolScope pool;
     glslang::SpvVersion target;
@@ -50,4 +52,16 @@ BuiltInNames find_built_in_names(const Dialect& dialect) {
     add_names(declarations.getCommonString().c_str(), names, known);
     add_names(declarations.getStageString(dialect.stage).c_str(), names, known);
     return names;
+}
+}  // namespace
+
+const BuiltInNames& find_built_in_names(const Dialect& dialect) {
+    static std::mutex mutex;
+    static std::map<std::tuple<EShLanguage, int, bool>, BuiltInNames> known;
+    const std::scoped_lock lock(mutex);
+    const std::tuple key(dialect.stage, dialect.version, dialect.is_vulkan);
+    auto found = known.find(key);
+    if (found == known.end())
+        found = known.emplace(key, read_names(dialect)).first;
+    return found->second;
 }

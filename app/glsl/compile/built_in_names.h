@@ -18,5 +18,6 @@ struct BuiltInNames {
     std::vector<std::string> variables;
 };
 
-/// Reads them from glslang's own declarations, which takes some milliseconds.
-BuiltInNames find_built_in_names(const Dialect& dialect);
+/// Reads them from glslang's own declarations. The first time takes about 40 ms per dialect. Any
+/// thread may call it.
+const BuiltInNames& find_built_in_names(const Dialect& dialect);

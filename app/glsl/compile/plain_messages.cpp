@@ -78,11 +78,7 @@ private:
         return *m_names;
     }
 
-    const BuiltInNames& built_ins() {
-        if (!m_built_ins)
-            m_built_ins = find_built_in_names(m_dialect);
-        return *m_built_ins;
-    }
+    const BuiltInNames& built_ins() const { return find_built_in_names(m_dialect); }
 
     // Suggests nothing for a word of one or two letters, except in another case.
     static std::string suggestion(const std::string& name, std::vector<std::string> candidates) {
@@ -135,7 +131,7 @@ private:
     }
 
     std::string type_name(std::string_view description) {
-        const std::string name = glsl_type_name(description);
+        std::string name = glsl_type_name(description);
         const std::vector<std::string> fields = described_fields(description);
         for (const StructName& one : names().structs)
             if (!fields.empty() && !one.name.empty() &&
@@ -280,7 +276,6 @@ private:
     Dialect m_dialect;
     int m_line = 0;
     std::optional<ShaderNames> m_names;  // of that line
-    std::optional<BuiltInNames> m_built_ins;
 };
 
 const std::array<Explainer::Rule, 18> Explainer::rules{{
