@@ -30,20 +30,18 @@ LONGEST_NOTICE = 0.6  # s
 WINDOW, PICTURE = (640, 480), [160, 120]
 
 
-def change_number(text, pick):
-    found = pick(list(re.finditer(r"\b\d+\.\d+\b", text)))
-    return text[:found.start()] + f"{float(found[0]) * random.uniform(0.5, 2.0):.4f}" + text[found.end():]
+def change_one(text, pattern, other):
+    """Replaces one of the places that match. Without any, the text stays as it is."""
+    places = list(re.finditer(pattern, text))
+    if not places:
+        return text
+    found = random.choice(places)
+    return text[:found.start()] + other(found[0]) + text[found.end():]
 
 
-def change_operator(text, pick):
-    found = pick(list(re.finditer(r" [-+*/] ", text)))
-    return text[:found.start()] + f" {random.choice('+-*/')} " + text[found.end():]
-
-
-def change_name(text, pick):
-    names = list(re.finditer(r"\b[a-z_]{3,}\b", text))
-    found = pick(names)
-    return text[:found.start()] + random.choice(names)[0] + text[found.end():]
+def change_name(text):
+    pattern = r"\b[a-z_]{3,}\b"
+    return change_one(text, pattern, lambda _: random.choice(re.findall(pattern, text)))
 
 
 def change_lines(text, edit):
@@ -54,9 +52,9 @@ def change_lines(text, edit):
 
 
 CHANGES = {
-    "number": lambda text: change_number(text, random.choice),
-    "operator": lambda text: change_operator(text, random.choice),
-    "name": lambda text: change_name(text, random.choice),
+    "number": lambda text: change_one(text, r"\b\d+\.\d+\b", lambda old: f"{float(old) * random.uniform(0.5, 2.0):.4f}"),
+    "operator": lambda text: change_one(text, r" [-+*/] ", lambda _: f" {random.choice('+-*/')} "),
+    "name": change_name,
     "no line": lambda text: change_lines(text, lambda line: []),
     "line twice": lambda text: change_lines(text, lambda line: [line, line]),
     "letter": lambda text: change_lines(text, lambda line: [line + random.choice(";{}()#\"/@x")]),
@@ -90,26 +88,27 @@ class Editing:
         return self.program.wait("the change is compiled", lambda s: not s["is_loading"])
 
     def response(self):
-        """Seconds until Space pauses the picture, as the window's state shows it."""
+        """Seconds until C shows another channel in the inspector, as the window's state shows it."""
+        # A change that makes NaN stops playback until it is undone.
         self.program.wait("it plays", lambda s: s["is_playing"])
         time.sleep(random.uniform(0.0, 0.15))
+        before = self.program.state()["channels"]
         begun = time.monotonic()
-        self.screen.do("key", "space")
-        while self.program.state().get("is_playing", True):
+        self.screen.do("key", "c")
+        while self.program.state().get("channels", before) == before:
             if time.monotonic() - begun > 30:
                 raise AssertionError("the key had no effect for 30 s")
             time.sleep(0.001)
-        took = time.monotonic() - begun
-        self.screen.do("key", "space")
-        return took
+        return time.monotonic() - begun
 
     def edit(self):
         """One change, and back. Returns both response times, and whether the change was refused."""
         file = random.choice(self.files)
-        original = file.read_text()
-        kind = random.choice(list(CHANGES))
+        original = changed = file.read_text()
+        while changed == original:
+            kind = random.choice(list(CHANGES))
+            changed = CHANGES[kind](original)
         plain = self.response()
-        changed = CHANGES[kind](original)
         file.write_text(changed)
         busy = self.response()
         state = self.settle()
