@@ -8,6 +8,7 @@ measures two workers against one, with Slurm and with GNU parallel. The services
 import os
 import shutil
 import socket
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -19,6 +20,7 @@ LEAST_EFFICIENCY = 0.9
 FADING = ("phosphor", "--set", "decay=0.8", "--size", "320x240", "--fps", "30", "--frames", "300")
 HEAVY = ("composite-video", "--size", "640x480", "--frames", "320")
 PER_JOB = 40
+ROUNDS = 3
 
 
 def configuration(folder):
@@ -150,16 +152,22 @@ def check_frames(program, folder, slurm):
     assert largest <= 1
 
 
+def words(times):
+    return ", ".join(f"{time:.1f}" for time in times)
+
+
 def efficiency(program, folder, slurm, engine):
-    """The time of one worker, in parts of twice the time of two workers."""
-    seconds = {}
+    """The time of one worker, in parts of twice the time of two workers: the medians of rounds that alternate both."""
+    seconds = {1: [], 2: []}
     one, two = {"slurm": (("--cpus-per-task=2",), ()), "parallel": (("1",), ("2",))}[engine]
-    for workers, options in ((1, one), (2, two)):
-        farm = Farm(program, folder / f"{engine}-{workers}", slurm, engine)
-        farm.split(HEAVY, PER_JOB)
-        seconds[workers] = farm.draw(*options)
-    share = seconds[1] / (2.0 * seconds[2])
-    print(f"{engine}: one worker {seconds[1]:.1f} s, two {seconds[2]:.1f} s: efficiency {share:.2f} "
+    for number in range(ROUNDS):
+        for workers, options in ((1, one), (2, two)):
+            farm = Farm(program, folder / f"{engine}-{workers}-{number}", slurm, engine)
+            farm.split(HEAVY, PER_JOB)
+            seconds[workers].append(farm.draw(*options))
+            shutil.rmtree(farm.folder)
+    share = statistics.median(seconds[1]) / (2.0 * statistics.median(seconds[2]))
+    print(f"{engine}: one worker {words(seconds[1])} s, two {words(seconds[2])} s: efficiency {share:.2f} "
           f"(at least {LEAST_EFFICIENCY})", flush=True)
     return share
 
