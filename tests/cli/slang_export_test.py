@@ -147,6 +147,15 @@ class SlangExportTest(ProgramTest):
             self.assertIn("\nerror: the look can't", done.stderr)  # without a temporary file
         self.assertFalse((self.folder / "a.slangp").exists())
 
+    def test_a_loop_that_nothing_limits_is_exported(self):
+        shader = ("#version 410 core\nin vec2 uv;\nout vec4 color;\nuniform sampler2D scene;\n"
+                  "void main() {\n    float t = uv.x;\n    while (t > 0.5)\n"
+                  "        t -= 0.1 + texture(scene, vec2(t)).r;\n"
+                  "    color = texture(scene, uv) * t;\n}\n")
+        look = self.look("loop", shader=shader)
+        self.assertIn("nothing limits this loop", run("check", look).stderr)
+        self.assert_same_picture(look)
+
     def test_an_earlier_export_is_replaced(self):
         self.export("shadow-mask")
         self.export("crt")

@@ -59,6 +59,12 @@ vec4 image_at(int image, vec2 at) {
     return image_lod(image, at, level_at(at * vec2(image_size(image, 0))));
 }
 
+vec4 image_at(int image, vec2 at, float bias) {
+    if (last_level(image) == 0.0)
+        return image_read(image, at, 0);
+    return image_lod(image, at, level_at(at * vec2(image_size(image, 0))) + bias);
+}
+
 vec4 image_fetch(int image, ivec2 texel, int level) {
     return image_read(image, (vec2(texel) + 0.5) / vec2(image_size(image, level)), level);
 }

@@ -33,14 +33,10 @@ struct EffectFormat {
     bool has_subframes = false;  // as in ExportTarget
 };
 
-// Opened as a look, which compiles the shaders.
+// Opened as a look, which compiles the shaders. Warnings are about the author's code.
 Result<void> read_look(const fs::path& file) {
     const LoadedLook read = load_look(file, {});
-    if (!read.look)
-        return fail(read.look.error());
-    if (!read.warnings.empty())
-        return fail(read.warnings);
-    return {};
+    return read.look ? Result<void>() : fail(read.look.error());
 }
 
 Result<void> read_mpv(const fs::path& file) {
@@ -171,11 +167,14 @@ Result<void> check_files(const fs::path& file, const EffectFormat& format) {
     const auto good = format.read(file);
     if (good)
         return {};
+    std::string_view reason = good.error().front().message;
+    if (reason.ends_with('.'))
+        reason.remove_suffix(1);
     return fail({{},
                  0,
                  fmt::format("the look can't be written as {}: {}. Export it with --to web or --to "
                              "portable.",
-                             format.label, good.error().front().message)});
+                             format.label, reason)});
 }
 
 /// Files in a temporary folder, which Afterglow could open.
