@@ -64,6 +64,21 @@ class IsfExportTest(ProgramTest):
         self.assert_done(run("export", "crt", "--to", "slang", "-o", slang))
         self.assert_same_picture(slang)
 
+    def test_an_isf_file_draws_the_same_picture(self):
+        file = self.folder / "own.fs"
+        file.write_text("""/*{"ISFVSN": "2", "INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
+            {"NAME": "r", "TYPE": "bool", "DEFAULT": true}, {"NAME": "texel_middle", "TYPE": "float", "DEFAULT": 0.5}],
+            "PASSES": [{"TARGET": "texel", "WIDTH": 1, "HEIGHT": 1}, {"TARGET": "trail", "PERSISTENT": true}]}*/
+            float ratio = RENDERSIZE.y / RENDERSIZE.x;
+            vec4 texture(vec2 at) { return IMG_NORM_PIXEL(inputImage, at, 1.0); }
+            void main() {
+                vec4 color = texture(isf_FragNormCoord * vec2(1.0, ratio));
+                color.r = r ? color.b : color.g;
+                gl_FragColor = mix(color, IMG_THIS_PIXEL(trail), texel_middle);
+            }
+            """, encoding="utf-8")
+        self.assert_same_picture(file)
+
     def test_parameters_are_inputs_with_their_values(self):
         inputs = self.inputs(self.export("shadow-mask", "--set", "mask_size=7", "--set", "tint=1,0.5,0",
                                          "--set", "tone_map=ACES", "--set", "dither=off"))

@@ -83,6 +83,20 @@ class ShadertoyExportTest(ProgramTest):
         self.assert_same_picture(slang, size="320x240")  # not smaller than its passes
 
     # Read again, a parameter has the author's range, label and other hints.
+    def test_an_isf_file_draws_the_same_picture(self):
+        file = self.folder / "own.fs"
+        file.write_text("""/*{"ISFVSN": "2", "INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
+            {"NAME": "inverse", "TYPE": "bool", "DEFAULT": true}, {"NAME": "r", "TYPE": "float", "DEFAULT": 0.8}]}*/
+            vec2 middle = RENDERSIZE * r;
+            vec2 scale = 1.0 / middle;
+            void main() {
+                vec4 color = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord);
+                color.r = inverse ? 1.0 - color.r : color.g;
+                gl_FragColor = color * length((gl_FragCoord.xy - middle) * scale);
+            }
+            """, encoding="utf-8")
+        self.assert_same_picture(file)
+
     def test_parameters_are_constants_with_their_annotations(self):
         options = ("--set", "mask_size=7", "--set", "tone_map=ACES", "--set", "dither=off", "--set", "curvature=0.2")
         file = self.export("shadow-mask", *options)

@@ -1,4 +1,4 @@
-"""Exports looks as ISF files, and ISF files as RetroArch presets and back, and compares the pictures."""
+"""Exports looks and ISF files as ISF files, the latter also by way of a RetroArch preset, and compares the pictures."""
 
 import os
 
@@ -9,6 +9,7 @@ FILES = """Boxinator|Chroma Zoom|Circle Open|Comet Tails|CrossZoom|Dilate|Direct
 False Color|Kaleidoscope|Luminance Melt|Motion Heat Map|Noise Displace|Pixellate|Sine Warp Tile|Thermal Camera|
 v002 Bleach Bypass|v002 Vignette|Water Drop""".replace("\n", "").split("|")
 FRAME = "16"
+BETWEEN = "slang"  # in a case's options: exports it as a preset first
 SIZE = "480x320"
 
 
@@ -29,15 +30,18 @@ def cases(program):
     if not corpus:
         print("  skipped: AFTERGLOW_ISF_DIR does not name a copy of Vidvox's ISF-Files")
         return found
-    return found + [(name, [f"{corpus}/ISF/{name}.fs"], SIZE, False) for name in FILES]
+    return found + [(name + way, [f"{corpus}/ISF/{name}.fs", *between], SIZE, False)
+                    for name in FILES for way, between in (("", []), (" by way of a RetroArch preset", [BETWEEN]))]
 
 
 def draw(program, options, size, folder):
     """"refused: ...", "wrong: ...", or the difference as text."""
     content = ["--source", "pattern:harbour", "--size", size]
     preset, file = folder / "look.slangp", folder / "look.fs"
-    is_foreign = options[0].endswith(".fs")
-    steps = [(options, "slang", preset), ([preset], "isf", file)] if is_foreign else [(options, "isf", file)]
+    steps = [(options, "isf", file)]
+    if BETWEEN in options:
+        options = [option for option in options if option != BETWEEN]
+        steps = [(options, "slang", preset), ([preset], "isf", file)]
     for look, target, written in steps:
         exported = program.run("export", *look, *content, "--to", target, "-o", written)
         if exported.returncode:

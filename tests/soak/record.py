@@ -48,8 +48,8 @@ CODE = {
               "app/io/video", "app/lab/session"),
     "match": ("app/lab/match", "app/model/photo"),
     "slurm": ("app/cli/jobs.cpp", "app/cli/render.cpp", "app/lab/farm", "app/model/plan/lead_in.cpp"),
-    "export": ("app/formats/isf_export", "app/formats/mpv_export", "app/formats/portable", "app/formats/reshade_export",
-               "app/formats/slang_export", "app/lab/export"),
+    "export": ("app/formats/effect", "app/formats/isf_export", "app/formats/mpv_export", "app/formats/portable",
+               "app/formats/reshade_export", "app/formats/slang_export", "app/lab/export"),
     "package": ("CMakeLists.txt", "app/CMakeLists.txt", "app/lab/packs", "app/package", "tests/soak/package.sh"),
 }
 

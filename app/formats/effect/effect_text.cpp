@@ -44,16 +44,52 @@ std::string edited(std::string_view text, const std::vector<TextEdit>& edits) {
     return result;
 }
 
-// The edits that rename words in code and directives; comments stay.
+// Whether a word can name components of a vector, such as "xy" or "r".
+bool is_swizzle(std::string_view word) {
+    const auto has_only = [&](std::string_view letters) {
+        return word.find_first_not_of(letters) == word.npos;
+    };
+    return word.size() <= 4 && (has_only("xyzw") || has_only("rgba") || has_only("stpq"));
+}
+
+/// Follows the tokens of a text, to tell members from variables.
+class Members {
+public:
+    void pass(const Token& token) {
+        m_is_after_dot = token.is(".");
+        if (token.is("struct"))
+            m_is_struct = true;
+        if (m_is_struct && token.is("{"))
+            ++m_depth;
+        if (m_is_struct && token.is("}") && --m_depth <= 0) {
+            m_is_struct = false;
+            m_depth = 0;
+        }
+    }
+    /// Whether the next word is a component of a vector, or a member with the name of one.
+    bool is_next(std::string_view word) const {
+        return (m_is_after_dot || m_depth > 0) && is_swizzle(word);
+    }
+
+private:
+    bool m_is_after_dot = false;
+    bool m_is_struct = false;
+    int m_depth = 0;
+};
+
+// The edits that rename words in code and directives; comments and components of vectors stay.
 std::vector<TextEdit> word_edits(std::string_view text, const WordChanges& words) {
     std::vector<TextEdit> edits;
     if (words.empty())
         return edits;
+    Members members;
     for (const Token& token : scan(text).all) {
-        if (token.kind != Token::Kind::word)
+        if (token.kind == Token::Kind::comment)
             continue;
+        const bool is_member = members.is_next(token.text);
+        members.pass(token);
         const auto change = words.find(token.text);
-        if (change == words.end())
+        if (token.kind != Token::Kind::word || is_member || change == words.end())
             continue;
         const auto begin = static_cast<std::size_t>(token.text.data() - text.data());
         edits.push_back({begin, begin + token.text.size(), change->second});

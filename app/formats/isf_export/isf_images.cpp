@@ -111,14 +111,24 @@ IsfImages::IsfImages(const Effect& effect)
         const std::string& pass = m_look.passes[i].name;
         for (int level = pass == m_source_pass ? 1 : 0; level <= m_levels[i]; ++level)
             m_targets.push_back(
-                {i, level,
-                 i + 1 < m_look.passes.size() ? target_name(pass, level) : std::string()});
+                {i, level, has_target(i) ? target_name(pass, level) : std::string()});
     }
 }
 
-// The last pass has no target, but there is the source.
+// The last pass has a target if a pass of the next frame reads it.
+bool IsfImages::has_target(std::size_t pass) const {
+    return pass + 1 < m_look.passes.size() ||
+           std::ranges::any_of(m_images, [&](const Image& image) {
+               return image.input.from == Input::From::pass &&
+                      image.input.name == m_look.passes[pass].name;
+           });
+}
+
+// Also the source.
 std::size_t IsfImages::sampler_count() const {
-    return m_look.passes.size() - (m_source_pass.empty() ? 0 : 1) + m_look.images.size();
+    const std::size_t passes = m_look.passes.size() - (m_source_pass.empty() ? 0 : 1);
+    const bool is_last_read = passes > 0 && has_target(m_look.passes.size() - 1);
+    return passes + (is_last_read ? 1 : 0) + m_look.images.size();
 }
 
 // As many levels as there are samplers left.
@@ -287,6 +297,8 @@ std::string IsfImages::obstacle() const {
         for (const Side& side : pass.size)
             if (side.by == Side::By::source && side.factor != 1.0)
                 return fmt::format("the pass '{}' has a part of the source's size", pass.name);
+    if (!m_levels.empty() && m_levels.back() > 0)
+        return "the last pass is read with mip levels";
     if (sampler_count() > most_samplers)
         return "it needs more than 16 textures";
     return {};

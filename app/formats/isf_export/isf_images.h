@@ -17,7 +17,7 @@ public:
     struct Target {
         std::size_t pass = 0;
         int level = 0;
-        std::string name;  // of the target; "" for the last pass
+        std::string name;  // of the target; "" for the last pass, if nothing reads it
     };
     const std::vector<Target>& targets() const { return m_targets; }
 
@@ -46,6 +46,7 @@ private:
 
     void add_levels();
     std::string target_name(const std::string& pass, int level) const;
+    bool has_target(std::size_t pass) const;
     std::size_t sampler_count() const;
     std::string source_reader() const;
     std::string limited_size(const std::string& pass, int level, const std::string& whole) const;

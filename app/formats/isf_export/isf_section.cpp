@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_text.h"
+#include "formats/effect/global_values.h"
 #include "formats/effect/struct_values.h"
 #include "formats/effect/vertex_function.h"
 #include "glsl/text/interface_statements.h"
@@ -26,6 +27,23 @@ constexpr auto sampling =
                                                                   {"textureGather", "image_gather"},
                                                                   {"textureSize", "image_size"},
                                                                   {"sampler2D", "int"}});
+
+/// A function of IsfImages::functions().
+struct SamplingFunction {
+    std::string_view type;
+    std::string_view name;
+    std::string_view parameters;
+    std::string_view arguments;
+};
+
+constexpr auto sampling_functions = std::to_array<SamplingFunction>(
+    {{"vec4", "image_at", "int i, vec2 at", "i, at"},
+     {"vec4", "image_at", "int i, vec2 at, float bias", "i, at, bias"},
+     {"vec4", "image_lod", "int i, vec2 at, float level", "i, at, level"},
+     {"vec4", "image_fetch", "int i, ivec2 texel, int level", "i, texel, level"},
+     {"vec4", "image_gather", "int i, vec2 at", "i, at"},
+     {"vec4", "image_gather", "int i, vec2 at, int component", "i, at, component"},
+     {"ivec2", "image_size", "int i, int level", "i, level"}});
 
 constexpr auto refused = std::to_array<std::string_view>(
     {"textureGatherOffset", "textureGatherOffsets", "textureOffset", "textureLodOffset",
@@ -85,10 +103,12 @@ public:
         add_words(joined);
         add_values();
         add_images();
-        const std::string body = effect_text(joined, m_rules);
+        add_input_names(joined, m_rules.words, m_entry.late);
+        std::string body = effect_text(joined, m_rules);
+        m_entry.globals = take_late_values(body, m_entry.late);
         m_section.text += fmt::format("// Pass {}.\n", m_pass.name) + m_head + body;
         add_vertex();
-        m_settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
+        m_entry.settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
         add_entry(joined);
         undefine(joined);
         return std::move(m_section);
@@ -115,9 +135,19 @@ private:
             const std::string wanted = named(name);
             const bool is_free =
                 m_shared.globals.insert(wanted).second && !wanted.starts_with("isf_");
-            if (!is_free)
-                m_rules.words[name] = own_name(wanted);
+            if (is_free)
+                continue;
+            m_rules.words[name] = own_name(wanted);
+            add_sampling(wanted, m_rules.words[name]);
         }
+    }
+
+    // A function that has the name of one of GLSL's does not hide it.
+    void add_sampling(std::string_view function, const std::string& own) {
+        for (const SamplingFunction& of : sampling_functions)
+            if (of.name == function)
+                m_head += fmt::format("{} {}({}) {{ return {}({}); }}\n", of.type, own,
+                                      of.parameters, function, of.arguments);
     }
 
     // A free name that begins with the pass.
@@ -140,6 +170,7 @@ private:
             for (const EffectNumber& member : of.members)
                 members += (members.empty() ? "" : ", ") + value_of(member);
             m_rules.values[of.name] = "";  // no value where it is declared
+            m_entry.late.insert(named(of.name));
             m_structs.push_back({of.name, of.type, members});
         }
     }
@@ -151,17 +182,19 @@ private:
         const IsfControl* control = parameter ? control_of(**parameter) : nullptr;
         if (control && control->is_direct) {
             m_rules.words[number.name] = control->names.front();
+            m_entry.late.insert(control->names.front());
             return;
         }
         const std::string type = glsl_name(number.type);
         const std::string name = own_name(named(number.name));
         m_rules.words[number.name] = name;
+        m_entry.late.insert(name);
         if (std::holds_alternative<Value>(number.setter)) {
             m_head += fmt::format("{} {} = {};\n", type, name, value_of(number));
             return;
         }
         m_head += fmt::format("{} {};\n", type, name);
-        m_settings += fmt::format("    {} = {};\n", name, value_of(number));
+        m_entry.settings += fmt::format("    {} = {};\n", name, value_of(number));
     }
 
     const IsfControl* control_of(const Parameter& parameter) const {
@@ -202,8 +235,9 @@ private:
     void add_vertex() {
         if (!has_own_vertex(m_pass))
             return;
-        const VertexFunction vertex =
+        VertexFunction vertex =
             vertex_function(m_pass, m_pass.fragment.text, m_rules, "vertex_" + m_pass.name + "_");
+        m_entry.settings += take_late_values(vertex.text, m_entry.late);
         m_section.text += vertex.text;
         m_set_inputs = vertex.name;
         m_vertex_prefix = vertex.prefix;
@@ -221,11 +255,12 @@ private:
         m_section.entry = "run_" + m_pass.name;
         const ShaderEnds ends = ends_of_shader(joined, m_rules.words);
         m_section.result = ends.output;
-        std::string text = fmt::format("\nvoid {}() {{\n{}", m_section.entry, m_settings);
+        std::string text = fmt::format("\nvoid {}() {{\n{}", m_section.entry, m_entry.settings);
         if (!m_set_inputs.empty())
             text += fmt::format("    {}({});\n", m_set_inputs, place());
         else if (!ends.input.empty())
             text += fmt::format("    {} = {};\n", ends.input, place());
+        text += m_entry.globals;
         m_section.text += text + fmt::format("    {}();\n}}\n", named("main"));
     }
 
@@ -245,8 +280,8 @@ private:
     const EffectUniforms& m_uniforms;
     IsfShared& m_shared;
     EffectTextRules m_rules;
-    std::string m_head;      // constants and variables
-    std::string m_settings;  // statements that set the variables
+    std::string m_head;  // constants and variables
+    EntryValues m_entry;
     std::vector<StructValue> m_structs;
     std::string m_vertex_prefix;  // "": no vertex shader of its own
     std::string m_set_inputs;     // the function of the vertex shader

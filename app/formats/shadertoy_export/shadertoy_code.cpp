@@ -4,6 +4,7 @@
 #include "formats/effect/built_in_value.h"
 #include "formats/effect/effect_files.h"
 #include "formats/effect/effect_text.h"
+#include "formats/effect/global_values.h"
 #include "formats/effect/struct_values.h"
 #include "formats/effect/vertex_function.h"
 #include "formats/shadertoy_export/shadertoy_words.h"
@@ -77,10 +78,10 @@ public:
                 return text;
             inlined += *text;
             m_head += other.m_head;
-            m_settings += other.m_settings;
+            m_entry.settings += other.m_entry.settings;
         }
         prepare();
-        const std::string body = std::string(trim(effect_text(m_joined, m_rules))) + "\n";
+        const std::string body = body_text();
         const std::string vertex = vertex_text();
         set_structs();
         const std::string entry = entry_text();
@@ -113,7 +114,7 @@ public:
                                                                       : statement.type + "(1.0)");
         return m_head + "\n" + m_shared.beam->signal + "\n" +
                std::string(trim(effect_text(m_joined, m_rules))) + "\n" +
-               shadertoy_table_entry(*m_shared.beam, outputs, m_settings, inputs);
+               shadertoy_table_entry(*m_shared.beam, outputs, m_entry.settings, inputs);
     }
 
 private:
@@ -161,11 +162,12 @@ private:
             return fail(read.error());
         prepare();
         m_head += fmt::format("vec4 {0}fragcoord;\nvec2 {0}pointcoord;\n", m_prefix);
-        std::string text = fmt::format("\n// Pass {}.\n", m_pass.name) + functions() + "\n" +
-                           std::string(trim(effect_text(m_joined, m_rules))) + "\n";
+        const std::string text =
+            fmt::format("\n// Pass {}.\n", m_pass.name) + functions() + "\n" + body_text();
         set_structs();
         const ShaderEnds ends = ends_of_shader(m_joined, m_rules.words);
         if (m_pass.name == m_shared.plan.beam) {
+            m_entry.settings += m_entry.globals;
             const auto passed = shadertoy_passed_values(m_pass);
             if (!passed)
                 return fail(passed.error());
@@ -177,11 +179,18 @@ private:
         return text +
                fmt::format(
                    "\nvec4 drawn_{}(ivec2 at) {{\n"
-                   "    {}fragcoord = vec4(vec2(at) + 0.5, 0.5, 1.0);\n{}"
+                   "    {}fragcoord = vec4(vec2(at) + 0.5, 0.5, 1.0);\n{}{}"
                    "    {}();\n    return {};\n}}\n",
                    m_pass.name, m_prefix,
                    ends.input.empty() ? "" : fmt::format("    {} = {};\n", ends.input, place),
-                   named("main"), ends.output);
+                   m_entry.globals, named("main"), ends.output);
+    }
+
+    std::string body_text() {
+        add_input_names(m_joined, m_rules.words, m_entry.late);
+        std::string body = effect_text(m_joined, m_rules);
+        m_entry.globals = take_late_values(body, m_entry.late);
+        return std::string(trim(body)) + "\n";
     }
 
     // Names of the site and of our functions.
@@ -244,6 +253,7 @@ private:
                 members += (members.empty() ? "" : ", ") + value_of(member);
             }
             m_rules.values[of.name] = "";  // no value where it is declared
+            m_entry.late.insert(named(of.name));
             m_structs.push_back({of.name, of.type, members});
         }
     }
@@ -306,6 +316,7 @@ private:
             m_rules.words.erase(number.name);
             return;
         }
+        m_entry.late.insert(named(number.name));
         if (const auto* fixed = std::get_if<Value>(&number.setter))
             return declare_fixed(number, *fixed);
         const std::string value = value_of(number);
@@ -313,10 +324,11 @@ private:
         if (is_given && is_shadertoy_word(number.name)) {
             m_rules.declared.insert(number.name);  // the site's own
             m_rules.words.erase(number.name);
+            m_entry.late.insert(number.name);
             return;
         }
         declare(number.name, {type, {}});
-        m_settings += fmt::format("    {} = {};\n", named(number.name), value);
+        m_entry.settings += fmt::format("    {} = {};\n", named(number.name), value);
     }
 
     // Not a constant: an index that is one must be within its array, also where it is not used.
@@ -377,13 +389,14 @@ private:
         if (!has_own_vertex(m_pass))
             return {};
         VertexFunction vertex = vertex_function(m_pass, m_pass.fragment.text, m_rules);
+        m_entry.settings += take_late_values(vertex.text, m_entry.late);
         m_set_inputs = vertex.name;
         m_vertex_prefix = vertex.prefix;
         return std::move(vertex.text);
     }
 
     void set_structs() {
-        m_settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
+        m_entry.settings += struct_settings(m_pass, m_structs, m_rules.words, m_vertex_prefix);
     }
 
     std::string entry_text() {
@@ -397,12 +410,12 @@ private:
                 "    if (any(greaterThan(shadertoy_place, {} + 2.0))) {{\n"
                 "        shadertoy_color = vec4(0.0);\n        return;\n    }}\n",
                 size);
-        text += m_settings;
+        text += m_entry.settings;
         if (!m_set_inputs.empty())
             text += fmt::format("    {}({});\n", m_set_inputs, place);
         else if (!ends.input.empty())
             text += fmt::format("    {} = {};\n", ends.input, place);
-        text += fmt::format("    {}();\n", named("main"));
+        text += m_entry.globals + fmt::format("    {}();\n", named("main"));
         const std::string kept = m_is_last ? std::string() : stored_value(m_pass.format);
         text += fmt::format("    shadertoy_color = {};\n",
                             kept.empty() ? ends.output : "stored(" + ends.output + ")");
@@ -427,7 +440,7 @@ private:
     EffectTextRules m_rules;
     std::set<std::string> m_declared;  // parameters whose constants are in m_head
     std::string m_head;                // constants
-    std::string m_settings;            // statements that set variables
+    EntryValues m_entry;
     std::vector<StructValue> m_structs;
     std::string m_vertex_prefix;  // "": no vertex shader of its own
     std::string m_set_inputs;     // the function of the vertex shader

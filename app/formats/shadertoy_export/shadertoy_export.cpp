@@ -4,6 +4,7 @@
 #include "formats/shadertoy_export/shadertoy_code.h"
 #include "formats/shadertoy_export/shadertoy_document.h"
 #include "formats/shadertoy_export/shadertoy_words.h"
+#include "glsl/compile/built_in_names.h"
 #include "glsl/es/es_check.h"
 #include "glsl/text/interface_statements.h"
 
@@ -113,6 +114,8 @@ private:
     // Names that no constant may have. Uniforms are not among them.
     Result<std::set<std::string, std::less<>>> taken_names() const {
         auto taken = shadertoy_reserved_names();
+        const BuiltInNames& of_glsl = find_built_in_names({.version = 450, .is_vulkan = true});
+        taken.insert(of_glsl.functions.begin(), of_glsl.functions.end());
         for (std::size_t i = 0; i < look().passes.size(); ++i) {
             const Pass& pass = look().passes[i];
             if (pass.name == m_plan.source_pass)

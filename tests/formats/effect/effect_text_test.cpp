@@ -39,6 +39,14 @@ TEST_CASE("words are renamed in code and directives, not in comments or given va
           "#define A draw\nvoid draw() {}  // main\nT s = T(main);\n");
 }
 
+TEST_CASE("components of vectors and members with their names are not renamed") {
+    CHECK(effect_text(
+              "struct S { float r; float gain; };\nbool r; vec4 a = vec4(r), b = a.r + s.gain;\n",
+              {.words = {{"r", "own_r"}, {"gain", "own_gain"}}}) ==
+          "struct S { float r; float own_gain; };\n"
+          "bool own_r; vec4 a = vec4(own_r), b = a.r + s.own_gain;\n");
+}
+
 TEST_CASE("inputs and outputs without qualifiers are variables") {
     CHECK(effect_text("layout(location = 1) flat in int n;\nout vec4 color;\n", {}) ==
           "int n;\nvec4 color;\n");
