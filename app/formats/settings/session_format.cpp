@@ -68,11 +68,20 @@ nlohmann::ordered_json json_of(std::span<const SessionState> states, const CueTe
     return list;
 }
 
+// A preset without a look can't be read. It is the state of a session in which no look was opened.
+void add_state(nlohmann::ordered_json& json, const char* key, const SessionState& state,
+               const CueText& current) {
+    if (!state.preset.look.empty())
+        json[key] = json_of(state, current);
+}
+
 // Without the first one, which has keys of its own in the session.
 nlohmann::ordered_json json_of(std::span<const SessionPreset> opened, const CueText& current) {
     nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const SessionPreset& preset : opened.subspan(1))
-        list.push_back({{"preset_file", preset.file}, {"saved", json_of(preset.saved, current)}});
+    for (const SessionPreset& preset : opened.subspan(1)) {
+        list.push_back({{"preset_file", preset.file}});
+        add_state(list.back(), "saved", preset.saved, current);
+    }
     return list;
 }
 
@@ -321,6 +330,10 @@ private:
     void read_slots(const JsonValue& looks, LookSlots& all) {
         for (const JsonValue& look : looks.children) {
             ObjectReader reader(look, m_file, m_problems);
+            if (look.key.empty()) {
+                m_problems.push_back({m_file, look.line, "'slots' has a look without a name"});
+                continue;
+            }
             Slots& slots = all[look.key];
             for (std::size_t i = 0; i < slots.size(); ++i)
                 if (const JsonValue* slot = reader.find(slot_name(i))) {
@@ -354,31 +367,32 @@ std::string session_to_json(const Session& session) {
     nlohmann::ordered_json window = nlohmann::ordered_json::object();
     for (const auto& [name, number] : session.window)
         window[name] = number;
-    return json_text({{"format", session_file.name},
-                      {"version", session_file.newest_version},
-                      {"look", session.look},
-                      {"looks", session.looks},
-                      {"preset_file", session.opened.front().file},
-                      {"saved", json_of(session.opened.front().saved, cues)},
-                      {"opened", json_of(std::span(session.opened), cues)},
-                      {"current", json_of(session.current)},
-                      {"past", json_of(std::span(session.past).last(past), cues)},
-                      {"future", json_of(std::span(future).last(redo), cues)},
-                      {"time", session.time},
-                      {"speed", session.speed},
-                      {"level", session.level},
-                      {"is_playing", session.is_playing},
-                      {"comparison", json_of(session.comparison)},
-                      {"follows_view", session.follows_view},
-                      {"fits_shape", session.fits_shape},
-                      {"width", session.fixed_size.width},
-                      {"height", session.fixed_size.height},
-                      {"picture_scale", session.picture_scale},
-                      {"picture_shape", session.picture_shape},
-                      {"knobs", json_of(session.parameter_settings)},
-                      {"slots", json_of(session.slots)},
-                      {"preset_stars", session.preset_stars},
-                      {"window", std::move(window)}});
+    nlohmann::ordered_json json{{"format", session_file.name},
+                                {"version", session_file.newest_version},
+                                {"look", session.look},
+                                {"looks", session.looks},
+                                {"preset_file", session.opened.front().file}};
+    add_state(json, "saved", session.opened.front().saved, cues);
+    json["opened"] = json_of(std::span(session.opened), cues);
+    add_state(json, "current", session.current, {});
+    json.update({{"past", json_of(std::span(session.past).last(past), cues)},
+                 {"future", json_of(std::span(future).last(redo), cues)},
+                 {"time", session.time},
+                 {"speed", session.speed},
+                 {"level", session.level},
+                 {"is_playing", session.is_playing},
+                 {"comparison", json_of(session.comparison)},
+                 {"follows_view", session.follows_view},
+                 {"fits_shape", session.fits_shape},
+                 {"width", session.fixed_size.width},
+                 {"height", session.fixed_size.height},
+                 {"picture_scale", session.picture_scale},
+                 {"picture_shape", session.picture_shape},
+                 {"knobs", json_of(session.parameter_settings)},
+                 {"slots", json_of(session.slots)},
+                 {"preset_stars", session.preset_stars},
+                 {"window", std::move(window)}});
+    return json_text(json);
 }
 
 Result<Session> parse_session(std::string_view text, const std::filesystem::path& file) {

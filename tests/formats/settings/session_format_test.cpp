@@ -51,6 +51,18 @@ TEST_CASE("a session is written and read back unchanged") {
     CHECK(*read == session());
 }
 
+TEST_CASE("a session in which no look was opened is read back unchanged") {
+    Session empty;
+    empty.opened.push_back({"/presets/phosphor/amber.json", {}});
+    const auto read = parse_session(session_to_json(empty), "session.json");
+    REQUIRE(read.has_value());
+    CHECK(*read == empty);
+    const auto unnamed = parse_session(
+        "{\"format\": \"afterglow-session\", \"version\": 1,\n\"slots\": {\"\": {}}}", "s.json");
+    REQUIRE_FALSE(unnamed.has_value());
+    CHECK(unnamed.error().front().line == 2);
+}
+
 TEST_CASE("a new session has no fixed picture size, and an older session follows the view") {
     CHECK_FALSE(Session{}.follows_view);
     CHECK(Session{}.fixed_size.is_empty());
