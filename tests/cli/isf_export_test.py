@@ -4,6 +4,7 @@
 isf_export_test.py PROGRAM
 """
 import json
+import re
 import unittest
 
 from program import ProgramTest, main, read_png, run
@@ -78,6 +79,18 @@ class IsfExportTest(ProgramTest):
             }
             """, encoding="utf-8")
         self.assert_same_picture(file)
+
+    def test_a_limit_that_the_file_exceeds_can_be_raised(self):
+        file = self.folder / "own.fs"
+        file.write_text('/*{"ISFVSN": "2", "INPUTS": [{"NAME": "inputImage", "TYPE": "image"}]}*/\nvoid main() {\n'
+                        + "    gl_FragColor += IMG_THIS_PIXEL(inputImage);\n" * 20 + "}\n", encoding="utf-8")
+
+        def export(limit):
+            return run("--limit", f"inlined-calls={limit}", "export", file, "--to", "isf", "-o", self.folder / "a.fs")
+
+        done = export(60)
+        self.assert_refused(done, "calls after inlining; the limit is 60")
+        self.assert_done(export(re.search(r"inlined-calls=(\d+)", done.stderr)[1]))
 
     def test_parameters_are_inputs_with_their_values(self):
         inputs = self.inputs(self.export("shadow-mask", "--set", "mask_size=7", "--set", "tint=1,0.5,0",

@@ -8,6 +8,7 @@
 #include "formats/reshade_export/reshade_export.h"
 #include "formats/shadertoy_export/shadertoy_export.h"
 #include "formats/slang_export/slang_export.h"
+#include "glsl/cache/check_cache.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
 #include "io/files/scratch_folder.h"
@@ -29,23 +30,24 @@ struct EffectFormat {
     const char* extension;    // ".slangp"
     std::string_view folder;  // "_shaders", after the name of the main file; "": no other files
     Result<EffectOutput> (*write)(const EffectRequest& request);
-    Result<void> (*read)(const fs::path& file);
+    Result<void> (*read)(const fs::path& file, const ShaderLimits& limits);
     bool has_subframes = false;  // as in ExportTarget
 };
 
 // Opened as a look, which compiles the shaders. Warnings are about the author's code.
-Result<void> read_look(const fs::path& file) {
-    const LoadedLook read = load_look(file, {});
+Result<void> read_look(const fs::path& file, const ShaderLimits& limits) {
+    CheckCache cache(nullptr, limits);
+    const LoadedLook read = load_look(file, {}, {.cache = &cache});
     return read.look ? Result<void>() : fail(read.look.error());
 }
 
-Result<void> read_mpv(const fs::path& file) {
+Result<void> read_mpv(const fs::path& file, const ShaderLimits&) {
     const auto text = read_bytes(file);
     return text ? check_mpv_shader(*text) : fail(text.error());
 }
 
 // Afterglow can't compile effects of ReShade.
-Result<void> read_reshade(const fs::path& file) {
+Result<void> read_reshade(const fs::path& file, const ShaderLimits&) {
     const auto text = read_bytes(file);
     return text ? Result<void>() : fail(text.error());
 }
@@ -58,6 +60,10 @@ constexpr EffectFormat reshade_format{"a ReShade effect", ".fx", "_reshade", res
                                       read_reshade};
 constexpr EffectFormat shadertoy_format{"a Shadertoy shader", ".json", "_pictures", shadertoy_files,
                                         read_look};
+
+const ShaderLimits& limits_of(const ExportRequest& request) {
+    return request.prepared.document.look().shader_limits;
+}
 
 fs::path folder_of(const fs::path& path, const EffectFormat& format) {
     return path.parent_path() / (path.stem().string() + std::string(format.folder));
@@ -163,8 +169,9 @@ Result<ExportedLook> write_files(const EffectOutput& output, const fs::path& fol
 }
 
 // The error names the look, because the files are not in their place.
-Result<void> check_files(const fs::path& file, const EffectFormat& format) {
-    const auto good = format.read(file);
+Result<void> check_files(const fs::path& file, const EffectFormat& format,
+                         const ShaderLimits& limits) {
+    const auto good = format.read(file, limits);
     if (good)
         return {};
     std::string_view reason = good.error().front().message;
@@ -196,7 +203,7 @@ Result<CheckedFiles> checked_files(const ExportRequest& request, const EffectFor
     if (!made)
         return fail(made.error());
     const fs::path main_file = scratch->path() / request.path.filename();
-    if (auto good = check_files(main_file, format); !good)
+    if (auto good = check_files(main_file, format, limits_of(request)); !good)
         return fail(good.error());
     return CheckedFiles{std::move(*scratch), main_file, *made, std::move(output->losses)};
 }
@@ -259,7 +266,10 @@ ExportTarget target_of(std::string_view name, std::string_view label, std::strin
             .has_subframes = format.has_subframes,
             .losses = [](const PreparedLook& prepared) { return losses_in(prepared, format); },
             .write = [](const ExportRequest& request) { return export_effect(request, format); },
-            .check = [](const ExportRequest& request) { return format.read(request.path); },
+            .check =
+                [](const ExportRequest& request) {
+                    return format.read(request.path, limits_of(request));
+                },
             .page = nullptr,
             .why_not_drawn = std::string(why_not_drawn)};
 }
