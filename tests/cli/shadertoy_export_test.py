@@ -87,8 +87,7 @@ class ShadertoyExportTest(ProgramTest):
         file = self.folder / "own.fs"
         file.write_text("""/*{"ISFVSN": "2", "INPUTS": [{"NAME": "inputImage", "TYPE": "image"},
             {"NAME": "inverse", "TYPE": "bool", "DEFAULT": true}, {"NAME": "r", "TYPE": "float", "DEFAULT": 0.8}]}*/
-            vec2 middle = RENDERSIZE * r;
-            vec2 scale = 1.0 / middle;
+            vec2 middle = RENDERSIZE * r, scale = 1.0 / middle;
             void main() {
                 vec4 color = IMG_NORM_PIXEL(inputImage, isf_FragNormCoord);
                 color.r = inverse ? 1.0 - color.r : color.g;

@@ -241,12 +241,16 @@ const glslang::TIntermAggregate* sequence_of(TIntermNode* node) {
     return aggregate && aggregate->getOp() == glslang::EOpSequence ? aggregate : nullptr;
 }
 
-// Whether code ends the loop whenever it is reached.
-bool ends_loop(TIntermNode* node) {
+bool has_end_last(TIntermNode* node) {
     if (const glslang::TIntermAggregate* sequence = sequence_of(node))
-        return !sequence->getSequence().empty() && ends_loop(sequence->getSequence().back());
+        return !sequence->getSequence().empty() && has_end_last(sequence->getSequence().back());
     const glslang::TIntermBranch* branch = node ? node->getAsBranchNode() : nullptr;
     return branch && branch->getFlowOp() != glslang::EOpContinue;
+}
+
+// Whether code ends the loop whenever it is reached.
+bool ends_loop(TIntermNode* node) {
+    return has_end_last(node) && !Continues(*node).found;
 }
 
 bool is_step_operator(TOperator op) {
@@ -275,10 +279,12 @@ bool grows_with_counter(TIntermTyped& node) {
            grows_with_counter(*binary->getLeft()) && grows_with_counter(*binary->getRight());
 }
 
-/// A statement of a loop's body, outside of inner blocks.
+/// A statement of a loop's body, outside of inner blocks. If one block of an `if` ends the loop,
+/// the other block is not an inner block: each round that is not the last runs it.
 struct Statement {
     TIntermNode* code = nullptr;
-    bool is_certain = true;  // every round reaches it
+    bool is_certain = true;           // every round reaches it
+    TIntermNode* changing = nullptr;  // the part of it that can change variables for the next round
 };
 
 // A `continue` skips the statements after it.
@@ -290,7 +296,15 @@ void add_statements(TIntermNode* code, bool& is_certain, std::vector<Statement>&
             add_statements(part, is_certain, statements);
         return;
     }
-    statements.push_back({code, is_certain});
+    glslang::TIntermSelection* choice = code->getAsSelectionNode();
+    if (choice && (ends_loop(choice->getTrueBlock()) || ends_loop(choice->getFalseBlock()))) {
+        statements.push_back({code, is_certain, choice->getCondition()});
+        add_statements(
+            ends_loop(choice->getTrueBlock()) ? choice->getFalseBlock() : choice->getTrueBlock(),
+            is_certain, statements);
+        return;
+    }
+    statements.push_back({code, is_certain, code});
     is_certain = is_certain && !Continues(*code).found;
 }
 
@@ -321,7 +335,7 @@ public:
             writes.insert(writes.end(), found.all.begin(), found.all.end());
         };
         for (const Statement& statement : m_statements)
-            read(statement.code, statement.is_certain);
+            read(statement.changing, statement.is_certain);
         read(loop.getTerminal(), true);
         read(loop.getTest(), true);
         for (const Write& write : writes)

@@ -337,3 +337,18 @@ void main() {
     std::ranges::sort(live);
     CHECK(live == std::vector<std::string>{"called", "read"});
 }
+
+TEST_CASE("uniforms read by the initial values of global variables are live") {
+    const auto reflection = check(stage_of("a.frag", R"(#version 410 core
+uniform float one; uniform float two; uniform float three; uniform float unused;
+float first = one;
+float second = two, third = second + three;
+float never = unused;
+out vec4 c;
+void main() { c = vec4(first, third, 0.0, 1.0); }
+)"));
+    REQUIRE(reflection.has_value());
+    std::vector<std::string> live = reflection->live;
+    std::ranges::sort(live);
+    CHECK(live == std::vector<std::string>{"one", "three", "two"});
+}

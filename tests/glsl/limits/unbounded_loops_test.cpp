@@ -52,6 +52,9 @@ TEST_CASE("a loop that breaks at a count has a bound") {
     CHECK(is_bounded("while (texture(image, vec2(t)).r < 0.5 && i < 64) { t += sum; ++i; }"));
     CHECK(is_bounded("for (int k = 0; k < 100; ++k) { if (uv.x > 0.5) continue; sum += 1.0; }"));
     CHECK(is_bounded("while (true) { sum += 1.0; break; }"));
+    CHECK(is_bounded("for (;;) { if (i < count) { sum += 1.0; ++i; continue; } else { break; } }"));
+    CHECK(is_bounded("while (true) { if (i >= count) { break; } else { ++i; } }"));
+    CHECK(is_bounded("while (i < count) { if (uv.x > 0.5) { i = 0; break; } ++i; }"));
 }
 
 TEST_CASE("a loop that depends on data alone is warned about at its line") {
@@ -63,6 +66,10 @@ TEST_CASE("a loop that depends on data alone is warned about at its line") {
     CHECK_FALSE(is_bounded("for (int k = 0; k < count; --k) sum += 1.0;"));
     CHECK_FALSE(is_bounded("int end = 10; for (int k = 0; k < end; ++k) ++end;"));
     CHECK_FALSE(is_bounded("while (true) { if (uv.x > 0.5) continue; if (++i > 9) break; }"));
+    CHECK_FALSE(
+        is_bounded("while (true) { ++i; if (i > 9) { if (uv.x > 0.5) continue; break; } }"));
+    CHECK_FALSE(is_bounded("while (true) { if (i < count) { if (uv.x > 0.5) ++i; } else break; }"));
+    CHECK_FALSE(is_bounded("while (true) { if (i < count) { continue; ++i; } else break; }"));
     CHECK_FALSE(is_bounded("do { sum += 1.0; } while (step_on(i));"));
     CHECK_FALSE(is_bounded("while (i < count || sum < reach) ++i;"));
     CHECK_FALSE(is_bounded("while (i < count) at.x += 1;"));
