@@ -6,6 +6,7 @@ comes at a random time after the temporary file was made. Results are kept in FO
 """
 
 import ctypes
+import fcntl
 import json
 import os
 import random
@@ -65,6 +66,13 @@ def leftovers(folder):
     return [file.name for file in folder.iterdir() if file.name.startswith(".afterglow-")]
 
 
+def wait_for_writers(folder):
+    """Waits until nothing writes to the temporary files: the encoder of a film ends a moment after the program."""
+    for name in leftovers(folder):
+        with (folder / name).open("rb") as file:
+            fcntl.flock(file, fcntl.LOCK_EX)
+
+
 def wait_randomly(span):
     """Up to the span, in seconds, and a bit longer. Half of all waits are zero: the event itself is late."""
     time.sleep(max(0.0, random.uniform(-1.5, 1.5) * span))
@@ -117,6 +125,7 @@ class Command:
             wait_randomly(self.span)
             process.kill()
             process.wait()
+        wait_for_writers(self.folder)
         content = self.file.read_bytes()
         assert content in (self.old, self.new), f"{self.file} is neither the old nor the new file"
         assert len(leftovers(self.folder)) <= 1, leftovers(self.folder)
