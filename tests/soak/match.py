@@ -26,7 +26,7 @@ LIMITS = {
 }
 MOST_RESIDUAL = 1.2
 COVERAGE = (0.85, 0.95)
-MOST_WIDTH = 8.0  # median errors; normal errors give 4.9 at 90 %
+MOST_WIDTH = 4.0
 BEGIN, END = "<!-- fits -->", "<!-- end of fits -->"
 
 

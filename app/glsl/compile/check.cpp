@@ -126,10 +126,6 @@ void check_text(const Stage& stage, const ShaderLimits& limits, Diagnostics& pro
 }
 }  // namespace
 
-constexpr const char* no_end =
-    "nothing limits this loop, and a loop without an end hangs the graphics driver. Count its "
-    "rounds, and end it at a maximum.";
-
 void check_bounds(const Stage& stage, const ShaderLimits& limits, Diagnostics& problems) {
     auto fault = find_limit_violation(stage.text);
     if (!fault)
@@ -144,7 +140,7 @@ void check_cost(glslang::TShader& shader, const Stage& stage, const ShaderLimits
                 Diagnostics& problems) {
     for (const int line : unbounded_loops(shader)) {
         const Location at = author_location(stage, line);
-        add_new(problems, {{at.file, at.line, no_end, Severity::warning}});
+        add_new(problems, {{at.file, at.line, unbounded_loop, Severity::warning}});
     }
     const auto exceeded = find_exceeded(estimate_cost(shader), limits);
     if (!exceeded)

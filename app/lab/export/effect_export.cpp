@@ -9,6 +9,7 @@
 #include "formats/shadertoy_export/shadertoy_export.h"
 #include "formats/slang_export/slang_export.h"
 #include "glsl/cache/check_cache.h"
+#include "glsl/limits/unbounded_loops.h"
 #include "io/files/atomic_file.h"
 #include "io/files/atomic_folder.h"
 #include "io/files/scratch_folder.h"
@@ -34,11 +35,16 @@ struct EffectFormat {
     bool has_subframes = false;  // as in ExportTarget
 };
 
-// Opened as a look, which compiles the shaders. Warnings are about the author's code.
+// Opened as a look, which compiles the shaders. Only a loop without a limit is the author's affair;
+// any other warning is about what was written.
 Result<void> read_look(const fs::path& file, const ShaderLimits& limits) {
     CheckCache cache(nullptr, limits);
     const LoadedLook read = load_look(file, {}, {.cache = &cache});
-    return read.look ? Result<void>() : fail(read.look.error());
+    if (!read.look)
+        return fail(read.look.error());
+    Diagnostics warnings = read.warnings;
+    std::erase_if(warnings, [](const Diagnostic& one) { return one.message == unbounded_loop; });
+    return warnings.empty() ? Result<void>() : fail(std::move(warnings));
 }
 
 Result<void> read_mpv(const fs::path& file, const ShaderLimits&) {
