@@ -32,26 +32,6 @@ class FilmTest(ProgramTest):
         self.assert_done(done)
         return self.folder / name
 
-    def test_a_video_keeps_its_length_and_its_sound(self):
-        source = self.folder / "source.mkv"
-        tone = "aevalsrc='0.5*sin(2*PI*1000*t)*between(t,0.3,0.4)':s=48000:d=0.6"  # from 0.3 to 0.4 s
-        subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "testsrc=size=32x24:rate=25:duration=0.6", "-f",
-                        "lavfi", "-i", tone, "-c:v", "ffv1", "-c:a", "flac", source], check=True)
-        for options, start in (((), 0.0), (("--start", "0.2"), 0.2)):
-            film = self.film("film.mkv", "crt", "--source", source, "--size", "32x24", *options)
-            self.assertEqual(int(self.stream(film)["nb_read_frames"]), round((0.6 - start) * 60))
-            left = self.sound(film)[::2]
-            self.assertAlmostEqual(len(left) / RATE, 0.6 - start, delta=0.001)
-            heard = [index for index, value in enumerate(left) if abs(value) > 0.05]
-            self.assertAlmostEqual(heard[0] / RATE, 0.3 - start, delta=0.001)
-            self.assertAlmostEqual(heard[-1] / RATE, 0.4 - start, delta=0.001)
-        silent = self.film("silent.mkv", "crt", "--source", f"{source},rate=5", "--size", "32x24", "--seconds", "0.1")
-        kinds = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=codec_type", "-of", "csv=p=0", silent],
-                               check=True, capture_output=True, text=True).stdout.split()
-        self.assertEqual(kinds, ["video"])
-        self.assert_refused(run("render", "crt", "--source", source, "--start", "0.7", "-o", self.folder / "x.mp4"),
-                            "the video ends at 0.6 s")
-
     def stream(self, film, kind="v"):
         told = subprocess.run(["ffprobe", "-v", "error", "-select_streams", kind, "-count_frames", "-show_streams",
                                "-of", "json", film], check=True, capture_output=True, text=True)
@@ -256,13 +236,35 @@ class Alpha(FilmTest):
         self.assertEqual(tuple(pixels[4 * 50:4 * 51]), (51, 153, 255, 255))
 
 
+class Videos(FilmTest):
+    def test_a_video_keeps_its_length_and_its_sound(self):
+        source = self.folder / "source.mkv"
+        tone = "aevalsrc='0.5*sin(2*PI*1000*t)*between(t,0.3,0.4)':s=48000:d=0.6"  # from 0.3 to 0.4 s
+        subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i", "testsrc=size=32x24:rate=25:duration=0.6", "-f",
+                        "lavfi", "-i", tone, "-c:v", "ffv1", "-c:a", "flac", source], check=True)
+        for options, start in (((), 0.0), (("--start", "0.2"), 0.2)):
+            film = self.film("film.mkv", "crt", "--source", source, "--size", "32x24", *options)
+            self.assertEqual(int(self.stream(film)["nb_read_frames"]), round((0.6 - start) * 60))
+            left = self.sound(film)[::2]
+            self.assertAlmostEqual(len(left) / RATE, 0.6 - start, delta=0.001)
+            heard = [index for index, value in enumerate(left) if abs(value) > 0.05]
+            self.assertAlmostEqual(heard[0] / RATE, 0.3 - start, delta=0.001)
+            self.assertAlmostEqual(heard[-1] / RATE, 0.4 - start, delta=0.001)
+        silent = self.film("silent.mkv", "crt", "--source", f"{source},rate=5", "--size", "32x24", "--seconds", "0.1")
+        kinds = subprocess.run(["ffprobe", "-v", "error", "-show_entries", "stream=codec_type", "-of", "csv=p=0", silent],
+                               check=True, capture_output=True, text=True).stdout.split()
+        self.assertEqual(kinds, ["video"])
+        self.assert_refused(run("render", "crt", "--source", source, "--start", "0.7", "-o", self.folder / "x.mp4"),
+                            "the video ends at 0.6 s")
+
+
 class Sound(FilmTest):
     def test_lossless_sound_is_the_file_bit_for_bit(self):
         tone = self.wav("tone.wav", 0.5, lambda i: 0.7 * math.sin(i * 0.05) + 0.2 * math.sin(i * 1.7))
         with wave.open(str(tone)) as sound:
             source = array.array("h")
             source.frombytes(sound.readframes(RATE))
-        scope = ("vector-beam", "--size", "64x64", "--signal", f"audio:{tone},mode=xy")
+        scope = ("vector-beam", "--size", "128x128", "--signal", f"audio:{tone},mode=xy")
         for name, options, codec in (("a.mov", (), "pcm_f32le"), ("a.mkv", (), "flac"),
                                      ("b.mkv", ("--audio-codec", "pcm"), "pcm_f32le")):
             film = self.film(name, *scope, *options)
@@ -277,7 +279,7 @@ class Sound(FilmTest):
                            ("chord", lambda i: sum(0.18 * math.cos(i * 2 * math.pi * f / RATE) for f in (220, 277.2, 330, 440)))):
             sound = self.wav(f"{name}.wav", 1.0, tone)
             for ending in ("mp4", "mov"):
-                film = self.film(f"{name}.{ending}", "vector-beam", "--size", "64x64", "--signal", f"audio:{sound},mode=xy",
+                film = self.film(f"{name}.{ending}", "vector-beam", "--size", "128x128", "--signal", f"audio:{sound},mode=xy",
                                  "--audio-codec", "aac")
                 samples = self.sound(film)
                 start = 2 * RATE // 20
@@ -289,7 +291,7 @@ class Sound(FilmTest):
 
     def test_aac_warns_that_it_distorts_an_xy_figure(self):
         sound = self.wav("tone.wav", 0.2, lambda i: 0.5 * math.sin(i * 0.1))
-        scope = ("render", "vector-beam", "--size", "64x64", "--signal")
+        scope = ("render", "vector-beam", "--size", "128x128", "--signal")
         done = run(*scope, f"audio:{sound},mode=xy", "-o", self.folder / "a.mp4")
         self.assert_done(done)
         self.assertIn("warning: AAC changes the sound. An oscilloscope that plays this film draws a distorted figure. Use .mov or .mkv", done.stderr)

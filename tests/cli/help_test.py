@@ -38,12 +38,12 @@ class Help(ProgramTest):
             shutil.copy(self.folder / "picture.png", self.folder / name)
         self.assert_done(run("render", "crt", "--size", "64x36", "-o", self.folder / "before.exr"))
         bars = self.folder / "bars.png"
-        self.assert_done(run("render", "crt", "--set", "crt=off", "--source", "pattern:harbour", "--size", "240x180", "-o", bars))
+        self.assert_done(run("render", "crt", "--set", "crt=off", "--source", "pattern:harbour", "--size", "160x120", "-o", bars))
         photo = {"mask_type": "Aperture grille", "mask_strength": "0.7", "sampling": "Continuous", "exposure": "0.25",
                  "vignette_depth": "0", "red_offset": "0,0", "green_offset": "0,0",
                  "blue_offset": "0,0"}
         sets = [word for name, value in photo.items() for word in ("--set", f"{name}={value}")]
-        self.assert_done(run("render", "shadow-mask", *sets, "--source", bars, "--size", "240x180", "-o", self.folder / "set.png"))
+        self.assert_done(run("render", "shadow-mask", *sets, "--source", bars, "--size", "160x120", "-o", self.folder / "set.png"))
         if shutil.which("ffmpeg"):  # a light that goes off after 6 frames
             light = "if(lt(N,6),8,220*exp(-(N-6)/8.4))"
             subprocess.run(["ffmpeg", "-v", "error", "-f", "lavfi", "-i",
@@ -73,6 +73,8 @@ class Help(ProgramTest):
                     continue
                 if command in self.DRAWS and "--size" not in words:
                     words += ["--size", "64x36"]  # the same, but faster
+                if command in ("sheet", "sweep"):
+                    words += ["--fps", "240"]  # fewer samples per frame
                 with self.subTest(example):
                     self.assert_done(run(*words, cwd=self.folder))
 
