@@ -16,7 +16,8 @@ import textwrap
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+import record
+
 MASKS = {1: "Aperture grille", 2: "Slot mask", 3: "Dot triads"}
 # Parameter: whether its error is relative, and the limit of the median error.
 LIMITS = {
@@ -47,18 +48,16 @@ def fit(program, trial):
 
 
 def finished_fits(program, file):
-    """All fits; those in the file are not run again."""
-    fits = [json.loads(line) for line in file.read_text().splitlines()] if file.exists() else []
-    known = {(row["seed"], row["mask"]) for row in fits}
+    """All fits; those in the file are not run again, unless the code has changed since then."""
+    rows = record.Rows(file, lambda _: record.CODE["match"])
+    known = {(row["seed"], row["mask"]) for row in rows.rows}
     waiting = [trial for trial in trials() if trial[:2] not in known]
-    with ThreadPoolExecutor(2) as pool, file.open("a") as kept:
+    with ThreadPoolExecutor(2) as pool:
         for row in pool.map(lambda trial: fit(program, trial), waiting):
-            fits.append(row)
-            kept.write(json.dumps(row) + "\n")
-            kept.flush()
-            print(f"{len(fits)} of {len(trials())}: seed {row['seed']}, {MASKS[row['mask']]}"
+            rows.add(**row)
+            print(f"{len(rows.rows)} of {len(trials())}: seed {row['seed']}, {MASKS[row['mask']]}"
                   + (f": {row['error']}" if "error" in row else ""), flush=True)
-    return fits
+    return rows.rows
 
 
 def figures(fits, name):
@@ -101,9 +100,7 @@ def report(fits):
     lines, misses = table(good)
     wrong = [row for row in good if row["type"] != row["mask"]]
     ratio = statistics.median(row["residual"] / row["residual_of_truth"] for row in good)
-    commit = subprocess.run(["git", "rev-parse", "--short=8", "HEAD"], capture_output=True, text=True, cwd=ROOT,
-                            check=True).stdout.strip()
-    summary = (f"{len(good)} of {len(fits)} photos matched at commit {commit}, {datetime.date.today()}. "
+    summary = (f"{len(good)} of {len(fits)} photos matched at commit {record.commit()}, {datetime.date.today()}. "
                f"{len(good) - len(wrong)} mask types are right. "
                f"A fit takes {statistics.median(row['seconds'] for row in good):.0f} s "
                f"and {statistics.median(row['pictures'] for row in good):.0f} pictures on one core (median). The difference "
@@ -116,7 +113,7 @@ def report(fits):
 
 
 def write_page(lines):
-    page = ROOT / "docs" / "match.md"
+    page = record.ROOT / "docs" / "match.md"
     before, rest = page.read_text().split(BEGIN)
     after = rest.split(END)[1]
     page.write_text(before + BEGIN + "\n" + "\n".join(lines) + "\n" + END + after)
@@ -124,7 +121,6 @@ def write_page(lines):
 
 def main():
     program, folder = Path(sys.argv[1]) / "tests" / "match_soak", Path(sys.argv[2])
-    folder.mkdir(parents=True, exist_ok=True)
     lines, misses = report(finished_fits(program, folder / "match.jsonl"))
     write_page(lines)
     print("\n".join(lines))
